@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TABLE_FORMAT = ROOT / "hls/include/horopter/hls/table_format.hpp"
 PROFILES = ROOT / "hls/include/horopter/hls/profiles.def"
 REQUIREMENTS = ROOT / "constraints/requirements.txt"
-ECP5_FIRST = "proc; opt_expr; techmap -map constraints/compare.v"
+FEWEST = 4  # flip-flops of an ECP5 with the same enable or reset: for fewer it is logic before them, as its way is long
 
 CELLS = {  # what a cell counts as; LUT4, FF, BRAM, MULT
     "LUT4": (1, 0, 0, 0), "CCU2C": (2, 0, 0, 0), "TRELLIS_DPR16X4": (6, 0, 0, 0), "TRELLIS_FF": (0, 1, 0, 0),
@@ -26,11 +26,19 @@ PROFILE_COLUMNS = ("width", "height", "subsample", "dsad_window", "majority_wind
 DECISIONS = {"thesis": ("thesis",), "compete": ("compete",), "both": ("thesis", "compete")}
 
 
+def ecp5_synthesis(top, options=""):
+    """Commands of yosys that make an ECP5's cells of what was read."""
+    kinds = "".join(f" -cell {kind} {initial}" for kind, initial in (
+        ("$_DFF_?_", "01"), ("$_DFF_?P?_", "r"), ("$_SDFF_?P?_", "r"), ("$_DFFE_??_", "01"), ("$_DFFE_?P??_", "r"), ("$_SDFFE_?P??_", "r")))
+    return (f"proc; opt_expr; techmap -map constraints/compare.v; synth_ecp5 {options} -top {top} -run begin:map_ffs; opt_clean; "
+            f"dfflegalize{kinds} -minsrst {FEWEST} -mince {FEWEST}; synth_ecp5 {options} -top {top} -run map_ffs:")
+
+
 def synthesis(family, top, netlist):
     """Commands of yosys behind reading the sources: a flat netlist, in JSON. What keeps its hierarchy while it is optimised, as
     a second copy of a module must, gives it up then."""
-    first, made = (f"{ECP5_FIRST}; ", "synth_ecp5") if family == "ecp5" else ("", "synth_ice40 -abc9 -device hx")
-    return (f"{first}{made} -top {top}; setattr -unset keep_hierarchy; setattr -mod -unset keep_hierarchy; flatten; opt_clean; "
+    made = ecp5_synthesis(top) if family == "ecp5" else f"synth_ice40 -abc9 -device hx -top {top}"
+    return (f"{made}; setattr -unset keep_hierarchy; setattr -mod -unset keep_hierarchy; flatten; opt_clean; "
             f"write_json {netlist}")
 
 

@@ -125,10 +125,11 @@ class Patches {
     if (row_starts) start_pixels(at, config);
     if (fetch_ != 0) fetch_place();
     const u<x_bits> x(cat(at.column, at.x));
+    const u<x_bits + 1> behind(x + lit<right_window / 2>());  // the right window's middle, if it begins here
     std::array<u<6>, 2> right_at{};
     std::array<u<5>, 2> left_at{};
     for (std::size_t h = 0; h < 2; ++h) {
-      const bool right_begins = place_[h].valid && x == right_from(place_[h]);
+      const bool right_begins = place_[h].valid && behind == right_middle(place_[h]);
       const bool left_begins = place_[h].valid && x == left_from(place_[h]);
       right_at[h] = row_starts ? u<6>(right_window) : (right_begins ? u<6>(0) : right_next_[h]);
       left_at[h] = row_starts ? u<5>(left_window) : (left_begins ? u<5>(0) : left_next_[h]);
@@ -234,7 +235,7 @@ class Patches {
       left_next_[h] = left_window;
       if (!place_[h].valid) continue;
       auto& window = h == 0 ? right_0_ : right_1_;
-      const int right_begins = static_cast<int>(right_from(place_[h]).value());
+      const int right_begins = static_cast<int>(right_middle(place_[h]).value()) - right_window / 2;
       const int left_begins = static_cast<int>(left_from(place_[h]).value());
       right_next_[h] = overlap(right_begins, right_window, [&](int column, int i) {
         window.write(static_cast<std::size_t>(right_window * row + column), right[i]);
@@ -319,9 +320,9 @@ class Patches {
     return u<x_bits>(s<x_bits + 2>(u<x_bits>(shl<bits_for(CELL - 1)>(choice.column))) +
                      s<5>(CELL / 2 - left_window / 2));
   }
-  static u<x_bits> right_from(const Choice& choice) {
+  static u<x_bits + 1> right_middle(const Choice& choice) {
     const s<10> column(s<10>(choice.column) + choice.shift);
-    return u<x_bits>(s<x_bits + 4>(shl<bits_for(CELL - 1)>(column)) + s<6>(CELL / 2 - right_window / 2));
+    return u<x_bits + 1>(cat(u<x_bits + 1 - bits_for(CELL - 1)>(column), u<bits_for(CELL - 1)>(CELL / 2)));
   }
 
   /// The first bands of a frame would begin above it.

@@ -102,7 +102,10 @@ module formal_map_store (
   (* hierconn *) wire \dut.waiting_q ;
   (* hierconn *) wire \dut.take ;
   (* hierconn *) wire [31:0] \dut.data ;
-  (* hierconn *) wire [15:0] \dut.slot_mask_q ;
+  (* hierconn *) wire [15:0] \dut.start_mask_q ;
+  (* hierconn *) wire [15:0] \dut.upload_mask_q ;
+  (* hierconn *) wire [3:0] \dut.selected_q ;
+  (* hierconn *) wire [3:0] \dut.active_q ;
   (* hierconn *) wire [8:0] \dut.extent ;
   (* hierconn *) wire \dut.store_entry ;
   (* hierconn *) wire \dut.store_limit ;
@@ -117,9 +120,11 @@ module formal_map_store (
   logic [3:0] past_slot, past_selected, past_active;
   logic [31:0] past_data;
   logic past_take = 1'b0;
-  logic past_running = 1'b0, before_running = 1'b0;  // a clock ago, which is what the device works with; two clocks ago
+  // A clock ago, which is what the device works with; two clocks ago.
+  logic past_running = 1'b0, before_running = 1'b0;
+  logic [3:0] before_selected;
   logic in_use;
-  assign in_use = past_running && valid[watched] && (watched == selected_slot || watched == active_slot);
+  assign in_use = past_running && valid[watched] && (watched == past_selected || watched == past_active);
 
   always @(posedge clk_i) begin
     past_valid <= 1'b1;
@@ -130,6 +135,7 @@ module formal_map_store (
     past_active <= active_slot;
     past_running <= running;
     before_running <= past_running;
+    before_selected <= past_selected;
     past_in_use <= rst_ni && in_use;
     if (\dut.store_entry && \dut.slot_q == watched) begin
       first <= \dut.base_q [3:0];
@@ -153,15 +159,16 @@ module formal_map_store (
       assume (\dut.extent == {behind, first});
     // The bus: a start's slot and the selection were there before it counts; a begin makes the selected slot the active one.
     if (\dut.start_q )
-      assume (slot == past_slot && selected_slot == past_selected && running == past_running && past_running == before_running);
+      assume (slot == past_slot && selected_slot == past_selected && past_selected == before_selected && running == past_running && past_running == before_running);
     assume (active_slot == past_active || active_slot == past_selected);
 
     if (past_valid) begin
       // --- invariants that lead to the properties ---
       if (valid[watched]) assert (5'(first) < behind && behind <= 5'd16);
       assert (!\dut.valid_q [15]);
-      if (\dut.start_q ) assert (\dut.slot_mask_q == 16'd1 << slot);
-      if (\dut.checked_q && !\dut.start_q ) assert (\dut.slot_mask_q == 16'd1 << \dut.slot_q );
+      assert (\dut.selected_q == past_selected && \dut.active_q == past_active);
+      if (\dut.start_q ) assert (\dut.start_mask_q == 16'd1 << slot);
+      if (\dut.checked_q ) assert (\dut.upload_mask_q == 16'd1 << \dut.slot_q );
       assert (\dut.running_q == past_running);
       assert (!(\dut.waiting_q && \dut.take ));
       if (\dut.take ) assert (\dut.writes_q == (\dut.state_q == DATA || (\dut.state_q == FACTS && \dut.area_next_q )));

@@ -3,7 +3,7 @@
 // area of skin that one of its pixels sees. They are copied from the pool into a memory at the frame's begin, a word a
 // clock, while the raster generator waits; and found for each pixel of the result.
 //
-// begin_i: one clock; 3 clocks later the table's entry is there, and stays. It has areas_i words of areas, in the pool's
+// begin_i: one clock; 4 clocks later the table's entry is there, and stays. It has areas_i words of areas, in the pool's
 // words64 before base_i, even bank first. busy_o: from the clock after begin_i on until all is stored; nothing else may
 // read the pool then.
 // The pool's words come READ clocks after their addresses. Without a table, and where it has no word, the code is the one
@@ -54,7 +54,7 @@ module horopter_areas #(
   end
 
   // --- copy ---
-  logic [3:1] begin_q;
+  logic [4:1] begin_q;
   logic reading_q, write_q, copy_error_q;
   logic [WORD_BITS-1:0] read_word_q, copied_q, write_addr_q;
   logic [11:0] areas_q, left_q;  // words of areas: all, and that are still to be read
@@ -72,13 +72,13 @@ module horopter_areas #(
       busy_o <= 1'b0;
     end else begin
       busy_o <= begin_i || begin_q != '0 || reading_q || valid_q != '0 || write_q;
-      begin_q <= {begin_q[2:1], begin_i};
-      reading_q <= begin_q[3] || (read_o && read_word_q != '1);
+      begin_q <= {begin_q[3:1], begin_i};
+      reading_q <= begin_q[4] || (read_o && read_word_q != '1);
       valid_q <= {valid_q[READ-1:1], read_o};
       write_q <= valid_q[READ];
     end
     areas_q <= table_ok_i ? areas_i : 12'd0;
-    if (begin_q[3]) begin
+    if (begin_q[4]) begin
       read_word_q <= '0;
       copied_q <= '0;
       left_q <= areas_q;

@@ -136,16 +136,16 @@ module horopter_framer #(
   assign gone_o = gone_q;
 
   // What the head of the stream means in a frame.
-  logic in_frame, early, take, at_end, complete, last_row, overflow, stopped, ends_early;
+  logic in_frame, restarts, early, take, at_end, complete, last_row, overflow, ends_early;
   assign in_frame = state_q == LINE || state_q == SKIP;
-  assign early = in_frame && s_valid_i && s_first_i && !fresh_q;
+  assign restarts = s_valid_i && s_first_i && !fresh_q;
+  assign early = in_frame && restarts;
   assign overflow = state_q == LINE && blocked_q && live_i && almost_full_i;
   assign take = state_q == LINE && s_valid_i && !blocked_q && (fresh_q || !s_first_i);  // a row may end with the frame
   assign at_end = row_end_q;
   assign complete = take && (s_last_i || at_end);
   assign last_row = last_row_q;
-  assign stopped = overflow || cut_i || gone_q;
-  assign ends_early = in_frame && (early || stopped);
+  assign ends_early = in_frame && (restarts || overflow || cut_i || gone_q);
 
   // A start of frame waits for its grant, or is dropped; what comes between frames, or is too much of a row, goes.
   assign s_ready_o = state_q == LINE ? !blocked_q && (fresh_q || !s_first_i) : drop_q || !s_first_i;
@@ -237,17 +237,20 @@ module horopter_framer #(
             long_line_o <= !s_last_i;
             frame_done_o <= last_row;
           end
-          if (early) state_q <= START;
-          else if (stopped) state_q <= WAIT;
-          else if (s_valid_i && !blocked_q && (s_last_i || at_end)) begin  // complete
+          // As ends_early, in few levels: a row that is complete has neither restarted nor overflowed.
+          if (restarts) begin
+            state_q <= START;
+          end else if (complete && !cut_i && !gone_q) begin
             if (last_row) state_q <= s_last_i ? IDLE : SKIP_END;
             else if (!s_last_i) state_q <= SKIP;
+          end else if ((blocked_q && live_i && almost_full_i) || cut_i || gone_q) begin
+            state_q <= WAIT;
           end
         end
 
         SKIP: begin
-          if (early) state_q <= START;
-          else if (stopped) state_q <= WAIT;
+          if (restarts) state_q <= START;
+          else if (cut_i || gone_q) state_q <= WAIT;
           else if (s_valid_i && s_last_i) state_q <= LINE;
         end
 

@@ -13,7 +13,7 @@
 // changes nothing. In use: valid, and selected or made the current output frame, while running.
 // With each slot stays the limit of undecidable pixels that was given at its start.
 //
-// Directory: lookup_i for one clock asks for lookup_slot_i; from two clocks later on the table_* outputs tell,
+// Directory: lookup_i for one clock asks for lookup_slot_i; from three clocks later on the table_* outputs tell,
 // until the next lookup. table_ok_o: it was valid, and made for this width and height. table_error_o: what they tell is
 // not what was stored (parity).
 // data_ready_o falls for 7 clocks after each word, in which its bytes go through the CRC, and for some 80 after the
@@ -74,9 +74,16 @@ module horopter_map_store #(
     $fatal(1, "horopter_map_store: POOL_BYTES must be a multiple of 8 from 64 to 512 KiB");
   end
 
-  // A clock late: frames begin some clocks after the machine has started.
-  logic running_q;
-  always_ff @(posedge clk_i) running_q <= running_i;
+  // A clock late, all of them alike: they come from far away.
+  logic running_q, look_q;
+  logic [3:0] selected_q, active_q, look_slot_q;
+  always_ff @(posedge clk_i) begin
+    running_q <= running_i;
+    selected_q <= selected_slot_i;
+    active_q <= active_slot_i;
+    look_q <= rst_ni && lookup_i;
+    look_slot_q <= lookup_slot_i;
+  end
 
   localparam logic [2:0] NO_ERROR = 3'd0;
   localparam logic [2:0] IN_USE = 3'd1;
@@ -179,22 +186,25 @@ module horopter_map_store #(
   // As of the clock of a start: slot_i and the selection do not change then nor in the next, and the active slot can only
   // become the selected one.
   always_ff @(posedge clk_i)
-    slot_in_use_q <= running_q && (slot_i == selected_slot_i || slot_i == active_slot_i)
+    slot_in_use_q <= running_q && (slot_i == selected_q || slot_i == active_q)
         && slot_i != NONE && (valid_q[slot_i] || store_entry);
 
   logic store_limit;
   assign store_entry = checked_q && right_q;
   assign store_limit = start_q && slot_i != NONE && !slot_in_use_q;
 
-  // One-hot: the slot of the start or of the end of an upload. As of the clock before: a start's is there then.
-  logic [15:0] slot_mask_q;
+  // One-hot: the slots of a start and of an upload. As of the clock before: a start's is there then.
+  logic [15:0] start_mask_q, upload_mask_q;
   logic replaces;  // the walk ends, and what overlaps goes
-  always_ff @(posedge clk_i) slot_mask_q <= 16'd1 << (start_valid_i ? slot_i : slot_q);
+  always_ff @(posedge clk_i) begin
+    start_mask_q <= 16'd1 << slot_i;
+    upload_mask_q <= 16'd1 << slot_q;
+  end
   assign replaces = state_q == WALK && walked_q && in_use_stays && !overlap_in_use_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) valid_q <= 16'd0;
-    else if (!start_q) valid_q <= (valid_q & ~(replaces ? overlap_q : 16'd0)) | (store_entry ? slot_mask_q : 16'd0);
-    else if (!slot_in_use_q) valid_q <= valid_q & ~slot_mask_q;
+    else if (!start_q) valid_q <= (valid_q & ~(replaces ? overlap_q : 16'd0)) | (store_entry ? upload_mask_q : 16'd0);
+    else if (!slot_in_use_q) valid_q <= valid_q & ~start_mask_q;
   end
 
   // Extent of each table, for the walk, else of slot_i.
@@ -227,10 +237,10 @@ module horopter_map_store #(
   end
 
   // Decided when the walk is over, for what is in use then: the selection may change during it.
-  assign in_use_stays = in_use_q == {running_q, selected_slot_i, active_slot_i};
+  assign in_use_stays = in_use_q == {running_q, selected_q, active_q};
   always_ff @(posedge clk_i) begin
-    in_use_q <= {running_q, selected_slot_i, active_slot_i};
-    overlap_in_use_q <= running_q && (overlap_q[selected_slot_i] || overlap_q[active_slot_i]);
+    in_use_q <= {running_q, selected_q, active_q};
+    overlap_in_use_q <= running_q && (overlap_q[selected_q] || overlap_q[active_q]);
     walked_q <= state_q == WALK && step_q[6];
   end
 
@@ -445,19 +455,19 @@ module horopter_map_store #(
       .write_en_i(store_entry),
       .write_addr_i(slot_q),
       .write_data_i({data, areas_q, spans_q, height_q, width_q, columns_q, ny_q, nx_q, spans_base_q}),
-      .read_en_i(lookup_i || !store_entry),
-      .read_addr_i(lookup_i ? lookup_slot_i : slot_i),
+      .read_en_i(look_q || !store_entry),
+      .read_addr_i(look_q ? look_slot_q : slot_i),
       .read_data_o(entry),
       .parity_error_o(entry_error)
   );
   assign {entry_crc, entry_areas, entry_spans, entry_height, entry_width, entry_columns, entry_ny, entry_nx, entry_base} = entry;
   always_ff @(posedge clk_i) begin
-    lookup_q <= lookup_i;
+    lookup_q <= rst_ni && look_q;
     // A table that is being stored in this very clock counts from the next lookup on.
-    lookup_valid_q <= valid_q[lookup_slot_i];
+    lookup_valid_q <= valid_q[look_slot_q];
     if (lookup_q) table_crc_o <= entry_crc;
     if (lookup_q) table_areas_o <= entry_areas;
-    slot_read_q <= !lookup_i && !store_entry;
+    slot_read_q <= !look_q && !store_entry;
     slot_valid_q <= valid_q[slot_i];
     if (slot_read_q && !slot_valid_q) slot_crc_o <= 32'd0;
     else if (slot_read_q) slot_crc_o <= entry_crc;
@@ -494,8 +504,8 @@ module horopter_map_store #(
       .write_en_i(store_limit),
       .write_addr_i(slot_i),
       .write_data_i(undecidable_limit_i),
-      .read_en_i(lookup_i),
-      .read_addr_i(lookup_slot_i),
+      .read_en_i(look_q),
+      .read_addr_i(look_slot_q),
       .read_data_o(table_undecidable_limit_o),
       .parity_error_o(limit_error)
   );
@@ -509,8 +519,8 @@ module horopter_map_store #(
       .write_en_i(store_entry),
       .write_addr_i(slot_q),
       .write_data_i(unsupervised_q),
-      .read_en_i(lookup_i),
-      .read_addr_i(lookup_slot_i),
+      .read_en_i(look_q),
+      .read_addr_i(look_slot_q),
       .read_data_o(table_unsupervised_o),
       .parity_error_o(unsupervised_error)
   );

@@ -3,7 +3,7 @@
 //
 // Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 3080 bits, pipeline 850 bits, memories 66527 bits.
+// State 3083 bits, pipeline 850 bits, memories 66591 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -72,22 +72,22 @@ module horopter_agreement (
   assign s3_en = en_i & valid_s3_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2354;
-  assign not_2354 = ~cfg_prove_i;
-  logic [5:0] sum_2567;
-  assign sum_2567 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_3627;
-  assign difference_3627 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_3840;
-  assign not_3840 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_3898;
-  assign difference_3898 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_4145;
-  assign less_4145 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_4146;
-  assign sum_4146 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic [7:0] select_4147;
-  assign select_4147 = less_4145 ? {sum_4146, cfg_height_i[5:3]} : 8'h0;
+  logic not_2353;
+  assign not_2353 = ~cfg_prove_i;
+  logic [5:0] sum_2566;
+  assign sum_2566 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_3626;
+  assign difference_3626 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_3839;
+  assign not_3839 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [6:0] difference_3897;
+  assign difference_3897 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_4144;
+  assign less_4144 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_4145;
+  assign sum_4145 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic [7:0] select_4146;
+  assign select_4146 = less_4144 ? {sum_4145, cfg_height_i[5:3]} : 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic left_first_q;
@@ -252,49 +252,49 @@ module horopter_agreement (
   // hls/stages/patches.hpp:122
   logic and_1675;
   assign and_1675 = (select_509 == 3'h0) & (select_511 == 6'h0);
-  // hls/stages/patches.hpp:392
+  // hls/stages/patches.hpp:393
   logic not_1676;
   assign not_1676 = ~patches_begins_q;
   // hls/stages/census.hpp:32
   logic not_1679;
   assign not_1679 = ~sample_pair_first_q;
-  // hls/stages/patches.hpp:362
+  // hls/stages/patches.hpp:363
   logic and_1680;
   assign and_1680 = patches_capturing_q & not_1679;
-  // hls/stages/patches.hpp:364
+  // hls/stages/patches.hpp:365
   logic equal_1681;
   assign equal_1681 = {or_521, select_528} == 4'hc;
-  // hls/stages/patches.hpp:311
+  // hls/stages/patches.hpp:312
   logic equal_1683;
   assign equal_1683 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/patches.hpp:125
   logic and_1688;
   assign and_1688 = (not_1676 & (patches_work_q == 3'h0)) & (~(and_1680 | ((~equal_1681) | (~equal_1683))));
-  // hls/stages/patches.hpp:534
+  // hls/stages/patches.hpp:535
   logic equal_1779;
   assign equal_1779 = patches_work_q == 3'h4;
-  // hls/stages/patches.hpp:512
+  // hls/stages/patches.hpp:513
   logic not_1780;
   assign not_1780 = ~equal_1779;
-  // hls/stages/patches.hpp:505
+  // hls/stages/patches.hpp:506
   logic equal_1781;
   assign equal_1781 = patches_work_q == 3'h3;
-  // hls/stages/patches.hpp:458
+  // hls/stages/patches.hpp:459
   logic not_1782;
   assign not_1782 = ~equal_1781;
-  // hls/stages/patches.hpp:499
+  // hls/stages/patches.hpp:500
   logic equal_1783;
   assign equal_1783 = patches_work_q == 3'h2;
-  // hls/stages/patches.hpp:167
+  // hls/stages/patches.hpp:168
   logic equal_1784;
   assign equal_1784 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:534
+  // hls/stages/patches.hpp:535
   logic or_1785;
   assign or_1785 = equal_1783 | equal_1784;
-  // hls/stages/patches.hpp:460
+  // hls/stages/patches.hpp:461
   logic not_1786;
   assign not_1786 = ~patches_second_q;
-  // hls/stages/patches.hpp:373
+  // hls/stages/patches.hpp:374
   logic [4:0] select_1808;
   assign select_1808 = and_1688 ? 5'h0 : (patches_row_q + 5'h1);
   // hls/stages/patches.hpp:126
@@ -306,257 +306,257 @@ module horopter_agreement (
   // hls/stages/patches.hpp:126
   logic select_1815;
   assign select_1815 = and_1675 ? (and_1688 | (and_1680 & (~and_1811))) : patches_capturing_q;
-  // hls/stages/patches.hpp:184
+  // hls/stages/patches.hpp:185
   logic and_1823;
   assign and_1823 = not_1780 & (not_1782 & (or_1785 & (patches_second_q & equal_1784)));
-  // hls/stages/patches.hpp:167
-  logic not_1840;
-  assign not_1840 = ~equal_1784;
+  // hls/stages/patches.hpp:168
+  logic not_1839;
+  assign not_1839 = ~equal_1784;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_1856;
-  assign select_1856 = and_1675 ? {select_1808[4], select_1808[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
-  // hls/stages/patches.hpp:458
-  logic and_1866;
-  assign and_1866 = not_1780 & (or_1785 & not_1782);
+  logic [3:0] select_1855;
+  assign select_1855 = and_1675 ? {select_1808[4], select_1808[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  // hls/stages/patches.hpp:459
+  logic and_1865;
+  assign and_1865 = not_1780 & (or_1785 & not_1782);
   // hls/stages/agreement.hpp:190
-  logic and_1977;
-  assign and_1977 = right_q & (~marks_first_i);
+  logic and_1976;
+  assign and_1976 = right_q & (~marks_first_i);
   // hls/stages/agreement.hpp:276
-  logic [2:0] select_2148;
-  assign select_2148 = sample_pair_whole_q ? (sample_last_q ? (select_528 + 3'h1) : select_528) : raster_at_y_q;
-  logic [5:0] select_2150;
-  assign select_2150 = sample_pair_whole_q ? (select_511 + {5'h0, equal_545}) : raster_at_column_q;
-  logic [5:0] select_2153;
-  assign select_2153 = sample_pair_whole_q ? (sample_last_q ? (select_677 + {5'h0, equal_546}) : select_677) : raster_at_row_q;
-  logic select_2157;
-  assign select_2157 = sample_pair_whole_q ? (sample_last_q ? (or_521 & (~raster_final_row_q)) : or_521) : raster_at_live_q;
+  logic [2:0] select_2147;
+  assign select_2147 = sample_pair_whole_q ? (sample_last_q ? (select_528 + 3'h1) : select_528) : raster_at_y_q;
+  logic [5:0] select_2149;
+  assign select_2149 = sample_pair_whole_q ? (select_511 + {5'h0, equal_545}) : raster_at_column_q;
+  logic [5:0] select_2152;
+  assign select_2152 = sample_pair_whole_q ? (sample_last_q ? (select_677 + {5'h0, equal_546}) : select_677) : raster_at_row_q;
+  logic select_2156;
+  assign select_2156 = sample_pair_whole_q ? (sample_last_q ? (or_521 & (~raster_final_row_q)) : or_521) : raster_at_live_q;
   // hls/stages/census.hpp:50
-  logic [8:0] select_2159;
-  assign select_2159 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [8:0] select_2158;
+  assign select_2158 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:276
-  logic select_2163;
-  assign select_2163 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  logic select_2162;
+  assign select_2162 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:459
-  logic [6:0] sum_2472;
-  assign sum_2472 = {1'b0, last} + 7'h1;
-  logic equal_2473;
-  assign equal_2473 = {sum_2472[6], cfg_width_i[8:3]} == {1'b0, sum_2472[5:0]};
+  logic [6:0] sum_2471;
+  assign sum_2471 = {1'b0, last} + 7'h1;
+  logic equal_2472;
+  assign equal_2472 = {sum_2471[6], cfg_width_i[8:3]} == {1'b0, sum_2471[5:0]};
   // hls/stages/agreement.hpp:464
-  logic and_2474;
-  assign and_2474 = and_549 & equal_2473;
+  logic and_2473;
+  assign and_2473 = and_549 & equal_2472;
   // hls/stages/agreement.hpp:523
-  logic select_2477;
-  assign select_2477 = (and_2474 | (~ends_cell_q)) ? and_2474 : ends_q;
+  logic select_2476;
+  assign select_2476 = (and_2473 | (~ends_cell_q)) ? and_2473 : ends_q;
   // hls/stages/agreement.hpp:529
   logic [2:0] now;
-  assign now = select_2477 ? (and_2474 ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2476 ? (and_2473 ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:534
-  logic [5:0] select_2481;
-  assign select_2481 = select_2477 ? (and_2474 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2484;
-  assign select_2484 = select_2477 ? (following_last_shift_q & (~and_2474)) : run_last_shift_q;
+  logic [5:0] select_2480;
+  assign select_2480 = select_2476 ? (and_2473 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2483;
+  assign select_2483 = select_2476 ? (following_last_shift_q & (~and_2473)) : run_last_shift_q;
   // hls/stages/agreement.hpp:607
-  logic and_2487;
-  assign and_2487 = run_last_shift_q & equal_593;
+  logic and_2486;
+  assign and_2486 = run_last_shift_q & equal_593;
   // hls/stages/agreement.hpp:616
-  logic select_2489;
-  assign select_2489 = equal_593 ? (~run_last_shift_q) : equal_594;
+  logic select_2488;
+  assign select_2488 = equal_593 ? (~run_last_shift_q) : equal_594;
   // hls/stages/agreement.hpp:620
-  logic equal_2490;
-  assign equal_2490 = run_phase_q == 3'h1;
-  logic not_2493;
-  assign not_2493 = ~select_2489;
+  logic equal_2489;
+  assign equal_2489 = run_phase_q == 3'h1;
+  logic not_2492;
+  assign not_2492 = ~select_2488;
   // hls/stages/agreement.hpp:623
-  logic equal_2495;
-  assign equal_2495 = run_phase_q == 3'h4;
+  logic equal_2494;
+  assign equal_2494 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:607
-  logic and_2496;
-  assign and_2496 = final_row_q & so;
+  logic and_2495;
+  assign and_2495 = final_row_q & so;
   // hls/stages/agreement.hpp:620
-  logic [1:0] select_2497;
-  assign select_2497 = equal_2495 ? 2'h1 : {2{and_2496}};
-  logic [2:0] select_2499;
-  assign select_2499 = (and_2487 | (select_2489 | equal_2490)) ? (equal_2490 ? 3'h2 : {not_2493, {2{select_2489}}}) : (equal_578 ? 3'h6 : {select_2497[0], select_2497});
+  logic [1:0] select_2496;
+  assign select_2496 = equal_2494 ? 2'h1 : {2{and_2495}};
+  logic [2:0] select_2498;
+  assign select_2498 = (and_2486 | (select_2488 | equal_2489)) ? (equal_2489 ? 3'h2 : {not_2492, {2{select_2488}}}) : (equal_578 ? 3'h6 : {select_2496[0], select_2496});
   // hls/stages/agreement.hpp:607
-  logic and_2502;
-  assign and_2502 = select_2489 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
+  logic and_2501;
+  assign and_2501 = select_2488 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:630
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2505;
-  assign select_2505 = (plan_shift_q[5] & select_2489) ? value : 7'h0;
-  logic [1:0] or_2506;
-  assign or_2506 = {2{so}} | select_2505[5:4];
+  logic [6:0] select_2504;
+  assign select_2504 = (plan_shift_q[5] & select_2488) ? value : 7'h0;
+  logic [1:0] or_2505;
+  assign or_2505 = {2{so}} | select_2504[5:4];
   // hls/stages/agreement.hpp:633
-  logic [7:0] select_2507;
-  assign select_2507 = select_2489 ? plan_columns_q : 8'h0;
-  logic [6:0] or_2510;
-  assign or_2510 = select_2507[6:0] | ((equal_2490 | equal_2495) ? whole_q : 7'h0);
-  logic [1:0] or_2511;
-  assign or_2511 = {2{and_2487}} | or_2510[3:2];
+  logic [7:0] select_2506;
+  assign select_2506 = select_2488 ? plan_columns_q : 8'h0;
+  logic [6:0] or_2509;
+  assign or_2509 = select_2506[6:0] | ((equal_2489 | equal_2494) ? whole_q : 7'h0);
+  logic [1:0] or_2510;
+  assign or_2510 = {2{and_2486}} | or_2509[3:2];
   // hls/stages/agreement.hpp:634
-  logic [6:0] or_2513;
-  assign or_2513 = {or_2510[6:4], or_2511, or_2510[1:0]} | (equal_578 ? drawn_q : 7'h0);
-  logic [4:0] or_2514;
-  assign or_2514 = {5{so}} | {or_2513[6], or_2513[3:0]};
+  logic [6:0] or_2512;
+  assign or_2512 = {or_2509[6:4], or_2510, or_2509[1:0]} | (equal_578 ? drawn_q : 7'h0);
+  logic [4:0] or_2513;
+  assign or_2513 = {5{so}} | {or_2512[6], or_2512[3:0]};
   // hls/stages/agreement.hpp:640
-  logic not_2518;
-  assign not_2518 = ~run_shift_q[5];
-  logic [6:0] difference_2520;
-  assign difference_2520 = {1'b0, last_q} - {1'b0, least_q};
-  logic [7:0] select_2521;
-  assign select_2521 = equal_593 ? ({{7{not_2518}}, 1'b1} + run_span_q) : {difference_2520[6], difference_2520};
+  logic not_2517;
+  assign not_2517 = ~run_shift_q[5];
+  logic [6:0] difference_2519;
+  assign difference_2519 = {1'b0, last_q} - {1'b0, least_q};
+  logic [7:0] select_2520;
+  assign select_2520 = equal_593 ? ({{7{not_2517}}, 1'b1} + run_span_q) : {difference_2519[6], difference_2519};
   // hls/stages/agreement.hpp:523
-  logic [6:0] select_2525;
-  assign select_2525 = and_2474 ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2524;
+  assign select_2524 = and_2473 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:526
-  logic [7:0] select_2527;
-  assign select_2527 = select_2477 ? {select_2525[6], select_2525} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2530;
-  assign select_2530 = select_2477 ? (and_2474 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2526;
+  assign select_2526 = select_2476 ? {select_2524[6], select_2524} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2529;
+  assign select_2529 = select_2476 ? (and_2473 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:520
-  logic [5:0] select_2538;
-  assign select_2538 = and_549 ? (equal_2473 ? ((5'he < last[5:1]) ? 6'h1d : last) : least_q) : least_q;
+  logic [5:0] select_2537;
+  assign select_2537 = and_549 ? (equal_2472 ? ((5'he < last[5:1]) ? 6'h1d : last) : least_q) : least_q;
   // hls/stages/agreement.hpp:473
-  logic [4:0] sum_2539;
-  assign sum_2539 = {1'b0, last[5:2]} + 5'h3;
+  logic [4:0] sum_2538;
+  assign sum_2538 = {1'b0, last[5:2]} + 5'h3;
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_2541;
-  assign select_2541 = and_549 ? (equal_2473 ? {sum_2539, last[1:0]} : whole_q) : whole_q;
+  logic [6:0] select_2540;
+  assign select_2540 = and_549 ? (equal_2472 ? {sum_2538, last[1:0]} : whole_q) : whole_q;
   // hls/stages/agreement.hpp:474
-  logic [4:0] sum_2542;
-  assign sum_2542 = {1'b0, last[5:2]} + 5'h1;
+  logic [4:0] sum_2541;
+  assign sum_2541 = {1'b0, last[5:2]} + 5'h1;
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_2544;
-  assign select_2544 = and_549 ? (equal_2473 ? {sum_2542, last[1:0]} : drawn_q) : drawn_q;
+  logic [6:0] select_2543;
+  assign select_2543 = and_549 ? (equal_2472 ? {sum_2541, last[1:0]} : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:531
-  logic select_2558;
-  assign select_2558 = (ends_cell_q | select_2477) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_593 | (slot_q == 3'h6));
+  logic select_2557;
+  assign select_2557 = (ends_cell_q | select_2476) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_593 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:526
-  logic and_2562;
-  assign and_2562 = (~select_2477) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_2561;
+  assign and_2561 = (~select_2476) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:476
-  logic [6:0] sum_2563;
-  assign sum_2563 = {1'b0, row} + 7'h1;
+  logic [6:0] sum_2562;
+  assign sum_2562 = {1'b0, row} + 7'h1;
   // hls/stages/agreement.hpp:460
-  logic select_2565;
-  assign select_2565 = equal_2473 ? ({sum_2563[6], cfg_height_i[8:3]} == {1'b0, sum_2563[5:0]}) : final_row_q;
-  // hls/stages/patches.hpp:317
+  logic select_2564;
+  assign select_2564 = equal_2472 ? ({sum_2562[6], cfg_height_i[8:3]} == {1'b0, sum_2562[5:0]}) : final_row_q;
+  // hls/stages/patches.hpp:318
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
+  logic [3:0] select_2940;
+  assign select_2940 = and_1675 ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
+  // hls/stages/agreement.hpp:276
   logic [3:0] select_2941;
-  assign select_2941 = and_1675 ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
-  // hls/stages/agreement.hpp:276
-  logic [3:0] select_2942;
-  assign select_2942 = sample_pair_whole_q ? select_2941 : patches_phase_q;
-  // hls/stages/patches.hpp:373
-  logic and_2943;
-  assign and_2943 = not_1679 & equal_1681;
+  assign select_2941 = sample_pair_whole_q ? select_2940 : patches_phase_q;
+  // hls/stages/patches.hpp:374
+  logic and_2942;
+  assign and_2942 = not_1679 & equal_1681;
+  logic [8:0] select_2943;
+  assign select_2943 = and_2942 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
   logic [8:0] select_2944;
-  assign select_2944 = and_2943 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  assign select_2944 = and_2942 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
   logic [8:0] select_2945;
-  assign select_2945 = and_2943 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_2946;
-  assign select_2946 = sample_pair_first_q ? select_2944 : select_2945;
+  assign select_2945 = sample_pair_first_q ? select_2943 : select_2944;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2948;
-  assign select_2948 = sample_pair_whole_q ? (and_1675 ? select_2946[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_2950;
-  assign select_2950 = sample_pair_whole_q ? (and_1675 ? select_2946[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_2953;
-  assign select_2953 = sample_pair_whole_q ? (equal_1683 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_2955;
-  assign select_2955 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_1683}) : patches_next_band_number_q;
-  // hls/stages/patches.hpp:330
-  logic equal_2956;
-  assign equal_2956 = phase[3:1] == 3'h0;
+  logic [3:0] select_2947;
+  assign select_2947 = sample_pair_whole_q ? (and_1675 ? select_2945[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_2949;
+  assign select_2949 = sample_pair_whole_q ? (and_1675 ? select_2945[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_2952;
+  assign select_2952 = sample_pair_whole_q ? (equal_1683 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_2954;
+  assign select_2954 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_1683}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:331
-  logic not_2957;
-  assign not_2957 = ~equal_2956;
+  logic equal_2955;
+  assign equal_2955 = phase[3:1] == 3'h0;
+  // hls/stages/patches.hpp:332
+  logic not_2956;
+  assign not_2956 = ~equal_2955;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2959;
-  assign select_2959 = sample_pair_whole_q ? (phase + {not_2957, 1'b1, not_2957, equal_2956}) : patches_first_band_rows_to_next_q;
+  logic [3:0] select_2958;
+  assign select_2958 = sample_pair_whole_q ? (phase + {not_2956, 1'b1, not_2956, equal_2955}) : patches_first_band_rows_to_next_q;
   // hls/stages/agreement.hpp:470
-  logic equal_2961;
-  assign equal_2961 = row == 6'h3;
+  logic equal_2960;
+  assign equal_2960 = row == 6'h3;
   // hls/stages/patches.hpp:87
-  logic [3:0] select_2965;
-  assign select_2965 = equal_2961 ? ((select_2942 == 4'h6) ? 4'h0 : (select_2942 + 4'h1)) : patches_choosing_rows_to_next_q;
-  logic equal_2966;
-  assign equal_2966 = select_2965 == 4'h0;
+  logic [3:0] select_2964;
+  assign select_2964 = equal_2960 ? ((select_2941 == 4'h6) ? 4'h0 : (select_2941 + 4'h1)) : patches_choosing_rows_to_next_q;
+  logic equal_2965;
+  assign equal_2965 = select_2964 == 4'h0;
   // hls/stages/agreement.hpp:460
-  logic [3:0] select_2969;
-  assign select_2969 = equal_2473 ? (equal_2966 ? 4'h6 : (select_2965 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_2968;
+  assign select_2968 = equal_2472 ? (equal_2965 ? 4'h6 : (select_2964 + 4'hf)) : patches_choosing_rows_to_next_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_2971;
-  assign select_2971 = equal_2961 ? 5'h0 : patches_choosing_number_q;
+  logic [4:0] select_2970;
+  assign select_2970 = equal_2960 ? 5'h0 : patches_choosing_number_q;
   // hls/stages/agreement.hpp:460
-  logic [4:0] select_2973;
-  assign select_2973 = equal_2473 ? (select_2971 + {4'h0, equal_2966}) : patches_choosing_number_q;
+  logic [4:0] select_2972;
+  assign select_2972 = equal_2472 ? (select_2970 + {4'h0, equal_2965}) : patches_choosing_number_q;
   // hls/stages/agreement.hpp:520
-  logic select_2978;
-  assign select_2978 = and_549 ? (equal_2473 ? ((6'h2 < row) & equal_2966) : patches_chooses_q) : patches_chooses_q;
-  logic [4:0] select_2980;
-  assign select_2980 = and_549 ? (equal_2473 ? select_2971 : patches_choosing_band_q) : patches_choosing_band_q;
-  // hls/stages/patches.hpp:371
-  logic or_3003;
-  assign or_3003 = select_511[0] | select_677[5];
-  logic [7:0] sum_3004;
-  assign sum_3004 = {1'b0, select_511[2:1], or_3003, select_677[4:1]} + 8'h1;
-  logic less_3005;
-  assign less_3005 = {sum_3004, select_677[0], select_528, 1'b0} < {4'h0, cfg_height_i};
+  logic select_2977;
+  assign select_2977 = and_549 ? (equal_2472 ? ((6'h2 < row) & equal_2965) : patches_chooses_q) : patches_chooses_q;
+  logic [4:0] select_2979;
+  assign select_2979 = and_549 ? (equal_2472 ? select_2970 : patches_choosing_band_q) : patches_choosing_band_q;
+  // hls/stages/patches.hpp:372
+  logic or_3002;
+  assign or_3002 = select_511[0] | select_677[5];
+  logic [7:0] sum_3003;
+  assign sum_3003 = {1'b0, select_511[2:1], or_3002, select_677[4:1]} + 8'h1;
+  logic less_3004;
+  assign less_3004 = {sum_3003, select_677[0], select_528, 1'b0} < {4'h0, cfg_height_i};
   // hls/stages/patches.hpp:126
-  logic select_3008;
-  assign select_3008 = and_1675 ? (and_1688 ? (~less_3005) : patches_lower_q) : patches_lower_q;
-  // hls/stages/patches.hpp:393
-  logic or_3047;
-  assign or_3047 = patches_begins_q | patches_ends_q;
-  // hls/stages/patches.hpp:395
+  logic select_3007;
+  assign select_3007 = and_1675 ? (and_1688 ? (~less_3004) : patches_lower_q) : patches_lower_q;
+  // hls/stages/patches.hpp:394
+  logic or_3046;
+  assign or_3046 = patches_begins_q | patches_ends_q;
+  // hls/stages/patches.hpp:396
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
-  // hls/stages/patches.hpp:187
+  // hls/stages/patches.hpp:188
+  logic and_3052;
+  assign and_3052 = equal_1779 & not_1786;
+  // hls/stages/patches.hpp:400
   logic and_3053;
-  assign and_3053 = equal_1779 & not_1786;
-  // hls/stages/patches.hpp:399
-  logic and_3054;
-  assign and_3054 = not_1840 & and_3053;
-  logic [1:0] select_3056;
-  assign select_3056 = equal_1781 ? 2'h0 : (equal_1783 ? 2'h3 : {equal_1784, and_3054});
-  // hls/stages/patches.hpp:279
-  logic equal_3058;
-  assign equal_3058 = patches_following_q == 3'h4;
-  // hls/stages/patches.hpp:277
-  logic not_3059;
-  assign not_3059 = ~equal_3058;
-  // hls/stages/patches.hpp:279
-  logic equal_3060;
-  assign equal_3060 = patches_following_q == 3'h3;
-  // hls/stages/patches.hpp:275
-  logic not_3061;
-  assign not_3061 = ~equal_3060;
-  // hls/stages/patches.hpp:283
-  logic not_3063;
-  assign not_3063 = ~(patches_following_q == 3'h2);
-  logic and_3066;
-  assign and_3066 = (~(patches_following_q == 3'h1)) & not_3063;
-  // hls/stages/patches.hpp:397
-  logic [1:0] select_3067;
-  assign select_3067 = equal_3060 ? 2'h2 : {and_3066, not_3063};
-  logic [3:0] select_3068;
-  assign select_3068 = equal_3058 ? 4'h2 : {select_3067, {2{not_3061}}};
-  // hls/stages/patches.hpp:405
-  logic not_3071;
-  assign not_3071 = ~or_3047;
-  // hls/stages/patches.hpp:394
+  assign and_3053 = not_1839 & and_3052;
+  logic [1:0] select_3055;
+  assign select_3055 = equal_1781 ? 2'h0 : (equal_1783 ? 2'h3 : {equal_1784, and_3053});
+  // hls/stages/patches.hpp:280
+  logic equal_3057;
+  assign equal_3057 = patches_following_q == 3'h4;
+  // hls/stages/patches.hpp:278
+  logic not_3058;
+  assign not_3058 = ~equal_3057;
+  // hls/stages/patches.hpp:280
+  logic equal_3059;
+  assign equal_3059 = patches_following_q == 3'h3;
+  // hls/stages/patches.hpp:276
+  logic not_3060;
+  assign not_3060 = ~equal_3059;
+  // hls/stages/patches.hpp:284
+  logic not_3062;
+  assign not_3062 = ~(patches_following_q == 3'h2);
+  logic and_3065;
+  assign and_3065 = (~(patches_following_q == 3'h1)) & not_3062;
+  // hls/stages/patches.hpp:398
+  logic [1:0] select_3066;
+  assign select_3066 = equal_3059 ? 2'h2 : {and_3065, not_3062};
+  logic [3:0] select_3067;
+  assign select_3067 = equal_3057 ? 4'h2 : {select_3066, {2{not_3060}}};
+  // hls/stages/patches.hpp:406
+  logic not_3070;
+  assign not_3070 = ~or_3046;
+  // hls/stages/patches.hpp:395
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
-  // hls/stages/patches.hpp:406
-  logic [11:0] select_3076;
-  assign select_3076 = or_3047 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
-  // hls/stages/patches.hpp:187
-  logic [4:0] select_3078;
-  assign select_3078 = or_3047 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  // hls/stages/patches.hpp:407
+  logic [11:0] select_3075;
+  assign select_3075 = or_3046 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  // hls/stages/patches.hpp:188
+  logic [4:0] select_3077;
+  assign select_3077 = or_3046 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
   // Memory fresh, 47 x 33, DISTANCE 12, hls/stages/agreement.hpp:1372; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -634,7 +634,7 @@ module horopter_agreement (
     if (en_i) best_left_rdata_q <= best_left_mem[best_left_raddr];
   end
 
-  // Memory patches_right_0, 1024 x 8, DISTANCE 12, hls/stages/patches.hpp:779; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory patches_right_0, 1024 x 8, DISTANCE 12, hls/stages/patches.hpp:780; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_right_0_mem [0:1023];
@@ -652,7 +652,7 @@ module horopter_agreement (
     if (en_i) patches_right_0_rdata_q <= patches_right_0_mem[patches_right_0_raddr];
   end
 
-  // Memory patches_right_1, 1024 x 8, DISTANCE 12, hls/stages/patches.hpp:779; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory patches_right_1, 1024 x 8, DISTANCE 12, hls/stages/patches.hpp:780; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_right_1_mem [0:1023];
@@ -670,7 +670,7 @@ module horopter_agreement (
     if (en_i) patches_right_1_rdata_q <= patches_right_1_mem[patches_right_1_raddr];
   end
 
-  // Memory patches_left, 512 x 8, DISTANCE 12, hls/stages/patches.hpp:780; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory patches_left, 512 x 8, DISTANCE 12, hls/stages/patches.hpp:781; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_left_mem [0:511];
@@ -681,14 +681,14 @@ module horopter_agreement (
   assign patches_left_raddr = {patches_second_q, patches_code_row_q[3:0], patches_column_q[3:0]};
 `ifndef SYNTHESIS
   logic patches_left_re;
-  assign patches_left_re = s0_en & (not_1780 & (not_1782 & (not_1840 & or_1785)));
+  assign patches_left_re = s0_en & (not_1780 & (not_1782 & (not_1839 & or_1785)));
 `endif
   logic [7:0] patches_left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_left_rdata_q <= patches_left_mem[patches_left_raddr];
   end
 
-  // Memory patches_columns_above, 32 x 32, DISTANCE 12, hls/stages/patches.hpp:791; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory patches_columns_above, 32 x 32, DISTANCE 12, hls/stages/patches.hpp:792; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -700,7 +700,7 @@ module horopter_agreement (
   assign patches_columns_above_raddr = patches_column_q;
 `ifndef SYNTHESIS
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s0_en & and_1866;
+  assign patches_columns_above_re = s0_en & and_1865;
 `endif
   logic [31:0] patches_columns_above_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -775,71 +775,71 @@ module horopter_agreement (
       patches_column_q <= 5'h0;
       patches_column_ends_q <= 1'b0;
     end else if (s0_en) begin
-      left_first_q <= and_1977 ? left_first_q : marks_first_i;
-      right_q <= (~and_1977) & (~marks_last_i);
+      left_first_q <= and_1976 ? left_first_q : marks_first_i;
+      right_q <= (~and_1976) & (~marks_last_i);
       sample_pair_first_q <= left_first_q;
-      sample_pair_whole_q <= and_1977;
+      sample_pair_whole_q <= and_1976;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
       raster_at_x_q <= sample_pair_whole_q ? (select_509 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_2148;
-      raster_at_column_q <= select_2150;
-      raster_at_row_q <= select_2153;
-      raster_at_live_q <= select_2157;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2159 : raster_rows_left_q;
+      raster_at_y_q <= select_2147;
+      raster_at_column_q <= select_2149;
+      raster_at_row_q <= select_2152;
+      raster_at_live_q <= select_2156;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2158 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2163;
+      raster_final_row_q <= select_2162;
       averager_place_q <= sample_pair_whole_q ? select_515 : averager_place_q;
       averager_inside_q <= sample_pair_whole_q ? select_520 : averager_inside_q;
       run_phase_q <= now;
-      run_shift_q <= select_2481;
-      run_last_shift_q <= select_2484;
-      run_span_q <= select_2477 ? (and_2474 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2499;
-      following_shift_q <= select_2489 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2502;
+      run_shift_q <= select_2480;
+      run_last_shift_q <= select_2483;
+      run_span_q <= select_2476 ? (and_2473 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2498;
+      following_shift_q <= select_2488 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2501;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2505[6], or_2506, select_2505[3:0]};
-      following_columns_q <= {select_2507[7], or_2514[4], or_2513[5:4], or_2514[3:0]};
+      following_lowest_q <= {select_2504[6], or_2505, select_2504[3:0]};
+      following_columns_q <= {select_2506[7], or_2513[4], or_2512[5:4], or_2513[3:0]};
       plan_shift_q <= equal_593 ? (run_shift_q + 6'h1) : (6'h0 - least_q);
-      plan_span_q <= select_2521;
+      plan_span_q <= select_2520;
       plan_columns_q <= (plan_span_q < 8'h3) ? 8'h6 : (plan_span_q + 8'h3);
-      x_q <= select_2527;
-      columns_left_q <= select_2530;
-      last_q <= and_549 ? (equal_2473 ? last : last_q) : last_q;
-      least_q <= select_2538;
-      whole_q <= select_2541;
-      drawn_q <= select_2544;
-      age_q <= select_2477 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2477 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2558;
-      ends_q <= and_2562;
-      final_row_q <= and_549 ? select_2565 : final_row_q;
+      x_q <= select_2526;
+      columns_left_q <= select_2529;
+      last_q <= and_549 ? (equal_2472 ? last : last_q) : last_q;
+      least_q <= select_2537;
+      whole_q <= select_2540;
+      drawn_q <= select_2543;
+      age_q <= select_2476 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2476 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2557;
+      ends_q <= and_2561;
+      final_row_q <= and_549 ? select_2564 : final_row_q;
       shift_first_q <= {run_shift_q[5], run_shift_q} == (7'h0 - {1'b0, least_q});
-      patches_phase_q <= select_2942;
-      patches_band_rows_rows_to_next_q <= select_2948;
-      patches_band_rows_number_q <= select_2950;
-      patches_next_band_rows_to_next_q <= select_2953;
-      patches_next_band_number_q <= select_2955;
-      patches_first_band_rows_to_next_q <= select_2959;
-      patches_first_band_number_q <= sample_pair_whole_q ? equal_2956 : patches_first_band_number_q;
-      patches_choosing_rows_to_next_q <= and_549 ? select_2969 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_549 ? select_2973 : patches_choosing_number_q;
-      patches_chooses_q <= select_2978;
-      patches_choosing_band_q <= select_2980;
+      patches_phase_q <= select_2941;
+      patches_band_rows_rows_to_next_q <= select_2947;
+      patches_band_rows_number_q <= select_2949;
+      patches_next_band_rows_to_next_q <= select_2952;
+      patches_next_band_number_q <= select_2954;
+      patches_first_band_rows_to_next_q <= select_2958;
+      patches_first_band_number_q <= sample_pair_whole_q ? equal_2955 : patches_first_band_number_q;
+      patches_choosing_rows_to_next_q <= and_549 ? select_2968 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_549 ? select_2972 : patches_choosing_number_q;
+      patches_chooses_q <= select_2977;
+      patches_choosing_band_q <= select_2979;
       patches_capturing_q <= sample_pair_whole_q ? select_1815 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_q ? select_3008 : patches_lower_q;
+      patches_lower_q <= sample_pair_whole_q ? select_3007 : patches_lower_q;
       patches_row_q <= sample_pair_whole_q ? select_1809 : patches_row_q;
-      patches_work_q <= or_3047 ? following : patches_work_q;
+      patches_work_q <= or_3046 ? following : patches_work_q;
       patches_second_q <= not_1676 & (patches_second_q | (patches_ends_q & equal_1779));
-      patches_following_q <= equal_1779 ? {2'h0, and_3053} : {equal_1781, select_3056};
-      patches_following_beats_q <= {select_3068, not_3059};
+      patches_following_q <= equal_1779 ? {2'h0, and_3052} : {equal_1781, select_3055};
+      patches_following_beats_q <= {select_3067, not_3058};
       patches_begins_q <= sample_pair_whole_q & (and_1675 & and_1811);
-      patches_ends_q <= not_3071 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3076;
-      patches_code_row_q <= select_3078;
-      patches_column_q <= or_3047 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3071 & (patches_column_q == 5'h1e);
+      patches_ends_q <= not_3070 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3075;
+      patches_code_row_q <= select_3077;
+      patches_column_q <= or_3046 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3070 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -896,12 +896,12 @@ module horopter_agreement (
   logic or_1785_s1_q;
   logic [4:0] select_1809_s1_q;
   logic select_1815_s1_q;
-  logic [3:0] select_1856_s1_q;
-  logic and_1866_s1_q;
-  logic equal_2473_s1_q;
-  logic and_2474_s1_q;
-  logic or_3047_s1_q;
-  logic not_3071_s1_q;
+  logic [3:0] select_1855_s1_q;
+  logic and_1865_s1_q;
+  logic equal_2472_s1_q;
+  logic and_2473_s1_q;
+  logic or_3046_s1_q;
+  logic not_3070_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -957,12 +957,12 @@ module horopter_agreement (
       or_1785_s1_q <= or_1785;
       select_1809_s1_q <= select_1809;
       select_1815_s1_q <= select_1815;
-      select_1856_s1_q <= select_1856;
-      and_1866_s1_q <= and_1866;
-      equal_2473_s1_q <= equal_2473;
-      and_2474_s1_q <= and_2474;
-      or_3047_s1_q <= or_3047;
-      not_3071_s1_q <= not_3071;
+      select_1855_s1_q <= select_1855;
+      and_1865_s1_q <= and_1865;
+      equal_2472_s1_q <= equal_2472;
+      and_2473_s1_q <= and_2473;
+      or_3046_s1_q <= or_3046;
+      not_3070_s1_q <= not_3070;
     end
   end
 
@@ -1653,218 +1653,218 @@ module horopter_agreement (
   assign select_1707 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
   assign change = ($signed(10'h0) < $signed(select_1707[16:7])) ? 8'h7f : select_1707[7:0];
-  // hls/stages/patches.hpp:172
+  // hls/stages/patches.hpp:173
   logic [7:0] pixel;
   assign pixel = equal_1784_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
   assign pixel_2 = equal_1784_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
-  // hls/stages/patches.hpp:500
-  logic less_1872;
-  assign less_1872 = 5'he < patches_along_q;
   // hls/stages/patches.hpp:501
-  logic or_1873;
-  assign or_1873 = equal_1783_s1_q | less_1872;
-  // hls/stages/patches.hpp:504
+  logic less_1871;
+  assign less_1871 = 5'he < patches_along_q;
+  // hls/stages/patches.hpp:502
+  logic or_1872;
+  assign or_1872 = equal_1783_s1_q | less_1871;
+  // hls/stages/patches.hpp:505
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
-  logic select_1878;
-  assign select_1878 = equal_1783_s1_q ? patches_column_s1_q[0] : (or_1873 ? (patches_along_q == 5'h10) : (~new_row));
-  logic not_1879;
-  assign not_1879 = ~or_1873;
-  // hls/stages/patches.hpp:501
-  logic [4:0] sum_1880;
-  assign sum_1880 = patches_down_by_q + {1'b0, patches_match_row_q};
-  // hls/stages/patches.hpp:503
+  logic select_1877;
+  assign select_1877 = equal_1783_s1_q ? patches_column_s1_q[0] : (or_1872 ? (patches_along_q == 5'h10) : (~new_row));
+  logic not_1878;
+  assign not_1878 = ~or_1872;
+  // hls/stages/patches.hpp:502
+  logic [4:0] sum_1879;
+  assign sum_1879 = patches_down_by_q + {1'b0, patches_match_row_q};
+  // hls/stages/patches.hpp:504
+  logic [4:0] select_1882;
+  assign select_1882 = or_1872 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_1879) + 5'h1) : sum_1879;
+  // hls/stages/patches.hpp:506
   logic [4:0] select_1883;
-  assign select_1883 = or_1873 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_1880) + 5'h1) : sum_1880;
-  // hls/stages/patches.hpp:505
-  logic [4:0] select_1884;
-  assign select_1884 = equal_1783_s1_q ? 5'h0 : select_1883;
-  logic or_1885;
-  assign or_1885 = equal_1783_s1_q | equal_1781_s1_q;
-  // hls/stages/patches.hpp:481
-  logic equal_1887;
-  assign equal_1887 = patches_column_s1_q == 5'h1f;
+  assign select_1883 = equal_1783_s1_q ? 5'h0 : select_1882;
+  logic or_1884;
+  assign or_1884 = equal_1783_s1_q | equal_1781_s1_q;
+  // hls/stages/patches.hpp:482
+  logic equal_1886;
+  assign equal_1886 = patches_column_s1_q == 5'h1f;
   logic of_row;
   assign of_row = patches_column_s1_q == 5'h11;
-  logic equal_1889;
-  assign equal_1889 = patches_column_s1_q == 5'h18;
-  // hls/stages/patches.hpp:483
-  logic and_1891;
-  assign and_1891 = of_row & (~equal_1889);
+  logic equal_1888;
+  assign equal_1888 = patches_column_s1_q == 5'h18;
+  // hls/stages/patches.hpp:484
+  logic and_1890;
+  assign and_1890 = of_row & (~equal_1888);
   logic [1:0] of_row_2;
-  assign of_row_2 = equal_1887 ? 2'h3 : {equal_1889, and_1891};
-  // hls/stages/patches.hpp:469
-  logic [8:0] sum_1894;
-  assign sum_1894 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
-  logic [8:0] sum_1895;
-  assign sum_1895 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
-  logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_1894, pixel_2[0]} - {1'b0, sum_1895, patches_columns_above_rdata_q[24]};
-  // hls/stages/patches.hpp:471
-  logic [11:0] sum_1897;
-  assign sum_1897 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_1898;
-  assign sum_1898 = {{4{down_2[10]}}, down_2[10:2]} + {sum_1897[11], sum_1897};
-  logic [13:0] sum_1899;
-  assign sum_1899 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_1898, down_2[1]};
-  logic [12:0] sum_1900;
-  assign sum_1900 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1899[13:1];
-  logic [14:0] sum_1901;
-  assign sum_1901 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_1900, sum_1899[0], down_2[0]};
-  // hls/stages/patches.hpp:453
-  logic or_1908;
-  assign or_1908 = (sum_1901[8] & (~(sum_1901[7:0] == 8'h0))) | (~(sum_1901[13:9] == 5'h0));
-  // hls/stages/patches.hpp:467
-  logic [8:0] sum_1913;
-  assign sum_1913 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
-  logic [9:0] sum_1914;
-  assign sum_1914 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_1913};
-  logic [10:0] sum_1915;
-  assign sum_1915 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_1914, patches_columns_above_rdata_q[25]};
-  logic [9:0] sum_1916;
-  assign sum_1916 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_1915[10:1];
-  // hls/stages/patches.hpp:468
-  logic [11:0] smooth;
-  assign smooth = {sum_1916, sum_1915[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  assign of_row_2 = equal_1886 ? 2'h3 : {equal_1888, and_1890};
   // hls/stages/patches.hpp:470
+  logic [8:0] sum_1893;
+  assign sum_1893 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
+  logic [8:0] sum_1894;
+  assign sum_1894 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
+  logic [10:0] down_2;
+  assign down_2 = {1'b0, sum_1893, pixel_2[0]} - {1'b0, sum_1894, patches_columns_above_rdata_q[24]};
+  // hls/stages/patches.hpp:472
+  logic [11:0] sum_1896;
+  assign sum_1896 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_1897;
+  assign sum_1897 = {{4{down_2[10]}}, down_2[10:2]} + {sum_1896[11], sum_1896};
+  logic [13:0] sum_1898;
+  assign sum_1898 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_1897, down_2[1]};
+  logic [12:0] sum_1899;
+  assign sum_1899 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1898[13:1];
+  logic [14:0] sum_1900;
+  assign sum_1900 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_1899, sum_1898[0], down_2[0]};
+  // hls/stages/patches.hpp:454
+  logic or_1907;
+  assign or_1907 = (sum_1900[8] & (~(sum_1900[7:0] == 8'h0))) | (~(sum_1900[13:9] == 5'h0));
+  // hls/stages/patches.hpp:468
+  logic [8:0] sum_1912;
+  assign sum_1912 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
+  logic [9:0] sum_1913;
+  assign sum_1913 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_1912};
+  logic [10:0] sum_1914;
+  assign sum_1914 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_1913, patches_columns_above_rdata_q[25]};
+  logic [9:0] sum_1915;
+  assign sum_1915 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_1914[10:1];
+  // hls/stages/patches.hpp:469
+  logic [11:0] smooth;
+  assign smooth = {sum_1915, sum_1914[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  // hls/stages/patches.hpp:471
+  logic [12:0] sum_1917;
+  assign sum_1917 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
   logic [12:0] sum_1918;
-  assign sum_1918 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
-  logic [12:0] sum_1919;
-  assign sum_1919 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_1920;
-  assign difference_1920 = {1'b0, sum_1918, smooth[0]} - {1'b0, sum_1919, patches_smooth_values_3_q[0]};
-  // hls/stages/patches.hpp:453
-  logic or_1927;
-  assign or_1927 = (difference_1920[8] & (~(difference_1920[7:0] == 8'h0))) | (~(difference_1920[13:9] == 5'h0));
-  // hls/stages/patches.hpp:482
-  logic or_1935;
-  assign or_1935 = (((patches_column_s1_q == 5'ha) | of_row) | equal_1889) | equal_1887;
-  // hls/stages/patches.hpp:477
-  logic and_1940;
-  assign and_1940 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
-  // hls/stages/patches.hpp:184
-  logic and_1944;
-  assign and_1944 = not_1782_s1_q & (or_1785_s1_q & (or_1935 & (equal_1784_s1_q & and_1940)));
-  // hls/stages/patches.hpp:172
-  logic and_1954;
-  assign and_1954 = (~(equal_1784_s1_q | (~and_1940))) & (~patches_column_s1_q[4]);
-  // hls/stages/patches.hpp:184
-  logic and_1958;
-  assign and_1958 = not_1782_s1_q & (or_1785_s1_q & (and_1954 & (patches_column_s1_q == 5'hf)));
-  // hls/stages/patches.hpp:546
-  logic less_1960;
-  assign less_1960 = patches_step_q[4:0] < 5'h11;
-  logic equal_1961;
-  assign equal_1961 = patches_step_q[6:5] == 2'h0;
-  logic not_1962;
-  assign not_1962 = ~equal_1961;
-  logic equal_1963;
-  assign equal_1963 = patches_step_q[6:5] == 2'h3;
-  logic not_1964;
-  assign not_1964 = ~equal_1963;
-  // hls/stages/patches.hpp:560
-  logic select_1967;
-  assign select_1967 = equal_1963 ? (less_1960 & (less_1960 & not_1964)) : less_1960;
-  // hls/stages/patches.hpp:184
-  logic and_1970;
-  assign and_1970 = equal_1779_s1_q & (less_1960 ? (not_1962 & select_1967) : select_1967);
+  assign sum_1918 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_1919;
+  assign difference_1919 = {1'b0, sum_1917, smooth[0]} - {1'b0, sum_1918, patches_smooth_values_3_q[0]};
+  // hls/stages/patches.hpp:454
+  logic or_1926;
+  assign or_1926 = (difference_1919[8] & (~(difference_1919[7:0] == 8'h0))) | (~(difference_1919[13:9] == 5'h0));
+  // hls/stages/patches.hpp:483
+  logic or_1934;
+  assign or_1934 = (((patches_column_s1_q == 5'ha) | of_row) | equal_1888) | equal_1886;
+  // hls/stages/patches.hpp:478
+  logic and_1939;
+  assign and_1939 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
+  // hls/stages/patches.hpp:185
+  logic and_1943;
+  assign and_1943 = not_1782_s1_q & (or_1785_s1_q & (or_1934 & (equal_1784_s1_q & and_1939)));
+  // hls/stages/patches.hpp:173
+  logic and_1953;
+  assign and_1953 = (~(equal_1784_s1_q | (~and_1939))) & (~patches_column_s1_q[4]);
+  // hls/stages/patches.hpp:185
+  logic and_1957;
+  assign and_1957 = not_1782_s1_q & (or_1785_s1_q & (and_1953 & (patches_column_s1_q == 5'hf)));
+  // hls/stages/patches.hpp:547
+  logic less_1959;
+  assign less_1959 = patches_step_q[4:0] < 5'h11;
+  logic equal_1960;
+  assign equal_1960 = patches_step_q[6:5] == 2'h0;
+  logic not_1961;
+  assign not_1961 = ~equal_1960;
+  logic equal_1962;
+  assign equal_1962 = patches_step_q[6:5] == 2'h3;
+  logic not_1963;
+  assign not_1963 = ~equal_1962;
+  // hls/stages/patches.hpp:561
+  logic select_1966;
+  assign select_1966 = equal_1962 ? (less_1959 & (less_1959 & not_1963)) : less_1959;
+  // hls/stages/patches.hpp:185
+  logic and_1969;
+  assign and_1969 = equal_1779_s1_q & (less_1959 ? (not_1961 & select_1966) : select_1966);
   // hls/stages/division.hpp:34
-  logic [5:0] sum_1998;
-  assign sum_1998 = region_across_rest_q[8:3] + 6'h1;
+  logic [5:0] sum_1997;
+  assign sum_1997 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:460
-  logic select_2570;
-  assign select_2570 = equal_2473_s1_q ? (~({row_s1_q, 1'b0} < {sum_2567, cfg_height_i[3]})) : lower_half_q;
+  logic select_2569;
+  assign select_2569 = equal_2472_s1_q ? (~({row_s1_q, 1'b0} < {sum_2566, cfg_height_i[3]})) : lower_half_q;
   // hls/stages/agreement.hpp:520
-  logic and_2831;
-  assign and_2831 = and_549_s1_q & (equal_2473_s1_q & (row_s1_q[5:2] == 4'h0));
+  logic and_2830;
+  assign and_2830 = and_549_s1_q & (equal_2472_s1_q & (row_s1_q[5:2] == 4'h0));
   // hls/stages/registration.hpp:128
-  logic and_2832;
-  assign and_2832 = and_2474_s1_q & and_2831;
+  logic and_2831;
+  assign and_2831 = and_2473_s1_q & and_2830;
   // hls/stages/registration.hpp:127
-  logic and_2834;
-  assign and_2834 = and_2474_s1_q & (~and_2831);
+  logic and_2833;
+  assign and_2833 = and_2473_s1_q & (~and_2830);
   // hls/stages/registration.hpp:129
-  logic [15:0] select_2835;
-  assign select_2835 = and_2834 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_2834;
+  assign select_2834 = and_2833 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_2837;
-  assign select_2837 = and_2832 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2835[15]}}, select_2835});
+  logic [23:0] select_2836;
+  assign select_2836 = and_2831 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2834[15]}}, select_2834});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_2838;
-  assign select_2838 = and_2834 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_2837;
+  assign select_2837 = and_2833 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2838[15]}}, select_2838};
+  assign both = registration_slope_change_q + {{12{select_2837[15]}}, select_2837};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_2840;
-  assign select_2840 = and_2832 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2839;
+  assign select_2839 = and_2831 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:149
-  logic and_2841;
-  assign and_2841 = ends_cell_s1_q & so_s1_q;
+  logic and_2840;
+  assign and_2840 = ends_cell_s1_q & so_s1_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2841 ? registration_slope_change_q : 28'h0);
-  // hls/stages/patches.hpp:187
-  logic select_3086;
-  assign select_3086 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
-  // hls/stages/patches.hpp:184
-  logic [11:0] select_3089;
-  assign select_3089 = equal_1781_s1_q ? patches_smooth_values_0_q : (or_1785_s1_q ? smooth : patches_smooth_values_0_q);
-  logic [11:0] select_3091;
-  assign select_3091 = or_1785_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  assign column_5 = registration_slope_q + (and_2840 ? registration_slope_change_q : 28'h0);
+  // hls/stages/patches.hpp:188
+  logic select_3085;
+  assign select_3085 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  // hls/stages/patches.hpp:185
+  logic [11:0] select_3088;
+  assign select_3088 = equal_1781_s1_q ? patches_smooth_values_0_q : (or_1785_s1_q ? smooth : patches_smooth_values_0_q);
+  logic [11:0] select_3090;
+  assign select_3090 = or_1785_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3092;
+  assign select_3092 = equal_1779_s1_q ? patches_smooth_values_1_q : (equal_1781_s1_q ? patches_smooth_values_1_q : select_3090);
   logic [11:0] select_3093;
-  assign select_3093 = equal_1779_s1_q ? patches_smooth_values_1_q : (equal_1781_s1_q ? patches_smooth_values_1_q : select_3091);
-  logic [11:0] select_3094;
-  assign select_3094 = or_1785_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  assign select_3093 = or_1785_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3095;
+  assign select_3095 = equal_1779_s1_q ? patches_smooth_values_2_q : (equal_1781_s1_q ? patches_smooth_values_2_q : select_3093);
   logic [11:0] select_3096;
-  assign select_3096 = equal_1779_s1_q ? patches_smooth_values_2_q : (equal_1781_s1_q ? patches_smooth_values_2_q : select_3094);
-  logic [11:0] select_3097;
-  assign select_3097 = or_1785_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
-  logic [11:0] select_3099;
-  assign select_3099 = equal_1779_s1_q ? patches_smooth_values_3_q : (equal_1781_s1_q ? patches_smooth_values_3_q : select_3097);
-  logic [10:0] select_3101;
-  assign select_3101 = equal_1781_s1_q ? patches_down_values_0_q : (or_1785_s1_q ? down_2 : patches_down_values_0_q);
-  logic [10:0] select_3104;
-  assign select_3104 = equal_1781_s1_q ? patches_down_values_1_q : (or_1785_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
-  logic [10:0] select_3107;
-  assign select_3107 = equal_1781_s1_q ? patches_down_values_2_q : (or_1785_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
-  logic [10:0] select_3110;
-  assign select_3110 = equal_1781_s1_q ? patches_down_values_3_q : (or_1785_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
-  // hls/stages/patches.hpp:175
-  logic and_3147;
-  assign and_3147 = patches_along_ends_q & patches_match_row_ends_q;
-  // hls/stages/patches.hpp:413
-  logic [4:0] select_3152;
-  assign select_3152 = or_3047_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
-  // hls/stages/patches.hpp:415
-  logic [3:0] select_3154;
-  assign select_3154 = and_3147 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
-  // hls/stages/patches.hpp:184
-  logic [4:0] select_3510;
-  assign select_3510 = equal_1779_s1_q ? patches_summed_down_by_q : (equal_1781_s1_q ? patches_down_by_q : patches_summed_down_by_q);
-  // hls/stages/patches.hpp:556
-  logic and_3543;
-  assign and_3543 = less_1960 & (patches_step_q[6:5] == 2'h1);
-  // hls/stages/patches.hpp:560
-  logic select_3546;
-  assign select_3546 = equal_1963 ? (less_1960 ? (not_1964 & and_3543) : and_3543) : and_3543;
-  // hls/stages/patches.hpp:184
-  logic select_3549;
-  assign select_3549 = equal_1779_s1_q ? (less_1960 ? (not_1962 & select_3546) : select_3546) : patches_read_searches_q;
+  assign select_3096 = or_1785_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3098;
+  assign select_3098 = equal_1779_s1_q ? patches_smooth_values_3_q : (equal_1781_s1_q ? patches_smooth_values_3_q : select_3096);
+  logic [10:0] select_3100;
+  assign select_3100 = equal_1781_s1_q ? patches_down_values_0_q : (or_1785_s1_q ? down_2 : patches_down_values_0_q);
+  logic [10:0] select_3103;
+  assign select_3103 = equal_1781_s1_q ? patches_down_values_1_q : (or_1785_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
+  logic [10:0] select_3106;
+  assign select_3106 = equal_1781_s1_q ? patches_down_values_2_q : (or_1785_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
+  logic [10:0] select_3109;
+  assign select_3109 = equal_1781_s1_q ? patches_down_values_3_q : (or_1785_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
+  // hls/stages/patches.hpp:176
+  logic and_3146;
+  assign and_3146 = patches_along_ends_q & patches_match_row_ends_q;
+  // hls/stages/patches.hpp:414
+  logic [4:0] select_3151;
+  assign select_3151 = or_3046_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  // hls/stages/patches.hpp:416
+  logic [3:0] select_3153;
+  assign select_3153 = and_3146 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  // hls/stages/patches.hpp:185
+  logic [4:0] select_3509;
+  assign select_3509 = equal_1779_s1_q ? patches_summed_down_by_q : (equal_1781_s1_q ? patches_down_by_q : patches_summed_down_by_q);
+  // hls/stages/patches.hpp:557
+  logic and_3542;
+  assign and_3542 = less_1959 & (patches_step_q[6:5] == 2'h1);
+  // hls/stages/patches.hpp:561
+  logic select_3545;
+  assign select_3545 = equal_1962 ? (less_1959 ? (not_1963 & and_3542) : and_3542) : and_3542;
+  // hls/stages/patches.hpp:185
+  logic select_3548;
+  assign select_3548 = equal_1779_s1_q ? (less_1959 ? (not_1961 & select_3545) : select_3545) : patches_read_searches_q;
   // hls/stages/agreement.hpp:205
-  logic [8:0] select_3888;
-  assign select_3888 = so_s1_q ? (and_2841 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
+  logic [8:0] select_3887;
+  assign select_3887 = so_s1_q ? (and_2840 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3890;
-  assign sum_3890 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
+  logic [8:0] sum_3889;
+  assign sum_3889 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3891;
-  assign select_3891 = sum_1998[5] ? {1'b1, sum_1998[4:0], region_across_rest_q[2:0]} : sum_3890;
+  logic [8:0] select_3890;
+  assign select_3890 = sum_1997[5] ? {1'b1, sum_1997[4:0], region_across_rest_q[2:0]} : sum_3889;
   // hls/stages/agreement.hpp:460
-  logic [7:0] select_3893;
-  assign select_3893 = equal_2473_s1_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
-  logic [6:0] select_3896;
-  assign select_3896 = equal_2473_s1_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
+  logic [7:0] select_3892;
+  assign select_3892 = equal_2472_s1_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
+  logic [6:0] select_3895;
+  assign select_3895 = equal_2472_s1_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
 
   // Memory averager_memory, 189 x 26, DISTANCE 16, hls/stages/census.hpp:235; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1997,7 +1997,7 @@ module horopter_agreement (
     if (en_i) right_turns_rdata_q <= right_turns_mem[right_turns_raddr];
   end
 
-  // Memory patches_right_codes, 112 x 28, DISTANCE 12, hls/stages/patches.hpp:796; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory patches_right_codes, 112 x 28, DISTANCE 12, hls/stages/patches.hpp:797; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [27:0] patches_right_codes_mem [0:111];
@@ -2005,17 +2005,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 28'h0;
 `endif
   logic [6:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = {select_1884, not_1879, select_1878};
+  assign patches_right_codes_raddr = {select_1883, not_1878, select_1877};
 `ifndef SYNTHESIS
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s1_en & or_1885;
+  assign patches_right_codes_re = s1_en & or_1884;
 `endif
   logic [27:0] patches_right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_right_codes_rdata_q <= patches_right_codes_mem[patches_right_codes_raddr];
   end
 
-  // Memory patches_left_codes, 12 x 48, DISTANCE 12, hls/stages/patches.hpp:797; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory patches_left_codes, 12 x 48, DISTANCE 12, hls/stages/patches.hpp:798; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2034,7 +2034,7 @@ module horopter_agreement (
     if (en_i) patches_left_codes_rdata_q <= patches_left_codes_mem[patches_left_codes_raddr];
   end
 
-  // Memory patches_rows, 17 x 15, DISTANCE 12, hls/stages/patches.hpp:811; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
+  // Memory patches_rows, 17 x 15, DISTANCE 12, hls/stages/patches.hpp:812; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2046,7 +2046,7 @@ module horopter_agreement (
   assign patches_rows_raddr = patches_step_q[4:0];
 `ifndef SYNTHESIS
   logic patches_rows_re;
-  assign patches_rows_re = s1_en & and_1970;
+  assign patches_rows_re = s1_en & and_1969;
 `endif
   logic [14:0] patches_rows_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2116,7 +2116,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_waddr;
   assign patches_columns_above_waddr = patches_column_s1_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s1_en & and_1866_s1_q;
+  assign patches_columns_above_we = s1_en & and_1865_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_columns_above_we) patches_columns_above_mem[patches_columns_above_waddr] <= {patches_columns_above_rdata_q[23:0], pixel_2};
   end
@@ -2166,33 +2166,33 @@ module horopter_agreement (
       moments_place_q <= select_572;
       moments_taken_q <= not_575 & (not_577 & (equal_578_s1_q & inside_v));
       moments_starts_q <= not_575 & (not_577 & (equal_578_s1_q & (inside_v & first)));
-      row_q <= and_549_s1_q ? (equal_2473_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_549_s1_q ? select_2570 : lower_half_q;
-      registration_slope_row_q <= select_2837;
-      registration_slope_change_q <= select_2840;
+      row_q <= and_549_s1_q ? (equal_2472_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_549_s1_q ? select_2569 : lower_half_q;
+      registration_slope_row_q <= select_2836;
+      registration_slope_change_q <= select_2839;
       registration_slope_q <= so_s1_q ? column_5 : {registration_slope_row_q, 4'h0};
-      patches_along_ends_q <= not_3071_s1_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3071_s1_q & select_3086;
-      patches_smooth_values_0_q <= equal_1779_s1_q ? patches_smooth_values_0_q : select_3089;
-      patches_smooth_values_1_q <= select_3093;
-      patches_smooth_values_2_q <= select_3096;
-      patches_smooth_values_3_q <= select_3099;
-      patches_down_values_0_q <= equal_1779_s1_q ? patches_down_values_0_q : select_3101;
-      patches_down_values_1_q <= equal_1779_s1_q ? patches_down_values_1_q : select_3104;
-      patches_down_values_2_q <= equal_1779_s1_q ? patches_down_values_2_q : select_3107;
-      patches_down_values_3_q <= equal_1779_s1_q ? patches_down_values_3_q : select_3110;
-      patches_down_by_q <= or_3047_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3147});
-      patches_along_q <= select_3152;
-      patches_match_row_q <= or_3047_s1_q ? 4'h0 : select_3154;
-      patches_summed_last_q <= not_1780_s1_q & (equal_1781_s1_q & and_3147);
-      patches_summed_down_by_q <= select_3510;
-      patches_step_q <= or_3047_s1_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3549;
-      region_across_rest_q <= select_3888;
+      patches_along_ends_q <= not_3070_s1_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3070_s1_q & select_3085;
+      patches_smooth_values_0_q <= equal_1779_s1_q ? patches_smooth_values_0_q : select_3088;
+      patches_smooth_values_1_q <= select_3092;
+      patches_smooth_values_2_q <= select_3095;
+      patches_smooth_values_3_q <= select_3098;
+      patches_down_values_0_q <= equal_1779_s1_q ? patches_down_values_0_q : select_3100;
+      patches_down_values_1_q <= equal_1779_s1_q ? patches_down_values_1_q : select_3103;
+      patches_down_values_2_q <= equal_1779_s1_q ? patches_down_values_2_q : select_3106;
+      patches_down_values_3_q <= equal_1779_s1_q ? patches_down_values_3_q : select_3109;
+      patches_down_by_q <= or_3046_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3146});
+      patches_along_q <= select_3151;
+      patches_match_row_q <= or_3046_s1_q ? 4'h0 : select_3153;
+      patches_summed_last_q <= not_1780_s1_q & (equal_1781_s1_q & and_3146);
+      patches_summed_down_by_q <= select_3509;
+      patches_step_q <= or_3046_s1_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3548;
+      region_across_rest_q <= select_3887;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3891;
-      columns_begin_rest_q <= and_549_s1_q ? select_3893 : columns_begin_rest_q;
-      columns_begin_back_q <= and_549_s1_q ? select_3896 : columns_begin_back_q;
+      region_across_next_q <= select_3890;
+      columns_begin_rest_q <= and_549_s1_q ? select_3892 : columns_begin_rest_q;
+      columns_begin_back_q <= and_549_s1_q ? select_3895 : columns_begin_back_q;
     end
   end
 
@@ -2341,39 +2341,39 @@ module horopter_agreement (
   logic or_1785_s2_q;
   logic [4:0] select_1809_s2_q;
   logic select_1815_s2_q;
-  logic [3:0] select_1856_s2_q;
-  logic less_1872_s2_q;
+  logic [3:0] select_1855_s2_q;
+  logic less_1871_s2_q;
   logic new_row_s2_q;
-  logic or_1885_s2_q;
+  logic or_1884_s2_q;
   logic [1:0] of_row_2_s2_q;
-  logic not_1902_s2_q;
-  logic or_1908_s2_q;
-  logic and_1912_s2_q;
-  logic and_1928_s2_q;
-  logic and_1931_s2_q;
-  logic and_1945_s2_q;
-  logic and_1954_s2_q;
-  logic and_1959_s2_q;
-  logic less_1960_s2_q;
-  logic equal_1961_s2_q;
-  logic not_1962_s2_q;
-  logic equal_1963_s2_q;
-  logic not_1964_s2_q;
-  logic and_1977_s2_q;
-  logic select_1979_s2_q;
-  logic and_1982_s2_q;
-  logic sum_1998_s2_q;
-  logic and_2019_s2_q;
-  logic and_2137_s2_q;
-  logic equal_2284_s2_q;
-  logic equal_2473_s2_q;
-  logic and_2600_s2_q;
-  logic equal_2685_s2_q;
-  logic less_3123_s2_q;
-  logic equal_3466_s2_q;
-  logic equal_3550_s2_q;
-  logic less_3876_s2_q;
-  logic equal_4095_s2_q;
+  logic not_1901_s2_q;
+  logic or_1907_s2_q;
+  logic and_1911_s2_q;
+  logic and_1927_s2_q;
+  logic and_1930_s2_q;
+  logic and_1944_s2_q;
+  logic and_1953_s2_q;
+  logic and_1958_s2_q;
+  logic less_1959_s2_q;
+  logic equal_1960_s2_q;
+  logic not_1961_s2_q;
+  logic equal_1962_s2_q;
+  logic not_1963_s2_q;
+  logic and_1976_s2_q;
+  logic select_1978_s2_q;
+  logic and_1981_s2_q;
+  logic sum_1997_s2_q;
+  logic and_2018_s2_q;
+  logic and_2136_s2_q;
+  logic equal_2283_s2_q;
+  logic equal_2472_s2_q;
+  logic and_2599_s2_q;
+  logic equal_2684_s2_q;
+  logic less_3122_s2_q;
+  logic equal_3465_s2_q;
+  logic equal_3549_s2_q;
+  logic less_3875_s2_q;
+  logic equal_4094_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -2455,39 +2455,39 @@ module horopter_agreement (
       or_1785_s2_q <= or_1785_s1_q;
       select_1809_s2_q <= select_1809_s1_q;
       select_1815_s2_q <= select_1815_s1_q;
-      select_1856_s2_q <= select_1856_s1_q;
-      less_1872_s2_q <= less_1872;
+      select_1855_s2_q <= select_1855_s1_q;
+      less_1871_s2_q <= less_1871;
       new_row_s2_q <= new_row;
-      or_1885_s2_q <= or_1885;
+      or_1884_s2_q <= or_1884;
       of_row_2_s2_q <= of_row_2;
-      not_1902_s2_q <= ~sum_1901[14];
-      or_1908_s2_q <= or_1908;
-      and_1912_s2_q <= sum_1901[14] & (~(sum_1901[13:8] == 6'h3f));
-      and_1928_s2_q <= (~difference_1920[14]) & or_1927;
-      and_1931_s2_q <= difference_1920[14] & (~(difference_1920[13:8] == 6'h3f));
-      and_1945_s2_q <= not_1780_s1_q & and_1944;
-      and_1954_s2_q <= and_1954;
-      and_1959_s2_q <= not_1780_s1_q & and_1958;
-      less_1960_s2_q <= less_1960;
-      equal_1961_s2_q <= equal_1961;
-      not_1962_s2_q <= not_1962;
-      equal_1963_s2_q <= equal_1963;
-      not_1964_s2_q <= not_1964;
-      and_1977_s2_q <= sample_pair_whole_q;
-      select_1979_s2_q <= left_first_q;
-      and_1982_s2_q <= right_q;
-      sum_1998_s2_q <= sum_1998[5];
-      and_2019_s2_q <= or_579_s1_q & (left_rdata_q[69] & not_583_s1_q);
-      and_2137_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
-      equal_2284_s2_q <= (last_s1_2_q | row_s1_q) == 6'h0;
-      equal_2473_s2_q <= equal_2473_s1_q;
-      and_2600_s2_q <= or_579_s1_q & (not_583_s1_q & and_607);
-      equal_2685_s2_q <= shift == 6'h0;
-      less_3123_s2_q <= 4'he < patches_column_s1_q[4:1];
-      equal_3466_s2_q <= patches_match_row_q == 4'h0;
-      equal_3550_s2_q <= patches_step_q[6:5] == 2'h2;
-      less_3876_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_4095_s2_q <= row_s1_q[5:3] == 3'h0;
+      not_1901_s2_q <= ~sum_1900[14];
+      or_1907_s2_q <= or_1907;
+      and_1911_s2_q <= sum_1900[14] & (~(sum_1900[13:8] == 6'h3f));
+      and_1927_s2_q <= (~difference_1919[14]) & or_1926;
+      and_1930_s2_q <= difference_1919[14] & (~(difference_1919[13:8] == 6'h3f));
+      and_1944_s2_q <= not_1780_s1_q & and_1943;
+      and_1953_s2_q <= and_1953;
+      and_1958_s2_q <= not_1780_s1_q & and_1957;
+      less_1959_s2_q <= less_1959;
+      equal_1960_s2_q <= equal_1960;
+      not_1961_s2_q <= not_1961;
+      equal_1962_s2_q <= equal_1962;
+      not_1963_s2_q <= not_1963;
+      and_1976_s2_q <= sample_pair_whole_q;
+      select_1978_s2_q <= left_first_q;
+      and_1981_s2_q <= right_q;
+      sum_1997_s2_q <= sum_1997[5];
+      and_2018_s2_q <= or_579_s1_q & (left_rdata_q[69] & not_583_s1_q);
+      and_2136_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
+      equal_2283_s2_q <= (last_s1_2_q | row_s1_q) == 6'h0;
+      equal_2472_s2_q <= equal_2472_s1_q;
+      and_2599_s2_q <= or_579_s1_q & (not_583_s1_q & and_607);
+      equal_2684_s2_q <= shift == 6'h0;
+      less_3122_s2_q <= 4'he < patches_column_s1_q[4:1];
+      equal_3465_s2_q <= patches_match_row_q == 4'h0;
+      equal_3549_s2_q <= patches_step_q[6:5] == 2'h2;
+      less_3875_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_4094_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
@@ -2613,7 +2613,7 @@ module horopter_agreement (
   logic [15:0] patches_chance_q;
   logic patches_fixed_q;
   logic patches_choice_valid_q;
-  logic [6:0] patches_choice_column_q;
+  logic [7:0] patches_choice_column_q;
   logic [5:0] patches_choice_shift_q;
   logic [7:0] patches_choice_slope_q;
   logic [4:0] patches_band_q;
@@ -3098,7 +3098,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:788
   logic [3:0] select_1614;
   assign select_1614 = equal_574_s2_q ? select_1612 : {sum_1613, lower_half_s2_q, registration_of_right_q};
-  // hls/stages/patches.hpp:210
+  // hls/stages/patches.hpp:211
   logic equal_1615;
   assign equal_1615 = x_s2_q[5:0] == 6'h3f;
   logic equal_1617;
@@ -3153,7 +3153,7 @@ module horopter_agreement (
   assign not_1659 = ~lower_half_s2_q;
   logic [3:0] select_1660;
   assign select_1660 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_1659, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_1659};
-  // hls/stages/patches.hpp:373
+  // hls/stages/patches.hpp:374
   logic [1:0] select_1689;
   assign select_1689 = and_1688_s2_q ? 2'h1 : patches_fetch_q;
   logic [4:0] select_1690;
@@ -3236,22 +3236,22 @@ module horopter_agreement (
   assign and_1746 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1726 & and_1742)));
   logic and_1747;
   assign and_1747 = not_575_s2_q & and_1746;
-  // hls/stages/patches.hpp:156
+  // hls/stages/patches.hpp:157
   logic and_1749;
   assign and_1749 = and_1747 & (~patches_fixed_q);
-  // hls/stages/patches.hpp:344
+  // hls/stages/patches.hpp:345
   logic select_1750;
   assign select_1750 = and_1749 ? and_1747 : patches_choice_valid_q;
   // hls/stages/agreement.hpp:788
-  logic [6:0] select_1753;
-  assign select_1753 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q[6:0] : 7'h0) : 7'h0) : 7'h0;
-  // hls/stages/patches.hpp:344
-  logic [6:0] select_1755;
-  assign select_1755 = and_1749 ? (equal_574_s2_q ? 7'h0 : select_1753) : patches_choice_column_q;
+  logic [7:0] select_1753;
+  assign select_1753 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
+  // hls/stages/patches.hpp:345
+  logic [7:0] select_1755;
+  assign select_1755 = and_1749 ? (equal_574_s2_q ? 8'h0 : select_1753) : patches_choice_column_q;
   // hls/stages/agreement.hpp:788
   logic [5:0] select_1758;
   assign select_1758 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
-  // hls/stages/patches.hpp:344
+  // hls/stages/patches.hpp:345
   logic [5:0] select_1760;
   assign select_1760 = and_1749 ? (equal_574_s2_q ? 6'h0 : select_1758) : patches_choice_shift_q;
   // hls/stages/registration.hpp:96
@@ -3266,7 +3266,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:788
   logic [7:0] select_1769;
   assign select_1769 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
-  // hls/stages/patches.hpp:344
+  // hls/stages/patches.hpp:345
   logic [7:0] select_1771;
   assign select_1771 = and_1749 ? (equal_574_s2_q ? 8'h0 : select_1769) : patches_choice_slope_q;
   // hls/stages/patches.hpp:113
@@ -3277,462 +3277,462 @@ module horopter_agreement (
   assign and_1776 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1730 | equal_1772)));
   logic and_1777;
   assign and_1777 = not_575_s2_q & and_1776;
-  // hls/stages/patches.hpp:344
+  // hls/stages/patches.hpp:345
   logic and_1778;
   assign and_1778 = patches_chooses_s2_q & and_1777;
   // hls/stages/patches.hpp:126
   logic [4:0] select_1792;
   assign select_1792 = and_1675_s2_q ? select_1690 : patches_band_q;
-  // hls/stages/patches.hpp:353
+  // hls/stages/patches.hpp:354
   logic equal_1793;
   assign equal_1793 = {patches_choosing_band_s2_q, and_1701} == {select_1792, select_1692[1]};
-  // hls/stages/patches.hpp:486
-  logic [2:0] sum_1893;
-  assign sum_1893 = patches_code_row_s2_q[4:2] + 3'h7;
-  // hls/stages/patches.hpp:453
-  logic and_1909;
-  assign and_1909 = not_1902_s2_q & or_1908_s2_q;
-  // hls/stages/patches.hpp:490
-  logic [1:0] sum_1949;
-  assign sum_1949 = patches_code_row_s2_q[3:2] + 2'h3;
+  // hls/stages/patches.hpp:487
+  logic [2:0] sum_1892;
+  assign sum_1892 = patches_code_row_s2_q[4:2] + 3'h7;
+  // hls/stages/patches.hpp:454
+  logic and_1908;
+  assign and_1908 = not_1901_s2_q & or_1907_s2_q;
+  // hls/stages/patches.hpp:491
+  logic [1:0] sum_1948;
+  assign sum_1948 = patches_code_row_s2_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:205
-  logic [7:0] select_1985;
-  assign select_1985 = so_s2_q ? region_columns_q : 8'h1;
+  logic [7:0] select_1984;
+  assign select_1984 = so_s2_q ? region_columns_q : 8'h1;
   // hls/stages/agreement.hpp:1050
-  logic or_1988;
-  assign or_1988 = select_1985[7] | (~({select_1985[5], select_1985[3], select_1985[1]} == 3'h0));
+  logic or_1987;
+  assign or_1987 = select_1984[7] | (~({select_1984[5], select_1984[3], select_1984[1]} == 3'h0));
   // hls/stages/agreement.hpp:1049
-  logic or_1991;
-  assign or_1991 = select_1985[7] | (~({select_1985[6], select_1985[3:2]} == 3'h0));
+  logic or_1990;
+  assign or_1990 = select_1984[7] | (~({select_1984[6], select_1984[3:2]} == 3'h0));
   // hls/stages/agreement.hpp:1048
-  logic or_1994;
-  assign or_1994 = select_1985[7] | (~(select_1985[6:4] == 3'h0));
+  logic or_1993;
+  assign or_1993 = select_1984[7] | (~(select_1984[6:4] == 3'h0));
   // hls/stages/agreement.hpp:788
-  logic [5:0] select_1995;
-  assign select_1995 = equal_574_s2_q ? x_s2_q[5:0] : {region_row_q, or_1994, or_1991, or_1988};
+  logic [5:0] select_1994;
+  assign select_1994 = equal_574_s2_q ? x_s2_q[5:0] : {region_row_q, or_1993, or_1990, or_1987};
   // hls/stages/agreement.hpp:1128
-  logic not_1996;
-  assign not_1996 = ~equal_1607;
+  logic not_1995;
+  assign not_1995 = ~equal_1607;
   // hls/stages/agreement.hpp:1058
-  logic or_2000;
-  assign or_2000 = (~sum_1998_s2_q) | equal_1772;
+  logic or_1999;
+  assign or_1999 = (~sum_1997_s2_q) | equal_1772;
   // hls/stages/agreement.hpp:788
-  logic and_2003;
-  assign and_2003 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_2000));
+  logic and_2002;
+  assign and_2002 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_1999));
   // hls/stages/agreement.hpp:262
   logic textured;
   assign textured = inside_v_s2_q & (or_579_s2_q & (not_583_s2_q & and_608_s2_q));
   logic explained;
   assign explained = inside_v_s2_q & and_636;
   // hls/stages/agreement.hpp:149
-  logic and_2021;
-  assign and_2021 = or_579_s2_q & (not_583_s2_q & and_2019_s2_q);
+  logic and_2020;
+  assign and_2020 = or_579_s2_q & (not_583_s2_q & and_2018_s2_q);
   // hls/stages/agreement.hpp:262
-  logic and_2030;
-  assign and_2030 = inside_v_s2_q & and_2021;
+  logic and_2029;
+  assign and_2029 = inside_v_s2_q & and_2020;
   // hls/stages/agreement.hpp:1014
-  logic select_2031;
-  assign select_2031 = slot_s2_q[2] ? shown_shown_q : and_636;
+  logic select_2030;
+  assign select_2030 = slot_s2_q[2] ? shown_shown_q : and_636;
   // hls/stages/agreement.hpp:262
   logic shown;
-  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2031);
+  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2030);
   // hls/stages/agreement.hpp:1014
-  logic select_2034;
-  assign select_2034 = slot_s2_q[2] ? shown_nearer_q : and_1585;
+  logic select_2033;
+  assign select_2033 = slot_s2_q[2] ? shown_nearer_q : and_1585;
   // hls/stages/agreement.hpp:262
   logic near;
-  assign near = inside_v_s2_q & (select_2031 ? select_2034 : shown_right_rdata_q[1]);
+  assign near = inside_v_s2_q & (select_2030 ? select_2033 : shown_right_rdata_q[1]);
   // hls/stages/agreement.hpp:1271
-  logic select_2037;
-  assign select_2037 = done_q ? write_half_q : read_half_q;
+  logic select_2036;
+  assign select_2036 = done_q ? write_half_q : read_half_q;
   // hls/stages/agreement.hpp:1275
-  logic select_2038;
-  assign select_2038 = left_first_s2_q ? select_2037 : read_half_q;
-  logic or_2039;
-  assign or_2039 = left_first_s2_q | line_ended_q;
+  logic select_2037;
+  assign select_2037 = left_first_s2_q ? select_2036 : read_half_q;
+  logic or_2038;
+  assign or_2038 = left_first_s2_q | line_ended_q;
   // hls/stages/agreement.hpp:1276
-  logic [8:0] select_2040;
-  assign select_2040 = or_2039 ? 9'h0 : columns_passed_q;
+  logic [8:0] select_2039;
+  assign select_2039 = or_2038 ? 9'h0 : columns_passed_q;
   // hls/stages/agreement.hpp:1277
-  logic [9:0] select_2042;
-  assign select_2042 = left_first_s2_q ? 10'h1 : (or_2039 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
+  logic [9:0] select_2041;
+  assign select_2041 = left_first_s2_q ? 10'h1 : (or_2038 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
   // hls/stages/agreement.hpp:1280
-  logic and_2043;
-  assign and_2043 = select_2040[8] & select_2042[9];
+  logic and_2042;
+  assign and_2042 = select_2039[8] & select_2041[9];
   // hls/stages/agreement.hpp:436
   logic next_row;
-  assign next_row = and_2043 & (began_q & at_cell_end_q);
+  assign next_row = and_2042 & (began_q & at_cell_end_q);
   // hls/stages/agreement.hpp:1291
-  logic [5:0] select_2046;
-  assign select_2046 = next_row ? cfg_width_i[8:3] : 6'h0;
-  logic [10:0] select_2048;
-  assign select_2048 = left_first_s2_q ? 11'h0 : (seen_base_q + {5'h0, select_2046});
+  logic [5:0] select_2045;
+  assign select_2045 = next_row ? cfg_width_i[8:3] : 6'h0;
+  logic [10:0] select_2047;
+  assign select_2047 = left_first_s2_q ? 11'h0 : (seen_base_q + {5'h0, select_2045});
   // hls/stages/agreement.hpp:1301
-  logic equal_2049;
-  assign equal_2049 = seen_x_q == 3'h7;
-  logic [7:0] select_2051;
-  assign select_2051 = and_2043 ? 8'h0 : (seen_column_q + {7'h0, equal_2049});
+  logic equal_2048;
+  assign equal_2048 = seen_x_q == 3'h7;
+  logic [7:0] select_2050;
+  assign select_2050 = and_2042 ? 8'h0 : (seen_column_q + {7'h0, equal_2048});
   // hls/stages/agreement.hpp:1308
   logic [10:0] index;
-  assign index = select_2048 + {3'h0, select_2051};
+  assign index = select_2047 + {3'h0, select_2050};
   // hls/stages/agreement.hpp:1261
-  logic [11:0] sum_2053;
-  assign sum_2053 = {1'b0, {2{select_2038}}, 2'h0, {2{select_2038}}, 1'b0, {2{select_2038}}, 1'b0, select_2038} + {1'b0, index};
+  logic [11:0] sum_2052;
+  assign sum_2052 = {1'b0, {2{select_2037}}, 2'h0, {2{select_2037}}, 1'b0, {2{select_2037}}, 1'b0, select_2037} + {1'b0, index};
   // hls/stages/agreement.hpp:1274
-  logic not_2054;
-  assign not_2054 = ~left_first_s2_q;
+  logic not_2053;
+  assign not_2053 = ~left_first_s2_q;
   // hls/stages/agreement.hpp:436
-  logic and_2056;
-  assign and_2056 = not_2054 & (began_q | and_2043);
+  logic and_2055;
+  assign and_2055 = not_2053 & (began_q | and_2042);
   // hls/stages/agreement.hpp:1302
-  logic [2:0] select_2058;
-  assign select_2058 = and_2043 ? 3'h0 : (seen_x_q + 3'h1);
+  logic [2:0] select_2057;
+  assign select_2057 = and_2042 ? 3'h0 : (seen_x_q + 3'h1);
   // hls/stages/agreement.hpp:1307
-  logic and_2060;
-  assign and_2060 = and_2056 & (select_2058 == 3'h0);
-  logic less_2061;
-  assign less_2061 = select_2051 < {2'h0, cfg_width_i[8:3]};
+  logic and_2059;
+  assign and_2059 = and_2055 & (select_2057 == 3'h0);
+  logic less_2060;
+  assign less_2060 = select_2050 < {2'h0, cfg_width_i[8:3]};
   // hls/stages/agreement.hpp:438
+  logic and_2061;
+  assign and_2061 = and_2059 & less_2060;
   logic and_2062;
-  assign and_2062 = and_2060 & less_2061;
-  logic and_2063;
-  assign and_2063 = and_1977_s2_q & and_2062;
+  assign and_2062 = and_1976_s2_q & and_2061;
   // hls/stages/agreement.hpp:278
-  logic select_2065;
-  assign select_2065 = and_1977_s2_q ? (left_first_s2_q ? and_2062 : and_2063) : and_2063;
+  logic select_2064;
+  assign select_2064 = and_1976_s2_q ? (left_first_s2_q ? and_2061 : and_2062) : and_2062;
   // hls/stages/agreement.hpp:1111
-  logic [7:0] sum_2067;
-  assign sum_2067 = {2'h0, x_s2_q[7:2]} + 8'hff;
+  logic [7:0] sum_2066;
+  assign sum_2066 = {2'h0, x_s2_q[7:2]} + 8'hff;
   logic [10:0] index_2;
-  assign index_2 = {sum_2067[7], sum_2067, x_s2_q[1:0]} + map_row_q;
+  assign index_2 = {sum_2066[7], sum_2066, x_s2_q[1:0]} + map_row_q;
   // hls/stages/agreement.hpp:1261
-  logic [11:0] sum_2069;
-  assign sum_2069 = {1'b0, {2{write_half_q}}, 2'h0, {2{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2};
+  logic [11:0] sum_2068;
+  assign sum_2068 = {1'b0, {2{write_half_q}}, 2'h0, {2{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2};
   // hls/stages/agreement.hpp:1030
+  logic and_2069;
+  assign and_2069 = seen_columns_rdata_q[14] & inside_v_s2_q;
   logic and_2070;
-  assign and_2070 = seen_columns_rdata_q[14] & inside_v_s2_q;
+  assign and_2070 = seen_columns_rdata_q[10] & inside_v_s2_q;
   logic and_2071;
-  assign and_2071 = seen_columns_rdata_q[10] & inside_v_s2_q;
+  assign and_2071 = seen_columns_rdata_q[5] & inside_v_s2_q;
   logic and_2072;
-  assign and_2072 = seen_columns_rdata_q[5] & inside_v_s2_q;
-  logic and_2073;
-  assign and_2073 = seen_columns_rdata_q[0] & inside_v_s2_q;
+  assign and_2072 = seen_columns_rdata_q[0] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1087
-  logic [1:0] sum_2075;
-  assign sum_2075 = {1'b0, and_2072} + ({1'b0, textured} + {1'b0, and_2073});
+  logic [1:0] sum_2074;
+  assign sum_2074 = {1'b0, and_2071} + ({1'b0, textured} + {1'b0, and_2072});
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2070} + ({2'h0, and_2071} + {1'b0, sum_2075});
+  assign textured_2 = {2'h0, and_2069} + ({2'h0, and_2070} + {1'b0, sum_2074});
   // hls/stages/agreement.hpp:1030
-  logic [7:0] select_2084;
-  assign select_2084 = inside_v_s2_q ? (sum_1998_s2_q ? select_1985 : {select_1985[6:0], 1'b0}) : select_1985;
+  logic [7:0] select_2083;
+  assign select_2083 = inside_v_s2_q ? (sum_1997_s2_q ? select_1984 : {select_1984[6:0], 1'b0}) : select_1984;
   // hls/stages/agreement.hpp:1050
-  logic or_2087;
-  assign or_2087 = select_2084[7] | (~({select_2084[5], select_2084[3], select_2084[1]} == 3'h0));
+  logic or_2086;
+  assign or_2086 = select_2083[7] | (~({select_2083[5], select_2083[3], select_2083[1]} == 3'h0));
   // hls/stages/agreement.hpp:1030
+  logic and_2103;
+  assign and_2103 = seen_columns_rdata_q[16] & inside_v_s2_q;
   logic and_2104;
-  assign and_2104 = seen_columns_rdata_q[16] & inside_v_s2_q;
+  assign and_2104 = seen_columns_rdata_q[12] & inside_v_s2_q;
   logic and_2105;
-  assign and_2105 = seen_columns_rdata_q[12] & inside_v_s2_q;
+  assign and_2105 = seen_columns_rdata_q[8] & inside_v_s2_q;
   logic and_2106;
-  assign and_2106 = seen_columns_rdata_q[8] & inside_v_s2_q;
-  logic and_2107;
-  assign and_2107 = seen_columns_rdata_q[3] & inside_v_s2_q;
+  assign and_2106 = seen_columns_rdata_q[3] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1089
-  logic [1:0] sum_2109;
-  assign sum_2109 = {1'b0, and_2106} + ({1'b0, shown} + {1'b0, and_2107});
+  logic [1:0] sum_2108;
+  assign sum_2108 = {1'b0, and_2105} + ({1'b0, shown} + {1'b0, and_2106});
   logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2104} + ({2'h0, and_2105} + {1'b0, sum_2109});
+  assign shown_2 = {2'h0, and_2103} + ({2'h0, and_2104} + {1'b0, sum_2108});
   // hls/stages/agreement.hpp:1030
+  logic and_2119;
+  assign and_2119 = seen_columns_rdata_q[17] & inside_v_s2_q;
   logic and_2120;
-  assign and_2120 = seen_columns_rdata_q[17] & inside_v_s2_q;
+  assign and_2120 = seen_columns_rdata_q[13] & inside_v_s2_q;
   logic and_2121;
-  assign and_2121 = seen_columns_rdata_q[13] & inside_v_s2_q;
+  assign and_2121 = seen_columns_rdata_q[9] & inside_v_s2_q;
   logic and_2122;
-  assign and_2122 = seen_columns_rdata_q[9] & inside_v_s2_q;
-  logic and_2123;
-  assign and_2123 = seen_columns_rdata_q[4] & inside_v_s2_q;
+  assign and_2122 = seen_columns_rdata_q[4] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1090
-  logic [1:0] sum_2125;
-  assign sum_2125 = {1'b0, and_2122} + ({1'b0, near} + {1'b0, and_2123});
+  logic [1:0] sum_2124;
+  assign sum_2124 = {1'b0, and_2121} + ({1'b0, near} + {1'b0, and_2122});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2120} + ({2'h0, and_2121} + {1'b0, sum_2125});
+  assign near_2 = {2'h0, and_2119} + ({2'h0, and_2120} + {1'b0, sum_2124});
   // hls/stages/agreement.hpp:788
-  logic and_2141;
-  assign and_2141 = ends_cell_s2_q & (and_2137_s2_q & (~({1'b0, sum_1647, last_s2_q[1:0]} < x_s2_q)));
-  logic and_2143;
-  assign and_2143 = not_575_s2_q & (so_s2_q & and_2141);
+  logic and_2140;
+  assign and_2140 = ends_cell_s2_q & (and_2136_s2_q & (~({1'b0, sum_1647, last_s2_q[1:0]} < x_s2_q)));
+  logic and_2142;
+  assign and_2142 = not_575_s2_q & (so_s2_q & and_2140);
   // hls/stages/agreement.hpp:276
-  logic [10:0] select_2175;
-  assign select_2175 = sample_pair_whole_s2_q ? (and_547_s2_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2177;
-  assign select_2177 = sample_pair_whole_s2_q ? (and_547_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2197;
-  assign select_2197 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_2199;
-  assign select_2199 = sample_pair_whole_s2_q ? (and_547_s2_q ? select_562 : averager_mask_q) : averager_mask_q;
-  logic select_2201;
-  assign select_2201 = sample_pair_whole_s2_q ? (and_547_s2_q ? select_566 : averager_of_skin_q) : averager_of_skin_q;
+  logic [10:0] select_2174;
+  assign select_2174 = sample_pair_whole_s2_q ? (and_547_s2_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2176;
+  assign select_2176 = sample_pair_whole_s2_q ? (and_547_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2196;
+  assign select_2196 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2198;
+  assign select_2198 = sample_pair_whole_s2_q ? (and_547_s2_q ? select_562 : averager_mask_q) : averager_mask_q;
+  logic select_2200;
+  assign select_2200 = sample_pair_whole_s2_q ? (and_547_s2_q ? select_566 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/agreement.hpp:520
+  logic [8:0] select_2201;
+  assign select_2201 = and_549_s2_q ? select_555 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2202;
-  assign select_2202 = and_549_s2_q ? select_555 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2203;
-  assign select_2203 = and_549_s2_q ? select_559 : census_columns_values_0_cell_0_right_q;
+  assign select_2202 = and_549_s2_q ? select_559 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2204;
+  assign select_2204 = and_549_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_2205;
-  assign select_2205 = and_549_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2206;
-  assign select_2206 = and_549_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2207;
-  assign select_2207 = and_549_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  assign select_2205 = and_549_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2206;
+  assign select_2206 = and_549_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2207;
+  assign select_2207 = and_549_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
   logic [8:0] select_2208;
-  assign select_2208 = and_549_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2209;
-  assign select_2209 = and_549_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  assign select_2208 = and_549_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2209;
+  assign select_2209 = and_549_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
   logic select_2210;
-  assign select_2210 = and_549_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2211;
-  assign select_2211 = and_549_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  assign select_2210 = and_549_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2211;
+  assign select_2211 = and_549_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_2212;
-  assign select_2212 = and_549_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2213;
-  assign select_2213 = and_549_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2214;
-  assign select_2214 = and_549_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  assign select_2212 = and_549_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2213;
+  assign select_2213 = and_549_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2214;
+  assign select_2214 = and_549_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
   logic [8:0] select_2215;
-  assign select_2215 = and_549_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2216;
-  assign select_2216 = and_549_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2217;
-  assign select_2217 = and_549_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  assign select_2215 = and_549_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2216;
+  assign select_2216 = and_549_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2217;
+  assign select_2217 = and_549_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
   logic [8:0] select_2218;
-  assign select_2218 = and_549_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2219;
-  assign select_2219 = and_549_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_2220;
-  assign select_2220 = and_549_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  assign select_2218 = and_549_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2219;
+  assign select_2219 = and_549_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2220;
+  assign select_2220 = and_549_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
   logic [8:0] select_2221;
-  assign select_2221 = and_549_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2222;
-  assign select_2222 = and_549_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_2223;
-  assign select_2223 = and_549_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  assign select_2221 = and_549_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2222;
+  assign select_2222 = and_549_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2223;
+  assign select_2223 = and_549_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
   logic [8:0] select_2224;
-  assign select_2224 = and_549_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2225;
-  assign select_2225 = and_549_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  assign select_2224 = and_549_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2225;
+  assign select_2225 = and_549_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
   logic select_2226;
-  assign select_2226 = and_549_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2227;
-  assign select_2227 = and_549_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  assign select_2226 = and_549_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2227;
+  assign select_2227 = and_549_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_2228;
-  assign select_2228 = and_549_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2229;
-  assign select_2229 = and_549_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2230;
-  assign select_2230 = and_549_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  assign select_2228 = and_549_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2229;
+  assign select_2229 = and_549_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_2230;
+  assign select_2230 = and_549_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
   logic [8:0] select_2231;
-  assign select_2231 = and_549_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2232;
-  assign select_2232 = and_549_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2233;
-  assign select_2233 = and_549_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  assign select_2231 = and_549_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2232;
+  assign select_2232 = and_549_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  logic [8:0] select_2233;
+  assign select_2233 = and_549_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
   logic [8:0] select_2234;
-  assign select_2234 = and_549_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2235;
-  assign select_2235 = and_549_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_2236;
-  assign select_2236 = and_549_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  assign select_2234 = and_549_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2235;
+  assign select_2235 = and_549_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic [8:0] select_2236;
+  assign select_2236 = and_549_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
   logic [8:0] select_2237;
-  assign select_2237 = and_549_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_2238;
-  assign select_2238 = and_549_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_2239;
-  assign select_2239 = and_549_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  assign select_2237 = and_549_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2238;
+  assign select_2238 = and_549_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2239;
+  assign select_2239 = and_549_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
   logic [8:0] select_2240;
-  assign select_2240 = and_549_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_2241;
-  assign select_2241 = and_549_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_2242;
-  assign select_2242 = and_549_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  assign select_2240 = and_549_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2241;
+  assign select_2241 = and_549_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2242;
+  assign select_2242 = and_549_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
   logic [8:0] select_2243;
-  assign select_2243 = and_549_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2244;
-  assign select_2244 = and_549_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_2245;
-  assign select_2245 = and_549_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  assign select_2243 = and_549_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2244;
+  assign select_2244 = and_549_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_2245;
+  assign select_2245 = and_549_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
   logic [8:0] select_2246;
-  assign select_2246 = and_549_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2247;
-  assign select_2247 = and_549_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  assign select_2246 = and_549_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_2247;
+  assign select_2247 = and_549_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
   logic select_2248;
-  assign select_2248 = and_549_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2249;
-  assign select_2249 = and_549_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  assign select_2248 = and_549_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2249;
+  assign select_2249 = and_549_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
   logic [8:0] select_2250;
-  assign select_2250 = and_549_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2251;
-  assign select_2251 = and_549_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  assign select_2250 = and_549_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2251;
+  assign select_2251 = and_549_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
   logic select_2252;
-  assign select_2252 = and_549_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2253;
-  assign select_2253 = and_549_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  assign select_2252 = and_549_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2253;
+  assign select_2253 = and_549_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
   logic [8:0] select_2254;
-  assign select_2254 = and_549_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2255;
-  assign select_2255 = and_549_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  assign select_2254 = and_549_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2255;
+  assign select_2255 = and_549_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
   logic select_2256;
-  assign select_2256 = and_549_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_2257;
-  assign select_2257 = and_549_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  assign select_2256 = and_549_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:283
-  logic [9:0] difference_2259;
-  assign difference_2259 = {1'b0, select_559} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2260;
-  assign xor_2260 = difference_2259[8:0] ^ {9{difference_2259[9]}};
-  logic [9:0] sum_2261;
-  assign sum_2261 = {9'h0, difference_2259[9]} + {1'b0, xor_2260};
-  logic [9:0] difference_2262;
-  assign difference_2262 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2263;
-  assign xor_2263 = difference_2262[8:0] ^ {9{difference_2262[9]}};
-  logic [9:0] sum_2264;
-  assign sum_2264 = {9'h0, difference_2262[9]} + {1'b0, xor_2263};
-  logic [9:0] difference_2266;
-  assign difference_2266 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2267;
-  assign xor_2267 = difference_2266[8:0] ^ {9{difference_2266[9]}};
-  logic [9:0] sum_2268;
-  assign sum_2268 = {9'h0, difference_2266[9]} + {1'b0, xor_2267};
-  logic [10:0] sum_2269;
-  assign sum_2269 = ({1'b0, sum_2261} + {1'b0, sum_2264}) + {1'b0, sum_2268};
-  logic [9:0] difference_2270;
-  assign difference_2270 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2271;
-  assign xor_2271 = difference_2270[8:0] ^ {9{difference_2270[9]}};
-  logic [9:0] sum_2272;
-  assign sum_2272 = {9'h0, difference_2270[9]} + {1'b0, xor_2271};
-  logic [9:0] difference_2274;
-  assign difference_2274 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2275;
-  assign xor_2275 = difference_2274[8:0] ^ {9{difference_2274[9]}};
+  logic [9:0] difference_2258;
+  assign difference_2258 = {1'b0, select_559} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2259;
+  assign xor_2259 = difference_2258[8:0] ^ {9{difference_2258[9]}};
+  logic [9:0] sum_2260;
+  assign sum_2260 = {9'h0, difference_2258[9]} + {1'b0, xor_2259};
+  logic [9:0] difference_2261;
+  assign difference_2261 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2262;
+  assign xor_2262 = difference_2261[8:0] ^ {9{difference_2261[9]}};
+  logic [9:0] sum_2263;
+  assign sum_2263 = {9'h0, difference_2261[9]} + {1'b0, xor_2262};
+  logic [9:0] difference_2265;
+  assign difference_2265 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2266;
+  assign xor_2266 = difference_2265[8:0] ^ {9{difference_2265[9]}};
+  logic [9:0] sum_2267;
+  assign sum_2267 = {9'h0, difference_2265[9]} + {1'b0, xor_2266};
+  logic [10:0] sum_2268;
+  assign sum_2268 = ({1'b0, sum_2260} + {1'b0, sum_2263}) + {1'b0, sum_2267};
+  logic [9:0] difference_2269;
+  assign difference_2269 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2270;
+  assign xor_2270 = difference_2269[8:0] ^ {9{difference_2269[9]}};
+  logic [9:0] sum_2271;
+  assign sum_2271 = {9'h0, difference_2269[9]} + {1'b0, xor_2270};
+  logic [9:0] difference_2273;
+  assign difference_2273 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2274;
+  assign xor_2274 = difference_2273[8:0] ^ {9{difference_2273[9]}};
   // hls/stages/moments.hpp:54
-  logic [13:0] sum_2296;
-  assign sum_2296 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
-  logic [13:0] sum_2298;
-  assign sum_2298 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
+  logic [13:0] sum_2295;
+  assign sum_2295 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2297;
+  assign sum_2297 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
   // hls/stages/agreement.hpp:1142
-  logic equal_2299;
-  assign equal_2299 = x_s2_q[6:0] == 7'h70;
+  logic equal_2298;
+  assign equal_2298 = x_s2_q[6:0] == 7'h70;
   // hls/stages/moments.hpp:117
-  logic [13:0] select_2300;
-  assign select_2300 = equal_2299 ? sum_2296 : moments_before_0_q;
-  logic [13:0] select_2302;
-  assign select_2302 = equal_2299 ? sum_2298 : moments_before_1_q;
+  logic [13:0] select_2299;
+  assign select_2299 = equal_2298 ? sum_2295 : moments_before_0_q;
+  logic [13:0] select_2301;
+  assign select_2301 = equal_2298 ? sum_2297 : moments_before_1_q;
   // hls/stages/agreement.hpp:788
-  logic select_2305;
-  assign select_2305 = equal_574_s2_q ? (moments_has_before_q | equal_2299) : moments_has_before_q;
-  logic [13:0] select_2308;
-  assign select_2308 = equal_574_s2_q ? ((select_2302 < select_2300) ? select_2300 : select_2302) : moments_most_before_q;
+  logic select_2304;
+  assign select_2304 = equal_574_s2_q ? (moments_has_before_q | equal_2298) : moments_has_before_q;
+  logic [13:0] select_2307;
+  assign select_2307 = equal_574_s2_q ? ((select_2301 < select_2299) ? select_2299 : select_2301) : moments_most_before_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2309;
-  assign sum_2309 = {1'b0, moments_most_before_q} + 15'h3;
+  logic [14:0] sum_2308;
+  assign sum_2308 = {1'b0, moments_most_before_q} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2312;
-  assign select_2312 = equal_574_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2309)) : moments_left_begins_q;
+  logic select_2311;
+  assign select_2311 = equal_574_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2308)) : moments_left_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2313;
-  assign sum_2313 = {1'b0, sum_2298} + 15'h3;
+  logic [14:0] sum_2312;
+  assign sum_2312 = {1'b0, sum_2297} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2316;
-  assign select_2316 = equal_574_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2313)) : moments_left_alone_q;
-  logic select_2319;
-  assign select_2319 = equal_574_s2_q ? (~({3'h0, select_2302[13:2]} < sum_2313)) : moments_left_other_stops_q;
-  logic select_2322;
-  assign select_2322 = equal_574_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2309)) : moments_right_begins_q;
+  logic select_2315;
+  assign select_2315 = equal_574_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2312)) : moments_left_alone_q;
+  logic select_2318;
+  assign select_2318 = equal_574_s2_q ? (~({3'h0, select_2301[13:2]} < sum_2312)) : moments_left_other_stops_q;
+  logic select_2321;
+  assign select_2321 = equal_574_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2308)) : moments_right_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2323;
-  assign sum_2323 = {1'b0, sum_2296} + 15'h3;
+  logic [14:0] sum_2322;
+  assign sum_2322 = {1'b0, sum_2295} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2326;
-  assign select_2326 = equal_574_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2323)) : moments_right_alone_q;
-  logic select_2329;
-  assign select_2329 = equal_574_s2_q ? (~({3'h0, select_2300[13:2]} < sum_2323)) : moments_right_other_stops_q;
+  logic select_2325;
+  assign select_2325 = equal_574_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2322)) : moments_right_alone_q;
+  logic select_2328;
+  assign select_2328 = equal_574_s2_q ? (~({3'h0, select_2299[13:2]} < sum_2322)) : moments_right_other_stops_q;
   // hls/stages/moments.hpp:51
-  logic or_2332;
-  assign or_2332 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
+  logic or_2331;
+  assign or_2331 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
   // hls/stages/agreement.hpp:788
-  logic and_2340;
-  assign and_2340 = not_575_s2_q & (not_577_s2_q & (equal_578_s2_q & (inside_v_s2_q & and_1597)));
-  logic and_2344;
-  assign and_2344 = not_575_s2_q & (not_577_s2_q & (equal_578_s2_q & (inside_v_s2_q & and_1606)));
+  logic and_2339;
+  assign and_2339 = not_575_s2_q & (not_577_s2_q & (equal_578_s2_q & (inside_v_s2_q & and_1597)));
+  logic and_2343;
+  assign and_2343 = not_575_s2_q & (not_577_s2_q & (equal_578_s2_q & (inside_v_s2_q & and_1606)));
   // hls/stages/moments.hpp:94
-  logic and_2346;
-  assign and_2346 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
-  logic select_2349;
-  assign select_2349 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2346)) : and_2346;
+  logic and_2345;
+  assign and_2345 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
+  logic select_2348;
+  assign select_2348 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2345)) : and_2345;
   // hls/stages/agreement.hpp:788
-  logic and_2353;
-  assign and_2353 = equal_574_s2_q & (equal_2299 & (cfg_prove_i & (cfg_same_table_i & select_2349)));
+  logic and_2352;
+  assign and_2352 = equal_574_s2_q & (equal_2298 & (cfg_prove_i & (cfg_same_table_i & select_2348)));
   // hls/stages/moments.hpp:95
-  logic and_2356;
-  assign and_2356 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  logic and_2355;
+  assign and_2355 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
   // hls/stages/census.hpp:368
-  logic [9:0] difference_2370;
-  assign difference_2370 = {1'b0, select_555} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2369;
+  assign difference_2369 = {1'b0, select_555} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2370[9]} + (difference_2370[8:0] ^ {9{difference_2370[9]}});
-  logic [9:0] difference_2382;
-  assign difference_2382 = {1'b0, select_559} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_2369[9]} + (difference_2369[8:0] ^ {9{difference_2369[9]}});
+  logic [9:0] difference_2381;
+  assign difference_2381 = {1'b0, select_559} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2382[9]} + (difference_2382[8:0] ^ {9{difference_2382[9]}});
+  assign contrast_2 = {8'h0, difference_2381[9]} + (difference_2381[8:0] ^ {9{difference_2381[9]}});
   // hls/stages/agreement.hpp:239
+  logic [5:0] select_2572;
+  assign select_2572 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
   logic [5:0] select_2573;
-  assign select_2573 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
+  assign select_2573 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
   logic [5:0] select_2574;
-  assign select_2574 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
+  assign select_2574 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
   logic [5:0] select_2575;
-  assign select_2575 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  assign select_2575 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
   logic [5:0] select_2576;
-  assign select_2576 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  assign select_2576 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
   logic [5:0] select_2577;
-  assign select_2577 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
-  logic [5:0] select_2578;
-  assign select_2578 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
-  logic [7:0] select_2582;
-  assign select_2582 = slot_s2_q[0] ? 8'h0 : sum_1011;
+  assign select_2577 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  logic [7:0] select_2581;
+  assign select_2581 = slot_s2_q[0] ? 8'h0 : sum_1011;
   // hls/stages/agreement.hpp:751
-  logic less_2583;
-  assign less_2583 = select_2582 < select_1511;
+  logic less_2582;
+  assign less_2582 = select_2581 < select_1511;
   // hls/stages/agreement.hpp:239
-  logic [6:0] select_2585;
-  assign select_2585 = slot_s2_q[0] ? 7'h0 : sum_1537;
+  logic [6:0] select_2584;
+  assign select_2584 = slot_s2_q[0] ? 7'h0 : sum_1537;
   // hls/stages/agreement.hpp:788
-  logic not_2590;
-  assign not_2590 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_2591;
-  assign less_2591 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  logic not_2589;
+  assign not_2589 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_2590;
+  assign less_2590 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
   // hls/stages/agreement.hpp:520
-  logic and_2598;
-  assign and_2598 = and_549_s2_q & (equal_679_s2_q & equal_2473_s2_q);
+  logic and_2597;
+  assign and_2597 = and_549_s2_q & (equal_679_s2_q & equal_2472_s2_q);
   // hls/stages/agreement.hpp:788
-  logic and_2604;
-  assign and_2604 = not_575_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_2600_s2_q)));
+  logic and_2603;
+  assign and_2603 = not_575_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_2599_s2_q)));
   // hls/stages/agreement.hpp:1030
+  logic and_2623;
+  assign and_2623 = seen_columns_rdata_q[15] & inside_v_s2_q;
   logic and_2624;
-  assign and_2624 = seen_columns_rdata_q[15] & inside_v_s2_q;
+  assign and_2624 = seen_columns_rdata_q[11] & inside_v_s2_q;
   logic and_2625;
-  assign and_2625 = seen_columns_rdata_q[11] & inside_v_s2_q;
+  assign and_2625 = seen_columns_rdata_q[7] & inside_v_s2_q;
   logic and_2626;
-  assign and_2626 = seen_columns_rdata_q[7] & inside_v_s2_q;
-  logic and_2627;
-  assign and_2627 = seen_columns_rdata_q[2] & inside_v_s2_q;
+  assign and_2626 = seen_columns_rdata_q[2] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1088
-  logic [1:0] sum_2629;
-  assign sum_2629 = {1'b0, and_2626} + ({1'b0, explained} + {1'b0, and_2627});
+  logic [1:0] sum_2628;
+  assign sum_2628 = {1'b0, and_2625} + ({1'b0, explained} + {1'b0, and_2626});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2624} + ({2'h0, and_2625} + {1'b0, sum_2629});
+  assign explained_2 = {2'h0, and_2623} + ({2'h0, and_2624} + {1'b0, sum_2628});
   // hls/stages/agreement.hpp:788
-  logic and_2665;
-  assign and_2665 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2600_s2_q & and_2021)));
+  logic and_2664;
+  assign and_2664 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2599_s2_q & and_2020)));
   // hls/stages/agreement.hpp:986
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
@@ -3740,707 +3740,707 @@ module horopter_agreement (
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
   // hls/stages/agreement.hpp:988
-  logic [7:0] difference_2689;
-  assign difference_2689 = best_left_rdata_s2_q[16:9] - lower;
-  logic less_2692;
-  assign less_2692 = {2'h0, difference_2689[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
+  logic [7:0] difference_2688;
+  assign difference_2688 = best_left_rdata_s2_q[16:9] - lower;
+  logic less_2691;
+  assign less_2691 = {2'h0, difference_2688[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
   // hls/stages/agreement.hpp:247
-  logic and_2695;
-  assign and_2695 = not_583_s2_q & (((and_2019_s2_q & and_634) & equal_2685_s2_q) & (~less_2692));
+  logic and_2694;
+  assign and_2694 = not_583_s2_q & (((and_2018_s2_q & and_634) & equal_2684_s2_q) & (~less_2691));
   // hls/stages/agreement.hpp:788
-  logic and_2699;
-  assign and_2699 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_579_s2_q & and_2695)));
+  logic and_2698;
+  assign and_2698 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_579_s2_q & and_2694)));
   // hls/stages/agreement.hpp:149
-  logic and_2704;
-  assign and_2704 = not_583_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
+  logic and_2703;
+  assign and_2703 = not_583_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
   // hls/stages/agreement.hpp:247
-  logic and_2706;
-  assign and_2706 = not_583_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
+  logic and_2705;
+  assign and_2705 = not_583_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
   // hls/stages/agreement.hpp:149
-  logic [1:0] select_2707;
-  assign select_2707 = or_579_s2_q ? {and_2706, and_2704} : 2'h0;
+  logic [1:0] select_2706;
+  assign select_2706 = or_579_s2_q ? {and_2705, and_2703} : 2'h0;
   // hls/stages/agreement.hpp:247
+  logic [1:0] select_2708;
+  assign select_2708 = less_582_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
+  // hls/stages/agreement.hpp:149
   logic [1:0] select_2709;
-  assign select_2709 = less_582_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_2710;
-  assign select_2710 = or_579_s2_q ? select_2709 : 2'h0;
+  assign select_2709 = or_579_s2_q ? select_2708 : 2'h0;
   // hls/stages/agreement.hpp:1027
-  logic and_2712;
-  assign and_2712 = and_636 & (select_2707[0] & select_2710[0]);
+  logic and_2711;
+  assign and_2711 = and_636 & (select_2706[0] & select_2709[0]);
   // hls/stages/agreement.hpp:788
+  logic and_2715;
+  assign and_2715 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2706[1] & and_2711)));
   logic and_2716;
-  assign and_2716 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2707[1] & and_2712)));
-  logic and_2717;
-  assign and_2717 = not_575_s2_q & and_2716;
+  assign and_2716 = not_575_s2_q & and_2715;
+  logic and_2722;
+  assign and_2722 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2709[1] & and_2711)));
   logic and_2723;
-  assign and_2723 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2710[1] & and_2712)));
-  logic and_2724;
-  assign and_2724 = not_575_s2_q & and_2723;
+  assign and_2723 = not_575_s2_q & and_2722;
   // hls/stages/registration.hpp:76
-  logic less_2727;
-  assign less_2727 = slot_s2_q < 3'h3;
+  logic less_2726;
+  assign less_2726 = slot_s2_q < 3'h3;
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_2729;
-  assign select_2729 = or_579_s2_q ? (less_582_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
-  logic [7:0] select_2731;
-  assign select_2731 = or_579_s2_q ? (less_582_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
-  logic [7:0] select_2733;
-  assign select_2733 = or_579_s2_q ? (less_582_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  logic [7:0] select_2728;
+  assign select_2728 = or_579_s2_q ? (less_582_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_2730;
+  assign select_2730 = or_579_s2_q ? (less_582_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_2732;
+  assign select_2732 = or_579_s2_q ? (less_582_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_2731} - {1'b0, select_2733};
+  assign rise_2 = {1'b0, select_2730} - {1'b0, select_2732};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_2735;
-  assign select_2735 = rise_2[8] ? select_2731 : select_2733;
+  logic [7:0] select_2734;
+  assign select_2734 = rise_2[8] ? select_2730 : select_2732;
   logic [8:0] fall;
-  assign fall = {1'b0, select_2729} - {1'b0, select_2735};
+  assign fall = {1'b0, select_2728} - {1'b0, select_2734};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:37
-  logic not_2738;
-  assign not_2738 = ~registration_displacement_over_q[9];
+  logic not_2737;
+  assign not_2737 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2727 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2738};
+  assign left = less_2726 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2737};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_2740;
-  assign xor_2740 = rise_2[7:0] ^ {8{rise_2[8]}};
+  logic [7:0] xor_2739;
+  assign xor_2739 = rise_2[7:0] ^ {8{rise_2[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_2740};
+  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_2739};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_2746;
-  assign select_2746 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_2745;
+  assign select_2745 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_2727 ? {taken, 1'b1} : {not_2738, select_2746, not_2738};
+  assign taken_2 = less_2726 ? {taken, 1'b1} : {not_2737, select_2745, not_2737};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2748;
-  assign sum_2748 = {left, 1'b1} + {taken_2, less_2727};
+  logic [10:0] sum_2747;
+  assign sum_2747 = {left, 1'b1} + {taken_2, less_2726};
   // hls/stages/agreement.hpp:257
-  logic [4:0] select_2750;
-  assign select_2750 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  logic [4:0] select_2749;
+  assign select_2749 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_2752;
-  assign select_2752 = equal_574_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
-  logic [10:0] select_2754;
-  assign select_2754 = equal_574_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
+  logic [7:0] select_2751;
+  assign select_2751 = equal_574_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
+  logic [10:0] select_2753;
+  assign select_2753 = equal_574_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_2755;
-  assign equal_2755 = slot_s2_q == 3'h4;
+  logic equal_2754;
+  assign equal_2754 = slot_s2_q == 3'h4;
   // hls/stages/agreement.hpp:262
-  logic and_2759;
-  assign and_2759 = and_636 & less_1702_s2_q;
+  logic and_2758;
+  assign and_2758 = and_636 & less_1702_s2_q;
   // hls/stages/agreement.hpp:149
-  logic [2:0] select_2761;
-  assign select_2761 = or_579_s2_q ? (less_582_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
+  logic [2:0] select_2760;
+  assign select_2760 = or_579_s2_q ? (less_582_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_2765;
-  assign sum_2765 = select_2761[2:1] + 2'h3;
+  logic [1:0] sum_2764;
+  assign sum_2764 = select_2760[2:1] + 2'h3;
   // hls/stages/registration.hpp:102
+  logic [7:0] select_2767;
+  assign select_2767 = (select_2730 < select_2732) ? ({sum_2764, select_2760[0], 5'h0} - {3'h0, select_2749}) : {sum_2764, select_2760[0], select_2749};
   logic [7:0] select_2768;
-  assign select_2768 = (select_2731 < select_2733) ? ({sum_2765, select_2761[0], 5'h0} - {3'h0, select_2750}) : {sum_2765, select_2761[0], select_2750};
-  logic [7:0] select_2769;
-  assign select_2769 = ((select_2761 == 3'h0) | (select_2761 == 3'h4)) ? {sum_2765, select_2761[0], 5'h0} : select_2768;
+  assign select_2768 = ((select_2760 == 3'h0) | (select_2760 == 3'h4)) ? {sum_2764, select_2760[0], 5'h0} : select_2767;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2769[7]}}, select_2769} - {sum_1721[9], sum_1721, sum_1717[1]};
+  assign value_2 = {{4{select_2768[7]}}, select_2768} - {sum_1721[9], sum_1721, sum_1717[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_2772;
-  assign select_2772 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_2771;
+  assign select_2771 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2772[11:7])) ? 12'h7f : select_2772;
+  assign residual = ($signed(5'h0) < $signed(select_2771[11:7])) ? 12'h7f : select_2771;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_2793;
-  assign difference_2793 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_2792;
+  assign difference_2792 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_2795;
-  assign and_2795 = and_2759 & ($signed(difference_2793) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_2794;
+  assign and_2794 = and_2758 & ($signed(difference_2792) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_2808;
-  assign less_2808 = $signed(difference_2793) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic less_2807;
+  assign less_2807 = $signed(difference_2792) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/agreement.hpp:788
-  logic select_2816;
-  assign select_2816 = so_s2_q ? (equal_2755 ? right_2 : registration_of_right_q) : registration_of_right_q;
-  logic select_2819;
-  assign select_2819 = so_s2_q ? (equal_1703 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
+  logic select_2815;
+  assign select_2815 = so_s2_q ? (equal_2754 ? right_2 : registration_of_right_q) : registration_of_right_q;
+  logic select_2818;
+  assign select_2818 = so_s2_q ? (equal_1703 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_2824;
-  assign select_2824 = (sum_1613 == 2'h2) ? (registration_fresh_q & (~select_1660)) : registration_fresh_q;
+  logic [3:0] select_2823;
+  assign select_2823 = (sum_1613 == 2'h2) ? (registration_fresh_q & (~select_1660)) : registration_fresh_q;
   // hls/stages/agreement.hpp:788
-  logic [3:0] select_2826;
-  assign select_2826 = so_s2_q ? (and_1655 ? select_2824 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_2825;
+  assign select_2825 = so_s2_q ? (and_1655 ? select_2823 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_2828;
-  assign select_2828 = and_2598 ? 4'hf : (equal_574_s2_q ? registration_fresh_q : select_2826);
+  logic [3:0] select_2827;
+  assign select_2827 = and_2597 ? 4'hf : (equal_574_s2_q ? registration_fresh_q : select_2825);
   // hls/stages/agreement.hpp:1129
   logic [1:0] quarter_2;
   assign quarter_2 = all ? x_s2_q[1:0] : select_1610;
   // hls/stages/registration.hpp:258
-  logic not_2849;
-  assign not_2849 = ~quarter_2[1];
-  logic [3:0] select_2850;
-  assign select_2850 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2849, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2849};
+  logic not_2848;
+  assign not_2848 = ~quarter_2[1];
+  logic [3:0] select_2849;
+  assign select_2849 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2848, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2848};
   // hls/stages/patches.hpp:91
-  logic parity_2984;
-  assign parity_2984 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  logic parity_2983;
+  assign parity_2983 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
   // hls/stages/agreement.hpp:460
-  logic [15:0] select_2985;
-  assign select_2985 = equal_2473_s2_q ? {patches_chance_q[14:0], parity_2984} : patches_chance_q;
-  // hls/stages/patches.hpp:345
-  logic not_2987;
-  assign not_2987 = ~and_1777;
+  logic [15:0] select_2984;
+  assign select_2984 = equal_2472_s2_q ? {patches_chance_q[14:0], parity_2983} : patches_chance_q;
+  // hls/stages/patches.hpp:346
+  logic not_2986;
+  assign not_2986 = ~and_1777;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
   // hls/stages/patches.hpp:110
-  logic [4:0] select_2989;
-  assign select_2989 = right_3 ? last_s2_q[5:1] : 5'h0;
+  logic [4:0] select_2988;
+  assign select_2988 = right_3 ? last_s2_q[5:1] : 5'h0;
   logic [5:0] from;
-  assign from = {1'b0, of_32} + {1'b0, select_2989};
+  assign from = {1'b0, of_32} + {1'b0, select_2988};
   // hls/stages/agreement.hpp:788
-  logic and_2995;
-  assign and_2995 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {2'h0, from}))));
-  // hls/stages/patches.hpp:156
-  logic and_2999;
-  assign and_2999 = not_2987 & (patches_fixed_q | ((not_575_s2_q & and_2995) & and_1749));
-  // hls/stages/patches.hpp:354
-  logic not_3012;
-  assign not_3012 = ~select_1692[1];
+  logic and_2994;
+  assign and_2994 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {2'h0, from}))));
+  // hls/stages/patches.hpp:157
+  logic and_2998;
+  assign and_2998 = not_2986 & (patches_fixed_q | ((not_575_s2_q & and_2994) & and_1749));
+  // hls/stages/patches.hpp:355
+  logic not_3011;
+  assign not_3011 = ~select_1692[1];
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3014;
-  assign select_3014 = sample_pair_whole_s2_q ? (equal_1693 ? select_1692 : {not_3012, 1'b0}) : patches_fetch_q;
-  // hls/stages/patches.hpp:522
+  logic [1:0] select_3013;
+  assign select_3013 = sample_pair_whole_s2_q ? (equal_1693 ? select_1692 : {not_3011, 1'b0}) : patches_fetch_q;
+  // hls/stages/patches.hpp:523
   logic [55:0] other;
   assign other = new_row_s2_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
-  // hls/stages/patches.hpp:184
-  logic [51:0] select_3113;
-  assign select_3113 = or_1785_s2_q ? {and_1931_s2_q, and_1928_s2_q, and_1912_s2_q, and_1909, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_3115;
-  assign select_3115 = equal_1779_s2_q ? patches_codes_at_q : (equal_1781_s2_q ? other[55:4] : select_3113);
-  // hls/stages/patches.hpp:505
+  // hls/stages/patches.hpp:185
+  logic [51:0] select_3112;
+  assign select_3112 = or_1785_s2_q ? {and_1930_s2_q, and_1927_s2_q, and_1911_s2_q, and_1908, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3114;
+  assign select_3114 = equal_1779_s2_q ? patches_codes_at_q : (equal_1781_s2_q ? other[55:4] : select_3112);
+  // hls/stages/patches.hpp:506
   logic [27:0] word;
-  assign word = or_1885_s2_q ? patches_right_codes_rdata_q : 28'h0;
-  // hls/stages/patches.hpp:521
-  logic [27:0] select_3118;
-  assign select_3118 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
-  // hls/stages/patches.hpp:184
-  logic [27:0] select_3120;
-  assign select_3120 = equal_1781_s2_q ? (new_row_s2_q ? word : select_3118) : patches_codes_further_q;
-  // hls/stages/patches.hpp:523
-  logic [55:0] select_3122;
-  assign select_3122 = less_1872_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:493
-  logic [55:0] select_3124;
-  assign select_3124 = less_3123_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:184
-  logic [55:0] select_3126;
-  assign select_3126 = or_1785_s2_q ? (equal_1784_s2_q ? patches_next_codes_q : select_3124) : patches_next_codes_q;
-  logic [55:0] select_3128;
-  assign select_3128 = equal_1779_s2_q ? patches_next_codes_q : (equal_1781_s2_q ? select_3122 : select_3126);
-  // hls/stages/count_bits.hpp:24
-  logic parity_3133;
-  assign parity_3133 = ^{and_1931_s2_q, and_1928_s2_q, and_1912_s2_q, and_1909};
-  // hls/stages/count_bits.hpp:25
-  logic or_3137;
-  assign or_3137 = ({and_1912_s2_q, and_1909} == 2'h3) | (and_1928_s2_q & (and_1912_s2_q | and_1909));
-  logic and_3138;
-  assign and_3138 = and_1931_s2_q & (^{and_1928_s2_q, and_1912_s2_q, and_1909});
-  // hls/stages/count_bits.hpp:24
-  logic xor_3139;
-  assign xor_3139 = or_3137 ^ and_3138;
-  // hls/stages/count_bits.hpp:27
-  logic and_3140;
-  assign and_3140 = or_3137 & and_3138;
-  // hls/stages/patches.hpp:184
-  logic [2:0] select_3142;
-  assign select_3142 = or_1785_s2_q ? (and_1954_s2_q ? {and_3140, xor_3139, parity_3133} : 3'h0) : 3'h0;
-  // hls/stages/patches.hpp:167
-  logic [9:0] sum_3146;
-  assign sum_3146 = {7'h0, patches_set_q} + (equal_1784_s2_q ? 10'h0 : patches_size_q);
+  assign word = or_1884_s2_q ? patches_right_codes_rdata_q : 28'h0;
   // hls/stages/patches.hpp:522
-  logic [47:0] select_3156;
-  assign select_3156 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
-  // hls/stages/patches.hpp:184
-  logic [47:0] select_3158;
-  assign select_3158 = equal_1779_s2_q ? patches_left_row_q : (equal_1781_s2_q ? select_3156 : patches_left_row_q);
+  logic [27:0] select_3117;
+  assign select_3117 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
+  // hls/stages/patches.hpp:185
+  logic [27:0] select_3119;
+  assign select_3119 = equal_1781_s2_q ? (new_row_s2_q ? word : select_3117) : patches_codes_further_q;
   // hls/stages/patches.hpp:524
+  logic [55:0] select_3121;
+  assign select_3121 = less_1871_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:494
+  logic [55:0] select_3123;
+  assign select_3123 = less_3122_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:185
+  logic [55:0] select_3125;
+  assign select_3125 = or_1785_s2_q ? (equal_1784_s2_q ? patches_next_codes_q : select_3123) : patches_next_codes_q;
+  logic [55:0] select_3127;
+  assign select_3127 = equal_1779_s2_q ? patches_next_codes_q : (equal_1781_s2_q ? select_3121 : select_3125);
+  // hls/stages/count_bits.hpp:24
+  logic parity_3132;
+  assign parity_3132 = ^{and_1930_s2_q, and_1927_s2_q, and_1911_s2_q, and_1908};
+  // hls/stages/count_bits.hpp:25
+  logic or_3136;
+  assign or_3136 = ({and_1911_s2_q, and_1908} == 2'h3) | (and_1927_s2_q & (and_1911_s2_q | and_1908));
+  logic and_3137;
+  assign and_3137 = and_1930_s2_q & (^{and_1927_s2_q, and_1911_s2_q, and_1908});
+  // hls/stages/count_bits.hpp:24
+  logic xor_3138;
+  assign xor_3138 = or_3136 ^ and_3137;
+  // hls/stages/count_bits.hpp:27
+  logic and_3139;
+  assign and_3139 = or_3136 & and_3137;
+  // hls/stages/patches.hpp:185
+  logic [2:0] select_3141;
+  assign select_3141 = or_1785_s2_q ? (and_1953_s2_q ? {and_3139, xor_3138, parity_3132} : 3'h0) : 3'h0;
+  // hls/stages/patches.hpp:168
+  logic [9:0] sum_3145;
+  assign sum_3145 = {7'h0, patches_set_q} + (equal_1784_s2_q ? 10'h0 : patches_size_q);
+  // hls/stages/patches.hpp:523
+  logic [47:0] select_3155;
+  assign select_3155 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  // hls/stages/patches.hpp:185
+  logic [47:0] select_3157;
+  assign select_3157 = equal_1779_s2_q ? patches_left_row_q : (equal_1781_s2_q ? select_3155 : patches_left_row_q);
+  // hls/stages/patches.hpp:525
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3156;
+  assign bits = other[47:0] ^ select_3155;
   // hls/stages/count_bits.hpp:24
-  logic xor_3162;
-  assign xor_3162 = bits[17] ^ (^{select_3156[16:15], other[16:15]});
-  logic xor_3165;
-  assign xor_3165 = bits[11] ^ (^{select_3156[10:9], other[10:9]});
-  logic xor_3168;
-  assign xor_3168 = bits[14] ^ (^{select_3156[13:12], other[13:12]});
-  logic xor_3171;
-  assign xor_3171 = xor_3162 ^ (^{select_3156[14:9], other[14:9]});
-  logic xor_3174;
-  assign xor_3174 = bits[47] ^ (^{select_3156[46:45], other[46:45]});
-  logic xor_3177;
-  assign xor_3177 = bits[8] ^ (^{select_3156[7:6], other[7:6]});
-  logic xor_3180;
-  assign xor_3180 = bits[2] ^ (^{select_3156[1:0], other[1:0]});
-  logic xor_3183;
-  assign xor_3183 = bits[5] ^ (^{select_3156[4:3], other[4:3]});
-  logic xor_3186;
-  assign xor_3186 = xor_3177 ^ (^{select_3156[5:0], other[5:0]});
-  logic parity_3188;
-  assign parity_3188 = ^{select_3156[47:45], select_3156[8:0], other[47:45], other[8:0]};
-  logic xor_3189;
-  assign xor_3189 = xor_3171 ^ parity_3188;
-  logic xor_3192;
-  assign xor_3192 = bits[44] ^ (^{select_3156[43:42], other[43:42]});
-  logic xor_3195;
-  assign xor_3195 = bits[38] ^ (^{select_3156[37:36], other[37:36]});
-  logic xor_3198;
-  assign xor_3198 = bits[41] ^ (^{select_3156[40:39], other[40:39]});
-  logic xor_3204;
-  assign xor_3204 = bits[26] ^ (^{select_3156[25:24], other[25:24]});
-  logic xor_3207;
-  assign xor_3207 = bits[20] ^ (^{select_3156[19:18], other[19:18]});
-  logic xor_3210;
-  assign xor_3210 = bits[23] ^ (^{select_3156[22:21], other[22:21]});
-  logic xor_3213;
-  assign xor_3213 = xor_3204 ^ (^{select_3156[23:18], other[23:18]});
-  logic xor_3216;
-  assign xor_3216 = bits[35] ^ (^{select_3156[34:33], other[34:33]});
-  logic xor_3219;
-  assign xor_3219 = bits[29] ^ (^{select_3156[28:27], other[28:27]});
-  logic xor_3222;
-  assign xor_3222 = bits[32] ^ (^{select_3156[31:30], other[31:30]});
+  logic xor_3161;
+  assign xor_3161 = bits[17] ^ (^{select_3155[16:15], other[16:15]});
+  logic xor_3164;
+  assign xor_3164 = bits[11] ^ (^{select_3155[10:9], other[10:9]});
+  logic xor_3167;
+  assign xor_3167 = bits[14] ^ (^{select_3155[13:12], other[13:12]});
+  logic xor_3170;
+  assign xor_3170 = xor_3161 ^ (^{select_3155[14:9], other[14:9]});
+  logic xor_3173;
+  assign xor_3173 = bits[47] ^ (^{select_3155[46:45], other[46:45]});
+  logic xor_3176;
+  assign xor_3176 = bits[8] ^ (^{select_3155[7:6], other[7:6]});
+  logic xor_3179;
+  assign xor_3179 = bits[2] ^ (^{select_3155[1:0], other[1:0]});
+  logic xor_3182;
+  assign xor_3182 = bits[5] ^ (^{select_3155[4:3], other[4:3]});
+  logic xor_3185;
+  assign xor_3185 = xor_3176 ^ (^{select_3155[5:0], other[5:0]});
+  logic parity_3187;
+  assign parity_3187 = ^{select_3155[47:45], select_3155[8:0], other[47:45], other[8:0]};
+  logic xor_3188;
+  assign xor_3188 = xor_3170 ^ parity_3187;
+  logic xor_3191;
+  assign xor_3191 = bits[44] ^ (^{select_3155[43:42], other[43:42]});
+  logic xor_3194;
+  assign xor_3194 = bits[38] ^ (^{select_3155[37:36], other[37:36]});
+  logic xor_3197;
+  assign xor_3197 = bits[41] ^ (^{select_3155[40:39], other[40:39]});
+  logic xor_3203;
+  assign xor_3203 = bits[26] ^ (^{select_3155[25:24], other[25:24]});
+  logic xor_3206;
+  assign xor_3206 = bits[20] ^ (^{select_3155[19:18], other[19:18]});
+  logic xor_3209;
+  assign xor_3209 = bits[23] ^ (^{select_3155[22:21], other[22:21]});
+  logic xor_3212;
+  assign xor_3212 = xor_3203 ^ (^{select_3155[23:18], other[23:18]});
+  logic xor_3215;
+  assign xor_3215 = bits[35] ^ (^{select_3155[34:33], other[34:33]});
+  logic xor_3218;
+  assign xor_3218 = bits[29] ^ (^{select_3155[28:27], other[28:27]});
+  logic xor_3221;
+  assign xor_3221 = bits[32] ^ (^{select_3155[31:30], other[31:30]});
+  logic xor_3224;
+  assign xor_3224 = xor_3215 ^ (^{select_3155[32:27], other[32:27]});
   logic xor_3225;
-  assign xor_3225 = xor_3216 ^ (^{select_3156[32:27], other[32:27]});
-  logic xor_3226;
-  assign xor_3226 = xor_3213 ^ xor_3225;
+  assign xor_3225 = xor_3212 ^ xor_3224;
   // hls/stages/count_bits.hpp:25
-  logic or_3234;
-  assign or_3234 = (xor_3165 & xor_3168) | (xor_3162 & (xor_3165 | xor_3168));
-  logic or_3238;
-  assign or_3238 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3242;
-  assign or_3242 = (xor_3180 & xor_3183) | (xor_3177 & (xor_3180 | xor_3183));
+  logic or_3233;
+  assign or_3233 = (xor_3164 & xor_3167) | (xor_3161 & (xor_3164 | xor_3167));
+  logic or_3237;
+  assign or_3237 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+  logic or_3241;
+  assign or_3241 = (xor_3179 & xor_3182) | (xor_3176 & (xor_3179 | xor_3182));
   // hls/stages/count_bits.hpp:23
-  logic or_3249;
-  assign or_3249 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  logic or_3248;
+  assign or_3248 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
   // hls/stages/count_bits.hpp:25
-  logic or_3253;
-  assign or_3253 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-  logic or_3257;
-  assign or_3257 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+  logic or_3252;
+  assign or_3252 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  logic or_3256;
+  assign or_3256 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3260;
-  assign parity_3260 = ^{or_3257, or_3253, or_3249};
+  logic parity_3259;
+  assign parity_3259 = ^{or_3256, or_3252, or_3248};
   // hls/stages/count_bits.hpp:23
-  logic or_3264;
-  assign or_3264 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+  logic or_3263;
+  assign or_3263 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
   // hls/stages/count_bits.hpp:25
-  logic or_3268;
-  assign or_3268 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-  logic or_3272;
-  assign or_3272 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+  logic or_3267;
+  assign or_3267 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3271;
+  assign or_3271 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3275;
-  assign parity_3275 = ^{or_3272, or_3268, or_3264};
-  logic parity_3278;
-  assign parity_3278 = ^{or_3272, or_3268, or_3264, or_3257, or_3253, or_3249, or_3242, or_3238, or_3234};
+  logic parity_3274;
+  assign parity_3274 = ^{or_3271, or_3267, or_3263};
+  logic parity_3277;
+  assign parity_3277 = ^{or_3271, or_3267, or_3263, or_3256, or_3252, or_3248, or_3241, or_3237, or_3233};
   // hls/stages/count_bits.hpp:23
-  logic or_3282;
-  assign or_3282 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  logic or_3281;
+  assign or_3281 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
   // hls/stages/count_bits.hpp:25
-  logic or_3286;
-  assign or_3286 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3290;
-  assign or_3290 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+  logic or_3285;
+  assign or_3285 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3289;
+  assign or_3289 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
   // hls/stages/count_bits.hpp:23
-  logic or_3298;
-  assign or_3298 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+  logic or_3297;
+  assign or_3297 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_3302;
-  assign or_3302 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-  logic or_3306;
-  assign or_3306 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+  logic or_3301;
+  assign or_3301 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  logic or_3305;
+  assign or_3305 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3309;
-  assign parity_3309 = ^{or_3306, or_3302, or_3298};
+  logic parity_3308;
+  assign parity_3308 = ^{or_3305, or_3301, or_3297};
   // hls/stages/count_bits.hpp:23
-  logic or_3313;
-  assign or_3313 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+  logic or_3312;
+  assign or_3312 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
   // hls/stages/count_bits.hpp:25
-  logic or_3317;
-  assign or_3317 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-  logic or_3321;
-  assign or_3321 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  logic or_3316;
+  assign or_3316 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3320;
+  assign or_3320 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3324;
-  assign parity_3324 = ^{or_3321, or_3317, or_3313};
-  logic parity_3327;
-  assign parity_3327 = ^{or_3321, or_3317, or_3313, or_3306, or_3302, or_3298, or_3290, or_3286, or_3282};
+  logic parity_3323;
+  assign parity_3323 = ^{or_3320, or_3316, or_3312};
+  logic parity_3326;
+  assign parity_3326 = ^{or_3320, or_3316, or_3312, or_3305, or_3301, or_3297, or_3289, or_3285, or_3281};
   // hls/stages/count_bits.hpp:25
-  logic or_3331;
-  assign or_3331 = (xor_3195 & xor_3198) | (xor_3192 & (xor_3195 | xor_3198));
-  logic or_3335;
-  assign or_3335 = (xor_3207 & xor_3210) | (xor_3204 & (xor_3207 | xor_3210));
-  logic or_3339;
-  assign or_3339 = (xor_3219 & xor_3222) | (xor_3216 & (xor_3219 | xor_3222));
+  logic or_3330;
+  assign or_3330 = (xor_3194 & xor_3197) | (xor_3191 & (xor_3194 | xor_3197));
+  logic or_3334;
+  assign or_3334 = (xor_3206 & xor_3209) | (xor_3203 & (xor_3206 | xor_3209));
+  logic or_3338;
+  assign or_3338 = (xor_3218 & xor_3221) | (xor_3215 & (xor_3218 | xor_3221));
   // hls/stages/count_bits.hpp:24
-  logic parity_3342;
-  assign parity_3342 = ^{or_3339, or_3335, or_3331};
+  logic parity_3341;
+  assign parity_3341 = ^{or_3338, or_3334, or_3330};
   // hls/stages/count_bits.hpp:25
-  logic and_3343;
-  assign and_3343 = xor_3189 & (^{xor_3226, select_3156[44:36], other[44:36]});
-  logic or_3347;
-  assign or_3347 = (xor_3174 & xor_3186) | (xor_3171 & (xor_3174 | xor_3186));
-  logic and_3350;
-  assign and_3350 = (xor_3192 ^ (^{select_3156[41:36], other[41:36]})) & (xor_3213 | xor_3225);
-  logic or_3351;
-  assign or_3351 = (xor_3213 & xor_3225) | and_3350;
+  logic and_3342;
+  assign and_3342 = xor_3188 & (^{xor_3225, select_3155[44:36], other[44:36]});
+  logic or_3346;
+  assign or_3346 = (xor_3173 & xor_3185) | (xor_3170 & (xor_3173 | xor_3185));
+  logic and_3349;
+  assign and_3349 = (xor_3191 ^ (^{select_3155[41:36], other[41:36]})) & (xor_3212 | xor_3224);
+  logic or_3350;
+  assign or_3350 = (xor_3212 & xor_3224) | and_3349;
   // hls/stages/count_bits.hpp:24
-  logic parity_3354;
-  assign parity_3354 = ^{or_3351, or_3347, and_3343};
-  logic parity_3357;
-  assign parity_3357 = ^{or_3351, or_3347, and_3343, or_3339, or_3335, or_3331, or_3321, or_3317, or_3313, or_3306, or_3302, or_3298, or_3290, or_3286, or_3282};
-  logic parity_3359;
-  assign parity_3359 = ^{or_3351, or_3347, and_3343, or_3339, or_3335, or_3331, or_3321, or_3317, or_3313, or_3306, or_3302, or_3298, or_3290, or_3286, or_3282, or_3272, or_3268, or_3264, or_3257, or_3253, or_3249, or_3242, or_3238, or_3234};
+  logic parity_3353;
+  assign parity_3353 = ^{or_3350, or_3346, and_3342};
+  logic parity_3356;
+  assign parity_3356 = ^{or_3350, or_3346, and_3342, or_3338, or_3334, or_3330, or_3320, or_3316, or_3312, or_3305, or_3301, or_3297, or_3289, or_3285, or_3281};
+  logic parity_3358;
+  assign parity_3358 = ^{or_3350, or_3346, and_3342, or_3338, or_3334, or_3330, or_3320, or_3316, or_3312, or_3305, or_3301, or_3297, or_3289, or_3285, or_3281, or_3271, or_3267, or_3263, or_3256, or_3252, or_3248, or_3241, or_3237, or_3233};
   // hls/stages/count_bits.hpp:25
-  logic and_3360;
-  assign and_3360 = parity_3278 & parity_3357;
-  logic or_3364;
-  assign or_3364 = (parity_3260 & parity_3275) | ((^{or_3242, or_3238, or_3234}) & (parity_3260 | parity_3275));
-  logic or_3368;
-  assign or_3368 = (parity_3342 & parity_3354) | (parity_3327 & (parity_3342 | parity_3354));
-  logic or_3375;
-  assign or_3375 = (parity_3309 & parity_3324) | ((^{or_3290, or_3286, or_3282}) & (parity_3309 | parity_3324));
-  logic or_3379;
-  assign or_3379 = (or_3335 & or_3339) | (or_3331 & (or_3335 | or_3339));
-  logic or_3383;
-  assign or_3383 = (or_3347 & or_3351) | (and_3343 & (or_3347 | or_3351));
+  logic and_3359;
+  assign and_3359 = parity_3277 & parity_3356;
+  logic or_3363;
+  assign or_3363 = (parity_3259 & parity_3274) | ((^{or_3241, or_3237, or_3233}) & (parity_3259 | parity_3274));
+  logic or_3367;
+  assign or_3367 = (parity_3341 & parity_3353) | (parity_3326 & (parity_3341 | parity_3353));
+  logic or_3374;
+  assign or_3374 = (parity_3308 & parity_3323) | ((^{or_3289, or_3285, or_3281}) & (parity_3308 | parity_3323));
+  logic or_3378;
+  assign or_3378 = (or_3334 & or_3338) | (or_3330 & (or_3334 | or_3338));
+  logic or_3382;
+  assign or_3382 = (or_3346 & or_3350) | (and_3342 & (or_3346 | or_3350));
   // hls/stages/count_bits.hpp:23
-  logic or_3390;
-  assign or_3390 = (or_3286 & or_3290) | (or_3282 & (or_3286 | or_3290));
+  logic or_3389;
+  assign or_3389 = (or_3285 & or_3289) | (or_3281 & (or_3285 | or_3289));
   // hls/stages/count_bits.hpp:25
-  logic or_3394;
-  assign or_3394 = (or_3302 & or_3306) | (or_3298 & (or_3302 | or_3306));
-  logic or_3398;
-  assign or_3398 = (or_3317 & or_3321) | (or_3313 & (or_3317 | or_3321));
+  logic or_3393;
+  assign or_3393 = (or_3301 & or_3305) | (or_3297 & (or_3301 | or_3305));
+  logic or_3397;
+  assign or_3397 = (or_3316 & or_3320) | (or_3312 & (or_3316 | or_3320));
   // hls/stages/count_bits.hpp:24
-  logic parity_3401;
-  assign parity_3401 = ^{or_3398, or_3394, or_3390};
+  logic parity_3400;
+  assign parity_3400 = ^{or_3397, or_3393, or_3389};
   // hls/stages/count_bits.hpp:23
-  logic or_3405;
-  assign or_3405 = (or_3238 & or_3242) | (or_3234 & (or_3238 | or_3242));
+  logic or_3404;
+  assign or_3404 = (or_3237 & or_3241) | (or_3233 & (or_3237 | or_3241));
   // hls/stages/count_bits.hpp:25
-  logic or_3409;
-  assign or_3409 = (or_3253 & or_3257) | (or_3249 & (or_3253 | or_3257));
-  logic or_3413;
-  assign or_3413 = (or_3268 & or_3272) | (or_3264 & (or_3268 | or_3272));
+  logic or_3408;
+  assign or_3408 = (or_3252 & or_3256) | (or_3248 & (or_3252 | or_3256));
+  logic or_3412;
+  assign or_3412 = (or_3267 & or_3271) | (or_3263 & (or_3267 | or_3271));
   // hls/stages/count_bits.hpp:24
-  logic parity_3416;
-  assign parity_3416 = ^{or_3413, or_3409, or_3405};
-  logic parity_3419;
-  assign parity_3419 = ^{or_3413, or_3409, or_3405, or_3398, or_3394, or_3390, or_3383, or_3379, or_3375};
-  logic parity_3421;
-  assign parity_3421 = ^{or_3413, or_3409, or_3405, or_3398, or_3394, or_3390, or_3383, or_3379, or_3375, or_3368, or_3364, and_3360};
+  logic parity_3415;
+  assign parity_3415 = ^{or_3412, or_3408, or_3404};
+  logic parity_3418;
+  assign parity_3418 = ^{or_3412, or_3408, or_3404, or_3397, or_3393, or_3389, or_3382, or_3378, or_3374};
+  logic parity_3420;
+  assign parity_3420 = ^{or_3412, or_3408, or_3404, or_3397, or_3393, or_3389, or_3382, or_3378, or_3374, or_3367, or_3363, and_3359};
   // hls/stages/count_bits.hpp:25
-  logic or_3425;
-  assign or_3425 = (or_3379 & or_3383) | (or_3375 & (or_3379 | or_3383));
-  logic or_3429;
-  assign or_3429 = (or_3394 & or_3398) | (or_3390 & (or_3394 | or_3398));
-  logic or_3433;
-  assign or_3433 = (or_3409 & or_3413) | (or_3405 & (or_3409 | or_3413));
+  logic or_3424;
+  assign or_3424 = (or_3378 & or_3382) | (or_3374 & (or_3378 | or_3382));
+  logic or_3428;
+  assign or_3428 = (or_3393 & or_3397) | (or_3389 & (or_3393 | or_3397));
+  logic or_3432;
+  assign or_3432 = (or_3408 & or_3412) | (or_3404 & (or_3408 | or_3412));
   // hls/stages/count_bits.hpp:24
-  logic parity_3436;
-  assign parity_3436 = ^{or_3433, or_3429, or_3425};
+  logic parity_3435;
+  assign parity_3435 = ^{or_3432, or_3428, or_3424};
   // hls/stages/count_bits.hpp:25
-  logic and_3437;
-  assign and_3437 = (^{or_3368, or_3364, and_3360}) & parity_3419;
-  logic or_3441;
-  assign or_3441 = (or_3364 & or_3368) | (and_3360 & (or_3364 | or_3368));
-  logic or_3445;
-  assign or_3445 = (parity_3401 & parity_3416) | ((^{or_3383, or_3379, or_3375}) & (parity_3401 | parity_3416));
+  logic and_3436;
+  assign and_3436 = (^{or_3367, or_3363, and_3359}) & parity_3418;
+  logic or_3440;
+  assign or_3440 = (or_3363 & or_3367) | (and_3359 & (or_3363 | or_3367));
+  logic or_3444;
+  assign or_3444 = (parity_3400 & parity_3415) | ((^{or_3382, or_3378, or_3374}) & (parity_3400 | parity_3415));
   // hls/stages/count_bits.hpp:24
-  logic parity_3448;
-  assign parity_3448 = ^{or_3445, or_3441, and_3437};
+  logic parity_3447;
+  assign parity_3447 = ^{or_3444, or_3440, and_3436};
   // hls/stages/count_bits.hpp:25
-  logic and_3450;
-  assign and_3450 = parity_3436 & parity_3448;
-  logic or_3454;
-  assign or_3454 = (or_3429 & or_3433) | (or_3425 & (or_3429 | or_3433));
-  logic or_3458;
-  assign or_3458 = (or_3441 & or_3445) | (and_3437 & (or_3441 | or_3445));
-  // hls/stages/patches.hpp:184
-  logic [4:0] select_3503;
-  assign select_3503 = equal_1781_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
-  logic select_3506;
-  assign select_3506 = equal_1779_s2_q ? patches_summed_first_q : (equal_1781_s2_q ? new_row_s2_q : patches_summed_first_q);
-  // hls/stages/patches.hpp:556
-  logic [9:0] select_3513;
-  assign select_3513 = less_1960_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
-  // hls/stages/patches.hpp:560
-  logic [9:0] select_3516;
-  assign select_3516 = equal_1963_s2_q ? (less_1960_s2_q ? (equal_1963_s2_q ? 10'h0 : select_3513) : 10'h0) : select_3513;
-  logic [9:0] select_3518;
-  assign select_3518 = less_1960_s2_q ? (equal_1961_s2_q ? 10'h0 : select_3516) : select_3516;
-  // hls/stages/patches.hpp:556
-  logic [4:0] select_3520;
-  assign select_3520 = less_1960_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
-  // hls/stages/patches.hpp:560
-  logic [4:0] select_3523;
-  assign select_3523 = equal_1963_s2_q ? (less_1960_s2_q ? (equal_1963_s2_q ? 5'h0 : select_3520) : 5'h0) : select_3520;
-  logic [4:0] select_3525;
-  assign select_3525 = less_1960_s2_q ? (equal_1961_s2_q ? 5'h0 : select_3523) : select_3523;
-  // hls/stages/patches.hpp:556
-  logic [4:0] select_3527;
-  assign select_3527 = less_1960_s2_q ? patches_step_s2_q : 5'h0;
-  // hls/stages/patches.hpp:560
-  logic [4:0] select_3530;
-  assign select_3530 = equal_1963_s2_q ? (less_1960_s2_q ? (equal_1963_s2_q ? 5'h0 : select_3527) : 5'h0) : select_3527;
-  logic [4:0] select_3532;
-  assign select_3532 = less_1960_s2_q ? (equal_1961_s2_q ? 5'h0 : select_3530) : select_3530;
-  // hls/stages/patches.hpp:556
-  logic and_3535;
-  assign and_3535 = less_1960_s2_q & (patches_step_s2_q == 5'h0);
-  // hls/stages/patches.hpp:560
-  logic select_3538;
-  assign select_3538 = equal_1963_s2_q ? (less_1960_s2_q ? (not_1964_s2_q & and_3535) : and_3535) : and_3535;
-  // hls/stages/patches.hpp:184
-  logic select_3541;
-  assign select_3541 = equal_1779_s2_q ? (less_1960_s2_q ? (not_1962_s2_q & select_3538) : select_3538) : patches_read_first_q;
-  // hls/stages/patches.hpp:178
-  logic or_3552;
-  assign or_3552 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3553;
-  assign and_3553 = patches_read_searches_s2_q & or_3552;
-  // hls/stages/patches.hpp:540
-  logic [4:0] select_3554;
-  assign select_3554 = and_3553 ? patches_read_at_q : patches_peak_row_q;
-  // hls/stages/patches.hpp:547
-  logic [5:0] away;
-  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3554};
-  // hls/stages/patches.hpp:556
-  logic and_3558;
-  assign and_3558 = less_1960_s2_q & (equal_3550_s2_q & (away == 6'h3f));
-  // hls/stages/patches.hpp:560
-  logic select_3561;
-  assign select_3561 = equal_1963_s2_q ? (less_1960_s2_q ? (not_1964_s2_q & and_3558) : and_3558) : and_3558;
-  // hls/stages/patches.hpp:184
-  logic select_3564;
-  assign select_3564 = equal_1779_s2_q ? (less_1960_s2_q ? (not_1962_s2_q & select_3561) : select_3561) : patches_read_above_q;
-  // hls/stages/patches.hpp:556
-  logic and_3567;
-  assign and_3567 = less_1960_s2_q & (equal_3550_s2_q & (away == 6'h1));
-  // hls/stages/patches.hpp:560
-  logic select_3570;
-  assign select_3570 = equal_1963_s2_q ? (less_1960_s2_q ? (not_1964_s2_q & and_3567) : and_3567) : and_3567;
-  // hls/stages/patches.hpp:184
-  logic select_3573;
-  assign select_3573 = equal_1779_s2_q ? (less_1960_s2_q ? (not_1962_s2_q & select_3570) : select_3570) : patches_read_below_q;
-  // hls/stages/patches.hpp:553
-  logic [6:0] sum_3574;
-  assign sum_3574 = {away[5], away} + 7'h7d;
-  // hls/stages/patches.hpp:554
-  logic [9:0] select_3577;
-  assign select_3577 = (equal_3550_s2_q & ({sum_3574[6], sum_3574} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
-  // hls/stages/patches.hpp:556
-  logic [9:0] select_3578;
-  assign select_3578 = less_1960_s2_q ? select_3577 : 10'h3ff;
+  logic and_3449;
+  assign and_3449 = parity_3435 & parity_3447;
+  logic or_3453;
+  assign or_3453 = (or_3428 & or_3432) | (or_3424 & (or_3428 | or_3432));
+  logic or_3457;
+  assign or_3457 = (or_3440 & or_3444) | (and_3436 & (or_3440 | or_3444));
+  // hls/stages/patches.hpp:185
+  logic [4:0] select_3502;
+  assign select_3502 = equal_1781_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
+  logic select_3505;
+  assign select_3505 = equal_1779_s2_q ? patches_summed_first_q : (equal_1781_s2_q ? new_row_s2_q : patches_summed_first_q);
   // hls/stages/patches.hpp:557
-  logic [9:0] select_3580;
-  assign select_3580 = less_1960_s2_q ? (equal_1963_s2_q ? 10'h3ff : select_3578) : 10'h3ff;
-  // hls/stages/patches.hpp:560
-  logic [9:0] select_3581;
-  assign select_3581 = equal_1963_s2_q ? select_3580 : select_3578;
-  logic [9:0] select_3583;
-  assign select_3583 = less_1960_s2_q ? (equal_1961_s2_q ? 10'h3ff : select_3581) : select_3581;
-  // hls/stages/patches.hpp:539
-  logic [14:0] select_3585;
-  assign select_3585 = and_3553 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
-  // hls/stages/patches.hpp:184
-  logic [9:0] select_3586;
-  assign select_3586 = equal_1779_s2_q ? select_3585[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3587;
-  assign select_3587 = equal_1779_s2_q ? select_3585[14:10] : patches_peak_best_column_q;
+  logic [9:0] select_3512;
+  assign select_3512 = less_1959_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
+  // hls/stages/patches.hpp:561
+  logic [9:0] select_3515;
+  assign select_3515 = equal_1962_s2_q ? (less_1959_s2_q ? (equal_1962_s2_q ? 10'h0 : select_3512) : 10'h0) : select_3512;
+  logic [9:0] select_3517;
+  assign select_3517 = less_1959_s2_q ? (equal_1960_s2_q ? 10'h0 : select_3515) : select_3515;
+  // hls/stages/patches.hpp:557
+  logic [4:0] select_3519;
+  assign select_3519 = less_1959_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
+  // hls/stages/patches.hpp:561
+  logic [4:0] select_3522;
+  assign select_3522 = equal_1962_s2_q ? (less_1959_s2_q ? (equal_1962_s2_q ? 5'h0 : select_3519) : 5'h0) : select_3519;
+  logic [4:0] select_3524;
+  assign select_3524 = less_1959_s2_q ? (equal_1960_s2_q ? 5'h0 : select_3522) : select_3522;
+  // hls/stages/patches.hpp:557
+  logic [4:0] select_3526;
+  assign select_3526 = less_1959_s2_q ? patches_step_s2_q : 5'h0;
+  // hls/stages/patches.hpp:561
+  logic [4:0] select_3529;
+  assign select_3529 = equal_1962_s2_q ? (less_1959_s2_q ? (equal_1962_s2_q ? 5'h0 : select_3526) : 5'h0) : select_3526;
+  logic [4:0] select_3531;
+  assign select_3531 = less_1959_s2_q ? (equal_1960_s2_q ? 5'h0 : select_3529) : select_3529;
+  // hls/stages/patches.hpp:557
+  logic and_3534;
+  assign and_3534 = less_1959_s2_q & (patches_step_s2_q == 5'h0);
+  // hls/stages/patches.hpp:561
+  logic select_3537;
+  assign select_3537 = equal_1962_s2_q ? (less_1959_s2_q ? (not_1963_s2_q & and_3534) : and_3534) : and_3534;
+  // hls/stages/patches.hpp:185
+  logic select_3540;
+  assign select_3540 = equal_1779_s2_q ? (less_1959_s2_q ? (not_1961_s2_q & select_3537) : select_3537) : patches_read_first_q;
+  // hls/stages/patches.hpp:179
+  logic or_3551;
+  assign or_3551 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3552;
+  assign and_3552 = patches_read_searches_s2_q & or_3551;
   // hls/stages/patches.hpp:541
-  logic [9:0] select_3589;
-  assign select_3589 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
+  logic [4:0] select_3553;
+  assign select_3553 = and_3552 ? patches_read_at_q : patches_peak_row_q;
+  // hls/stages/patches.hpp:548
+  logic [5:0] away;
+  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3553};
+  // hls/stages/patches.hpp:557
+  logic and_3557;
+  assign and_3557 = less_1959_s2_q & (equal_3549_s2_q & (away == 6'h3f));
+  // hls/stages/patches.hpp:561
+  logic select_3560;
+  assign select_3560 = equal_1962_s2_q ? (less_1959_s2_q ? (not_1963_s2_q & and_3557) : and_3557) : and_3557;
+  // hls/stages/patches.hpp:185
+  logic select_3563;
+  assign select_3563 = equal_1779_s2_q ? (less_1959_s2_q ? (not_1961_s2_q & select_3560) : select_3560) : patches_read_above_q;
+  // hls/stages/patches.hpp:557
+  logic and_3566;
+  assign and_3566 = less_1959_s2_q & (equal_3549_s2_q & (away == 6'h1));
+  // hls/stages/patches.hpp:561
+  logic select_3569;
+  assign select_3569 = equal_1962_s2_q ? (less_1959_s2_q ? (not_1963_s2_q & and_3566) : and_3566) : and_3566;
+  // hls/stages/patches.hpp:185
+  logic select_3572;
+  assign select_3572 = equal_1779_s2_q ? (less_1959_s2_q ? (not_1961_s2_q & select_3569) : select_3569) : patches_read_below_q;
+  // hls/stages/patches.hpp:554
+  logic [6:0] sum_3573;
+  assign sum_3573 = {away[5], away} + 7'h7d;
+  // hls/stages/patches.hpp:555
+  logic [9:0] select_3576;
+  assign select_3576 = (equal_3549_s2_q & ({sum_3573[6], sum_3573} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  // hls/stages/patches.hpp:557
+  logic [9:0] select_3577;
+  assign select_3577 = less_1959_s2_q ? select_3576 : 10'h3ff;
+  // hls/stages/patches.hpp:558
+  logic [9:0] select_3579;
+  assign select_3579 = less_1959_s2_q ? (equal_1962_s2_q ? 10'h3ff : select_3577) : 10'h3ff;
+  // hls/stages/patches.hpp:561
+  logic [9:0] select_3580;
+  assign select_3580 = equal_1962_s2_q ? select_3579 : select_3577;
+  logic [9:0] select_3582;
+  assign select_3582 = less_1959_s2_q ? (equal_1960_s2_q ? 10'h3ff : select_3580) : select_3580;
+  // hls/stages/patches.hpp:540
+  logic [14:0] select_3584;
+  assign select_3584 = and_3552 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  // hls/stages/patches.hpp:185
+  logic [9:0] select_3585;
+  assign select_3585 = equal_1779_s2_q ? select_3584[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3586;
+  assign select_3586 = equal_1779_s2_q ? select_3584[14:10] : patches_peak_best_column_q;
   // hls/stages/patches.hpp:542
-  logic [9:0] select_3591;
-  assign select_3591 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  logic [9:0] select_3588;
+  assign select_3588 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
   // hls/stages/patches.hpp:543
+  logic [9:0] select_3590;
+  assign select_3590 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  // hls/stages/patches.hpp:544
+  logic [9:0] select_3593;
+  assign select_3593 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
   logic [9:0] select_3594;
-  assign select_3594 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
-  logic [9:0] select_3595;
-  assign select_3595 = patches_read_first_q ? patches_read_far_q : select_3594;
-  // hls/stages/patches.hpp:594
-  logic [9:0] difference_3598;
-  assign difference_3598 = select_3595 - select_3585[9:0];
-  // hls/stages/patches.hpp:579
-  logic less_3628;
-  assign less_3628 = select_3589 < select_3591;
-  // hls/stages/patches.hpp:585
-  logic [1:0] sum_3629;
-  assign sum_3629 = select_3554[4:3] + 2'h3;
+  assign select_3594 = patches_read_first_q ? patches_read_far_q : select_3593;
+  // hls/stages/patches.hpp:595
+  logic [9:0] difference_3597;
+  assign difference_3597 = select_3594 - select_3584[9:0];
   // hls/stages/patches.hpp:580
-  logic [9:0] high;
-  assign high = less_3628 ? select_3591 : select_3589;
-  logic [9:0] low;
-  assign low = (select_3591 < select_3589) ? select_3591 : select_3589;
+  logic less_3627;
+  assign less_3627 = select_3588 < select_3590;
+  // hls/stages/patches.hpp:586
+  logic [1:0] sum_3628;
+  assign sum_3628 = select_3553[4:3] + 2'h3;
   // hls/stages/patches.hpp:581
+  logic [9:0] high;
+  assign high = less_3627 ? select_3590 : select_3588;
+  logic [9:0] low;
+  assign low = (select_3590 < select_3588) ? select_3590 : select_3588;
+  // hls/stages/patches.hpp:582
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall_2;
-  assign fall_2 = high - select_3585[9:0];
-  // hls/stages/patches.hpp:583
-  logic not_3636;
-  assign not_3636 = ~({eight, 3'h0} < {3'h0, fall_2});
-  logic [10:0] sum_3637;
-  assign sum_3637 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
-  logic not_3639;
-  assign not_3639 = ~({eight, 3'h0} < {1'b0, sum_3637, fall_2[0]});
-  logic [1:0] sum_3640;
-  assign sum_3640 = {1'b0, not_3636} + {1'b0, not_3639};
+  assign fall_2 = high - select_3584[9:0];
   // hls/stages/patches.hpp:584
-  logic [10:0] sum_3641;
-  assign sum_3641 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
-  logic not_3643;
-  assign not_3643 = ~({eight, 3'h0} < {sum_3641, fall_2[1:0]});
-  logic not_3646;
-  assign not_3646 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
-  logic [1:0] sum_3647;
-  assign sum_3647 = {1'b0, not_3643} + {1'b0, not_3646};
-  // hls/stages/patches.hpp:583
+  logic not_3635;
+  assign not_3635 = ~({eight, 3'h0} < {3'h0, fall_2});
+  logic [10:0] sum_3636;
+  assign sum_3636 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
+  logic not_3638;
+  assign not_3638 = ~({eight, 3'h0} < {1'b0, sum_3636, fall_2[0]});
+  logic [1:0] sum_3639;
+  assign sum_3639 = {1'b0, not_3635} + {1'b0, not_3638};
+  // hls/stages/patches.hpp:585
+  logic [10:0] sum_3640;
+  assign sum_3640 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
+  logic not_3642;
+  assign not_3642 = ~({eight, 3'h0} < {sum_3640, fall_2[1:0]});
+  logic not_3645;
+  assign not_3645 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
+  logic [1:0] sum_3646;
+  assign sum_3646 = {1'b0, not_3642} + {1'b0, not_3645};
+  // hls/stages/patches.hpp:584
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3640} + {1'b0, sum_3647};
-  // hls/stages/patches.hpp:586
-  logic [7:0] select_3650;
-  assign select_3650 = less_3628 ? ({sum_3629, select_3554[2:0], 3'h0} - {5'h0, fraction}) : {sum_3629, select_3554[2:0], fraction};
+  assign fraction = {1'b0, sum_3639} + {1'b0, sum_3646};
+  // hls/stages/patches.hpp:587
+  logic [7:0] select_3649;
+  assign select_3649 = less_3627 ? ({sum_3628, select_3553[2:0], 3'h0} - {5'h0, fraction}) : {sum_3628, select_3553[2:0], fraction};
   // hls/stages/agreement.hpp:788
-  logic select_3873;
-  assign select_3873 = equal_574_s2_q ? shown_shown_q : (so_s2_q ? select_2031 : shown_shown_q);
-  logic select_3875;
-  assign select_3875 = equal_574_s2_q ? shown_nearer_q : (so_s2_q ? select_2034 : shown_nearer_q);
+  logic select_3872;
+  assign select_3872 = equal_574_s2_q ? shown_shown_q : (so_s2_q ? select_2030 : shown_shown_q);
+  logic select_3874;
+  assign select_3874 = equal_574_s2_q ? shown_nearer_q : (so_s2_q ? select_2033 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_3877;
-  assign sum_3877 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_3876;
+  assign sum_3876 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:460
-  logic [2:0] select_3879;
-  assign select_3879 = less_3876_s2_q ? (sum_3877[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_3881;
-  assign select_3881 = equal_2473_s2_q ? (equal_679_s2_q ? 3'h0 : select_3879) : region_row_q;
+  logic [2:0] select_3878;
+  assign select_3878 = less_3875_s2_q ? (sum_3876[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_3880;
+  assign select_3880 = equal_2472_s2_q ? (equal_679_s2_q ? 3'h0 : select_3878) : region_row_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3886;
-  assign select_3886 = equal_574_s2_q ? select_1985 : (so_s2_q ? (ends_cell_s2_q ? select_2084 : select_1985) : 8'h1);
+  logic [7:0] select_3885;
+  assign select_3885 = equal_574_s2_q ? select_1984 : (so_s2_q ? (ends_cell_s2_q ? select_2083 : select_1984) : 8'h1);
   // hls/stages/agreement.hpp:460
-  logic [8:0] select_3900;
-  assign select_3900 = equal_679_s2_q ? {{2{difference_3898[6]}}, difference_3898} : (less_3876_s2_q ? region_down_next_q : region_down_rest_q);
+  logic [8:0] select_3899;
+  assign select_3899 = equal_679_s2_q ? {{2{difference_3897[6]}}, difference_3897} : (less_3875_s2_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:520
-  logic [8:0] select_3902;
-  assign select_3902 = and_549_s2_q ? (equal_2473_s2_q ? select_3900 : region_down_rest_q) : region_down_rest_q;
+  logic [8:0] select_3901;
+  assign select_3901 = and_549_s2_q ? (equal_2472_s2_q ? select_3899 : region_down_rest_q) : region_down_rest_q;
   // hls/stages/agreement.hpp:460
-  logic [6:0] select_3904;
-  assign select_3904 = equal_679_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  logic [6:0] select_3903;
+  assign select_3903 = equal_679_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_3906;
-  assign select_3906 = and_549_s2_q ? (equal_2473_s2_q ? select_3904 : region_down_back_q) : region_down_back_q;
+  logic [6:0] select_3905;
+  assign select_3905 = and_549_s2_q ? (equal_2472_s2_q ? select_3903 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3907;
-  assign sum_3907 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_3906;
+  assign sum_3906 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3908;
-  assign select_3908 = sum_3877[7] ? {1'b1, sum_3877[6:0], region_down_rest_q[0]} : sum_3907;
+  logic [8:0] select_3907;
+  assign select_3907 = sum_3876[7] ? {1'b1, sum_3876[6:0], region_down_rest_q[0]} : sum_3906;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3877[7];
+  assign next = ~sum_3876[7];
   // hls/stages/agreement.hpp:460
-  logic select_3912;
-  assign select_3912 = equal_2473_s2_q ? (equal_679_s2_q | (less_3876_s2_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_3911;
+  assign select_3911 = equal_2472_s2_q ? (equal_679_s2_q | (less_3875_s2_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:205
-  logic or_3917;
-  assign or_3917 = segment_starts_q | not_577_s2_q;
+  logic or_3916;
+  assign or_3916 = segment_starts_q | not_577_s2_q;
   // hls/stages/agreement.hpp:1030
-  logic select_3920;
-  assign select_3920 = inside_v_s2_q ? (sum_1998_s2_q ? (equal_1772 & or_2000) : or_2000) : or_3917;
+  logic select_3919;
+  assign select_3919 = inside_v_s2_q ? (sum_1997_s2_q ? (equal_1772 & or_1999) : or_1999) : or_3916;
   // hls/stages/agreement.hpp:788
-  logic select_3923;
-  assign select_3923 = equal_574_s2_q ? or_3917 : (so_s2_q ? (ends_cell_s2_q ? select_3920 : or_3917) : or_3917);
+  logic select_3922;
+  assign select_3922 = equal_574_s2_q ? or_3916 : (so_s2_q ? (ends_cell_s2_q ? select_3919 : or_3916) : or_3916);
   // hls/stages/agreement.hpp:1147
-  logic equal_3947;
-  assign equal_3947 = x_s2_q[6:0] == 7'h7f;
+  logic equal_3946;
+  assign equal_3946 = x_s2_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:788
-  logic select_4083;
-  assign select_4083 = so_s2_q ? (ends_cell_s2_q ? and_2072 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4086;
-  assign select_4086 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4082;
+  assign select_4082 = so_s2_q ? (ends_cell_s2_q ? and_2071 : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_4085;
+  assign select_4085 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4087;
+  assign select_4087 = equal_574_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4085 : centres_values_0_of_skin_q);
   logic select_4088;
-  assign select_4088 = equal_574_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4086 : centres_values_0_of_skin_q);
-  logic select_4089;
-  assign select_4089 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  assign select_4088 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4090;
+  assign select_4090 = equal_574_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4088 : centres_values_1_textured_q);
   logic select_4091;
-  assign select_4091 = equal_574_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4089 : centres_values_1_textured_q);
-  logic select_4092;
-  assign select_4092 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_4094;
-  assign select_4094 = equal_574_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4092 : centres_values_1_of_skin_q);
+  assign select_4091 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4093;
+  assign select_4093 = equal_574_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4091 : centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:460
-  logic [10:0] select_4098;
-  assign select_4098 = equal_2473_s2_q ? (equal_4095_s2_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
+  logic [10:0] select_4097;
+  assign select_4097 = equal_2472_s2_q ? (equal_4094_s2_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:520
-  logic [5:0] select_4101;
-  assign select_4101 = and_549_s2_q ? (equal_2473_s2_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
+  logic [5:0] select_4100;
+  assign select_4100 = and_549_s2_q ? (equal_2472_s2_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
   // hls/stages/agreement.hpp:1271
-  logic xor_4102;
-  assign xor_4102 = write_half_q ^ done_q;
+  logic xor_4101;
+  assign xor_4101 = write_half_q ^ done_q;
   // hls/stages/agreement.hpp:438
-  logic select_4104;
-  assign select_4104 = and_1977_s2_q ? (left_first_s2_q ? xor_4102 : write_half_q) : write_half_q;
+  logic select_4103;
+  assign select_4103 = and_1976_s2_q ? (left_first_s2_q ? xor_4101 : write_half_q) : write_half_q;
   // hls/stages/agreement.hpp:278
-  logic select_4106;
-  assign select_4106 = and_1977_s2_q ? (left_first_s2_q ? xor_4102 : select_4104) : write_half_q;
-  logic select_4108;
-  assign select_4108 = left_first_s2_q ? select_2037 : (and_1977_s2_q ? select_2038 : read_half_q);
-  logic and_4112;
-  assign and_4112 = (~drew_q) & (done_q | said_q);
-  logic [9:0] select_4121;
-  assign select_4121 = left_first_s2_q ? 10'h1 : (and_1977_s2_q ? select_2042 : rows_passed_q);
-  logic [8:0] select_4124;
-  assign select_4124 = left_first_s2_q ? {select_2040[7:0], or_2039} : (and_1977_s2_q ? {select_2040[7:0], or_2039} : columns_passed_q);
-  logic select_4127;
-  assign select_4127 = left_first_s2_q ? marks_last_s2_q : (and_1977_s2_q ? marks_last_s2_q : line_ended_q);
-  logic select_4130;
-  assign select_4130 = left_first_s2_q ? and_2056 : (and_1977_s2_q ? and_2056 : began_q);
-  logic [2:0] select_4133;
-  assign select_4133 = left_first_s2_q ? select_2058 : (and_1977_s2_q ? select_2058 : seen_x_q);
+  logic select_4105;
+  assign select_4105 = and_1976_s2_q ? (left_first_s2_q ? xor_4101 : select_4103) : write_half_q;
+  logic select_4107;
+  assign select_4107 = left_first_s2_q ? select_2036 : (and_1976_s2_q ? select_2037 : read_half_q);
+  logic and_4111;
+  assign and_4111 = (~drew_q) & (done_q | said_q);
+  logic [9:0] select_4120;
+  assign select_4120 = left_first_s2_q ? 10'h1 : (and_1976_s2_q ? select_2041 : rows_passed_q);
+  logic [8:0] select_4123;
+  assign select_4123 = left_first_s2_q ? {select_2039[7:0], or_2038} : (and_1976_s2_q ? {select_2039[7:0], or_2038} : columns_passed_q);
+  logic select_4126;
+  assign select_4126 = left_first_s2_q ? marks_last_s2_q : (and_1976_s2_q ? marks_last_s2_q : line_ended_q);
+  logic select_4129;
+  assign select_4129 = left_first_s2_q ? and_2055 : (and_1976_s2_q ? and_2055 : began_q);
+  logic [2:0] select_4132;
+  assign select_4132 = left_first_s2_q ? select_2057 : (and_1976_s2_q ? select_2057 : seen_x_q);
   // hls/stages/agreement.hpp:1300
-  logic [2:0] select_4138;
-  assign select_4138 = left_first_s2_q ? 3'h0 : (and_2043 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
+  logic [2:0] select_4137;
+  assign select_4137 = left_first_s2_q ? 3'h0 : (and_2042 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
   // hls/stages/agreement.hpp:278
-  logic [2:0] select_4140;
-  assign select_4140 = left_first_s2_q ? 3'h0 : (and_1977_s2_q ? select_4138 : seen_y_q);
-  logic [7:0] select_4143;
-  assign select_4143 = left_first_s2_q ? select_2051 : (and_1977_s2_q ? select_2051 : seen_column_q);
+  logic [2:0] select_4139;
+  assign select_4139 = left_first_s2_q ? 3'h0 : (and_1976_s2_q ? select_4137 : seen_y_q);
+  logic [7:0] select_4142;
+  assign select_4142 = left_first_s2_q ? select_2050 : (and_1976_s2_q ? select_2050 : seen_column_q);
   // hls/stages/agreement.hpp:436
-  logic [7:0] select_4149;
-  assign select_4149 = left_first_s2_q ? select_4147 : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic [7:0] select_4148;
+  assign select_4148 = left_first_s2_q ? select_4146 : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/agreement.hpp:278
-  logic [7:0] select_4151;
-  assign select_4151 = left_first_s2_q ? select_4147 : (and_1977_s2_q ? select_4149 : seen_rows_left_q);
+  logic [7:0] select_4150;
+  assign select_4150 = left_first_s2_q ? select_4146 : (and_1976_s2_q ? select_4148 : seen_rows_left_q);
   // hls/stages/agreement.hpp:436
-  logic and_4156;
-  assign and_4156 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
+  logic and_4155;
+  assign and_4155 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
   // hls/stages/agreement.hpp:278
-  logic select_4158;
-  assign select_4158 = left_first_s2_q ? and_4156 : (and_1977_s2_q ? and_4156 : at_cell_end_q);
-  logic select_4161;
-  assign select_4161 = left_first_s2_q ? next_row : (and_1977_s2_q ? next_row : was_next_row_q);
-  logic [10:0] select_4164;
-  assign select_4164 = left_first_s2_q ? 11'h0 : (and_1977_s2_q ? select_2048 : seen_base_q);
+  logic select_4157;
+  assign select_4157 = left_first_s2_q ? and_4155 : (and_1976_s2_q ? and_4155 : at_cell_end_q);
+  logic select_4160;
+  assign select_4160 = left_first_s2_q ? next_row : (and_1976_s2_q ? next_row : was_next_row_q);
+  logic [10:0] select_4163;
+  assign select_4163 = left_first_s2_q ? 11'h0 : (and_1976_s2_q ? select_2047 : seen_base_q);
   // hls/stages/registration.hpp:258
-  logic not_4237;
-  assign not_4237 = ~quarter[1];
-  logic [3:0] select_4238;
-  assign select_4238 = quarter[0] ? {quarter[1], 1'b0, not_4237, 1'b0} : {1'b0, quarter[1], 1'b0, not_4237};
+  logic not_4236;
+  assign not_4236 = ~quarter[1];
+  logic [3:0] select_4237;
+  assign select_4237 = quarter[0] ? {quarter[1], 1'b0, not_4236, 1'b0} : {1'b0, quarter[1], 1'b0, not_4236};
 
   // Memory registration_sums, 12 x 32, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4461,13 +4461,13 @@ module horopter_agreement (
     if (en_i) registration_sums_rdata_q <= registration_sums_mem[registration_sums_raddr];
   end
 
-  // Memory patches_choices, 64 x 22, DISTANCE 12, hls/stages/patches.hpp:767; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory patches_choices, 64 x 23, DISTANCE 12, hls/stages/patches.hpp:768; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
-  logic [21:0] patches_choices_mem [0:63];
+  logic [22:0] patches_choices_mem [0:63];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 22'h0;
+  initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 23'h0;
 `endif
   logic [5:0] patches_choices_raddr;
   assign patches_choices_raddr = select_1691;
@@ -4475,7 +4475,7 @@ module horopter_agreement (
   logic patches_choices_re;
   assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_1693));
 `endif
-  logic [21:0] patches_choices_rdata_q;
+  logic [22:0] patches_choices_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_choices_rdata_q <= patches_choices_mem[patches_choices_raddr];
   end
@@ -4489,10 +4489,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 30'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1995;
+  assign regions_raddr = select_1994;
 `ifndef SYNTHESIS
   logic regions_re;
-  assign regions_re = s2_en & (equal_574_s2_q ? (x_s2_q[6] & not_1996) : and_2003);
+  assign regions_re = s2_en & (equal_574_s2_q ? (x_s2_q[6] & not_1995) : and_2002);
 `endif
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4507,10 +4507,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 3290; i++) map_mem[i] = 2'h0;
 `endif
   logic [11:0] map_raddr;
-  assign map_raddr = sum_2053;
+  assign map_raddr = sum_2052;
 `ifndef SYNTHESIS
   logic map_re;
-  assign map_re = s2_en & select_2065;
+  assign map_re = s2_en & select_2064;
 `endif
   logic [1:0] map_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4692,11 +4692,11 @@ module horopter_agreement (
 
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_1893, patches_code_row_s2_q[1:0], of_row_2_s2_q};
+  assign patches_right_codes_waddr = {sum_1892, patches_code_row_s2_q[1:0], of_row_2_s2_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s2_en & and_1945_s2_q;
+  assign patches_right_codes_we = s2_en & and_1944_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {and_1931_s2_q, and_1928_s2_q, and_1912_s2_q, and_1909, patches_codes_at_q[51:28]};
+    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {and_1930_s2_q, and_1927_s2_q, and_1911_s2_q, and_1908, patches_codes_at_q[51:28]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4712,11 +4712,11 @@ module horopter_agreement (
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_1949, patches_code_row_s2_q[1:0]};
+  assign patches_left_codes_waddr = {sum_1948, patches_code_row_s2_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s2_en & and_1959_s2_q;
+  assign patches_left_codes_we = s2_en & and_1958_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {and_1931_s2_q, and_1928_s2_q, and_1912_s2_q, and_1909, patches_codes_at_q[51:8]};
+    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {and_1930_s2_q, and_1927_s2_q, and_1911_s2_q, and_1908, patches_codes_at_q[51:8]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4736,7 +4736,7 @@ module horopter_agreement (
   logic seen_columns_we;
   assign seen_columns_we = s2_en & and_1574_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2030, textured};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2029, textured};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4798,7 +4798,7 @@ module horopter_agreement (
       patches_chance_q <= 16'h1;
       patches_fixed_q <= 1'b0;
       patches_choice_valid_q <= 1'b0;
-      patches_choice_column_q <= 7'h0;
+      patches_choice_column_q <= 8'h0;
       patches_choice_shift_q <= 6'h0;
       patches_choice_slope_q <= 8'h0;
       patches_band_q <= 5'h0;
@@ -4862,107 +4862,107 @@ module horopter_agreement (
       sample_pair_pixel_1_q <= pixel_0_s2_q;
       sample_of_skin_q <= mask_s2_q;
       averager_running_mask_q <= sample_pair_whole_s2_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2197;
-      averager_mask_q <= select_2199;
-      averager_of_skin_q <= select_2201;
+      averager_running_of_skin_q <= select_2196;
+      averager_mask_q <= select_2198;
+      averager_of_skin_q <= select_2200;
       census_filled_q <= and_549_s2_q ? {select_682[2:0], 1'b1} : census_filled_q;
-      moments_turned_0_q <= sum_2296;
-      moments_turned_1_q <= sum_2298;
-      moments_before_0_q <= equal_574_s2_q ? select_2300 : moments_before_0_q;
-      moments_before_1_q <= equal_574_s2_q ? select_2302 : moments_before_1_q;
-      moments_has_before_q <= select_2305;
-      moments_most_before_q <= select_2308;
-      moments_left_begins_q <= select_2312;
-      moments_left_alone_q <= select_2316;
-      moments_left_other_stops_q <= select_2319;
-      moments_right_begins_q <= select_2322;
-      moments_right_alone_q <= select_2326;
-      moments_right_other_stops_q <= select_2329;
-      moments_out_of_step_q <= or_2332;
-      moments_turns_0_q <= and_2340;
-      moments_turns_1_q <= and_2344;
-      moments_begins_alone_q <= and_2353;
-      moments_ends_q <= equal_574_s2_q & (equal_2299 & (not_2354 | and_2356));
+      moments_turned_0_q <= sum_2295;
+      moments_turned_1_q <= sum_2297;
+      moments_before_0_q <= equal_574_s2_q ? select_2299 : moments_before_0_q;
+      moments_before_1_q <= equal_574_s2_q ? select_2301 : moments_before_1_q;
+      moments_has_before_q <= select_2304;
+      moments_most_before_q <= select_2307;
+      moments_left_begins_q <= select_2311;
+      moments_left_alone_q <= select_2315;
+      moments_left_other_stops_q <= select_2318;
+      moments_right_begins_q <= select_2321;
+      moments_right_alone_q <= select_2325;
+      moments_right_other_stops_q <= select_2328;
+      moments_out_of_step_q <= or_2331;
+      moments_turns_0_q <= and_2339;
+      moments_turns_1_q <= and_2343;
+      moments_begins_alone_q <= and_2352;
+      moments_ends_q <= equal_574_s2_q & (equal_2298 & (not_2353 | and_2355));
       rows_passed_above_q <= and_549_s2_q ? select_681 : rows_passed_above_q;
-      chosen_score_q <= less_2583 ? select_1511 : select_2582;
-      chosen_near_q <= (select_2585 < select_1546) ? select_1546 : select_2585;
-      chosen_place_q <= less_2583 ? {select_1519, not_1518} : 3'h2;
-      before_0_q <= select_2582;
+      chosen_score_q <= less_2582 ? select_1511 : select_2581;
+      chosen_near_q <= (select_2584 < select_1546) ? select_1546 : select_2584;
+      chosen_place_q <= less_2582 ? {select_1519, not_1518} : 3'h2;
+      before_0_q <= select_2581;
       before_1_q <= sum_1261;
       before_2_q <= sum_1509;
-      shift_allowed_q <= not_2590 & (~less_2591);
+      shift_allowed_q <= not_2589 & (~less_2590);
       shift_not_right_q <= $signed(run_shift_s2_q) < $signed(6'h1);
-      counts_turned_left_q <= and_2598 ? 14'h0 : (counts_turned_left_q + {13'h0, and_2717});
-      counts_turned_right_q <= and_2598 ? 14'h0 : (counts_turned_right_q + {13'h0, and_2724});
-      registration_displacement_over_q <= so_s2_q ? sum_2748[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2750;
-      registration_slope_here_q <= select_2752;
-      registration_expected_q <= select_2754;
-      registration_of_right_q <= equal_574_s2_q ? registration_of_right_q : select_2816;
-      registration_was_inside_q <= equal_574_s2_q ? registration_was_inside_q : select_2819;
-      registration_fresh_q <= select_2828;
-      patches_chance_q <= and_549_s2_q ? select_2985 : patches_chance_q;
-      patches_fixed_q <= and_2999;
-      patches_choice_valid_q <= and_1777 ? (select_1750 & not_2987) : select_1750;
+      counts_turned_left_q <= and_2597 ? 14'h0 : (counts_turned_left_q + {13'h0, and_2716});
+      counts_turned_right_q <= and_2597 ? 14'h0 : (counts_turned_right_q + {13'h0, and_2723});
+      registration_displacement_over_q <= so_s2_q ? sum_2747[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2749;
+      registration_slope_here_q <= select_2751;
+      registration_expected_q <= select_2753;
+      registration_of_right_q <= equal_574_s2_q ? registration_of_right_q : select_2815;
+      registration_was_inside_q <= equal_574_s2_q ? registration_was_inside_q : select_2818;
+      registration_fresh_q <= select_2827;
+      patches_chance_q <= and_549_s2_q ? select_2984 : patches_chance_q;
+      patches_fixed_q <= and_2998;
+      patches_choice_valid_q <= and_1777 ? (select_1750 & not_2986) : select_1750;
       patches_choice_column_q <= select_1755;
       patches_choice_shift_q <= select_1760;
       patches_choice_slope_q <= select_1771;
       patches_band_q <= sample_pair_whole_s2_q ? select_1792 : patches_band_q;
-      patches_fetch_q <= select_3014;
-      patches_codes_at_q <= select_3115;
-      patches_codes_further_q <= equal_1779_s2_q ? patches_codes_further_q : select_3120;
-      patches_next_codes_q <= select_3128;
-      patches_set_q <= equal_1779_s2_q ? 3'h0 : (equal_1781_s2_q ? 3'h0 : select_3142);
-      patches_size_q <= sum_3146;
-      patches_left_row_q <= select_3158;
-      patches_summed_row_column_q <= equal_1779_s2_q ? patches_summed_row_column_q : select_3503;
-      patches_summed_first_q <= select_3506;
-      patches_read_row_differing_q <= equal_1779_s2_q ? select_3518 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_1779_s2_q ? select_3525 : patches_read_row_column_q;
-      patches_read_at_q <= equal_1779_s2_q ? select_3532 : patches_read_at_q;
-      patches_read_first_q <= select_3541;
-      patches_read_above_q <= select_3564;
-      patches_read_below_q <= select_3573;
-      patches_read_far_q <= equal_1779_s2_q ? select_3583 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_3586;
-      patches_peak_best_column_q <= select_3587;
-      patches_peak_row_q <= equal_1779_s2_q ? select_3554 : patches_peak_row_q;
-      patches_peak_above_q <= equal_1779_s2_q ? select_3589 : patches_peak_above_q;
-      patches_peak_below_q <= equal_1779_s2_q ? select_3591 : patches_peak_below_q;
-      patches_peak_far_q <= equal_1779_s2_q ? select_3595 : patches_peak_far_q;
-      patches_frame_ended_q <= equal_574_s2_q & equal_2299;
-      shown_shown_q <= select_3873;
-      shown_nearer_q <= select_3875;
-      region_row_q <= and_549_s2_q ? select_3881 : region_row_q;
+      patches_fetch_q <= select_3013;
+      patches_codes_at_q <= select_3114;
+      patches_codes_further_q <= equal_1779_s2_q ? patches_codes_further_q : select_3119;
+      patches_next_codes_q <= select_3127;
+      patches_set_q <= equal_1779_s2_q ? 3'h0 : (equal_1781_s2_q ? 3'h0 : select_3141);
+      patches_size_q <= sum_3145;
+      patches_left_row_q <= select_3157;
+      patches_summed_row_column_q <= equal_1779_s2_q ? patches_summed_row_column_q : select_3502;
+      patches_summed_first_q <= select_3505;
+      patches_read_row_differing_q <= equal_1779_s2_q ? select_3517 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_1779_s2_q ? select_3524 : patches_read_row_column_q;
+      patches_read_at_q <= equal_1779_s2_q ? select_3531 : patches_read_at_q;
+      patches_read_first_q <= select_3540;
+      patches_read_above_q <= select_3563;
+      patches_read_below_q <= select_3572;
+      patches_read_far_q <= equal_1779_s2_q ? select_3582 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_3585;
+      patches_peak_best_column_q <= select_3586;
+      patches_peak_row_q <= equal_1779_s2_q ? select_3553 : patches_peak_row_q;
+      patches_peak_above_q <= equal_1779_s2_q ? select_3588 : patches_peak_above_q;
+      patches_peak_below_q <= equal_1779_s2_q ? select_3590 : patches_peak_below_q;
+      patches_peak_far_q <= equal_1779_s2_q ? select_3594 : patches_peak_far_q;
+      patches_frame_ended_q <= equal_574_s2_q & equal_2298;
+      shown_shown_q <= select_3872;
+      shown_nearer_q <= select_3874;
+      region_row_q <= and_549_s2_q ? select_3880 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_3886;
-      region_down_rest_q <= select_3902;
-      region_down_back_q <= select_3906;
-      region_down_next_q <= select_3908;
-      region_fresh_q <= and_549_s2_q ? select_3912 : region_fresh_q;
-      segment_starts_q <= select_3923;
-      centres_values_0_textured_q <= equal_574_s2_q ? centres_values_0_textured_q : select_4083;
-      centres_values_0_of_skin_q <= select_4088;
-      centres_values_1_textured_q <= select_4091;
-      centres_values_1_of_skin_q <= select_4094;
-      map_row_q <= and_549_s2_q ? select_4098 : map_row_q;
-      map_width_q <= select_4101;
-      write_half_q <= select_4106;
-      read_half_q <= and_1977_s2_q ? select_4108 : read_half_q;
-      done_q <= and_1977_s2_q ? (not_2054 & and_4112) : and_4112;
+      region_columns_q <= select_3885;
+      region_down_rest_q <= select_3901;
+      region_down_back_q <= select_3905;
+      region_down_next_q <= select_3907;
+      region_fresh_q <= and_549_s2_q ? select_3911 : region_fresh_q;
+      segment_starts_q <= select_3922;
+      centres_values_0_textured_q <= equal_574_s2_q ? centres_values_0_textured_q : select_4082;
+      centres_values_0_of_skin_q <= select_4087;
+      centres_values_1_textured_q <= select_4090;
+      centres_values_1_of_skin_q <= select_4093;
+      map_row_q <= and_549_s2_q ? select_4097 : map_row_q;
+      map_width_q <= select_4100;
+      write_half_q <= select_4105;
+      read_half_q <= and_1976_s2_q ? select_4107 : read_half_q;
+      done_q <= and_1976_s2_q ? (not_2053 & and_4111) : and_4111;
       drew_q <= so_s2_q;
-      said_q <= equal_574_s2_q & equal_3947;
-      rows_passed_q <= and_1977_s2_q ? select_4121 : rows_passed_q;
-      columns_passed_q <= and_1977_s2_q ? select_4124 : columns_passed_q;
-      line_ended_q <= and_1977_s2_q ? select_4127 : line_ended_q;
-      began_q <= and_1977_s2_q ? select_4130 : began_q;
-      seen_x_q <= and_1977_s2_q ? select_4133 : seen_x_q;
-      seen_y_q <= and_1977_s2_q ? select_4140 : seen_y_q;
-      seen_column_q <= and_1977_s2_q ? select_4143 : seen_column_q;
-      seen_rows_left_q <= and_1977_s2_q ? select_4151 : seen_rows_left_q;
-      at_cell_end_q <= and_1977_s2_q ? select_4158 : at_cell_end_q;
-      was_next_row_q <= and_1977_s2_q ? select_4161 : was_next_row_q;
-      seen_base_q <= and_1977_s2_q ? select_4164 : seen_base_q;
+      said_q <= equal_574_s2_q & equal_3946;
+      rows_passed_q <= and_1976_s2_q ? select_4120 : rows_passed_q;
+      columns_passed_q <= and_1976_s2_q ? select_4123 : columns_passed_q;
+      line_ended_q <= and_1976_s2_q ? select_4126 : line_ended_q;
+      began_q <= and_1976_s2_q ? select_4129 : began_q;
+      seen_x_q <= and_1976_s2_q ? select_4132 : seen_x_q;
+      seen_y_q <= and_1976_s2_q ? select_4139 : seen_y_q;
+      seen_column_q <= and_1976_s2_q ? select_4142 : seen_column_q;
+      seen_rows_left_q <= and_1976_s2_q ? select_4150 : seen_rows_left_q;
+      at_cell_end_q <= and_1976_s2_q ? select_4157 : at_cell_end_q;
+      was_next_row_q <= and_1976_s2_q ? select_4160 : was_next_row_q;
+      seen_base_q <= and_1976_s2_q ? select_4163 : seen_base_q;
     end
   end
 
@@ -5048,76 +5048,76 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      left_pixel_q <= and_1977_s2_q ? left_pixel_q : pixel_0_s2_q;
+      left_pixel_q <= and_1976_s2_q ? left_pixel_q : pixel_0_s2_q;
       averager_running_0_q <= sample_pair_whole_s2_q ? select_527 : averager_running_0_q;
       averager_running_1_q <= sample_pair_whole_s2_q ? sum_533 : averager_running_1_q;
-      averager_total_0_q <= select_2175;
-      averager_total_1_q <= select_2177;
-      census_columns_values_0_cell_0_left_q <= select_2202;
-      census_columns_values_0_cell_0_right_q <= select_2203;
+      averager_total_0_q <= select_2174;
+      averager_total_1_q <= select_2176;
+      census_columns_values_0_cell_0_left_q <= select_2201;
+      census_columns_values_0_cell_0_right_q <= select_2202;
       census_columns_values_0_cell_0_mask_q <= and_549_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2205;
-      census_columns_values_0_cell_1_right_q <= select_2206;
-      census_columns_values_0_cell_1_mask_q <= select_2207;
-      census_columns_values_0_cell_2_left_q <= select_2208;
-      census_columns_values_0_cell_2_right_q <= select_2209;
-      census_columns_values_0_cell_2_mask_q <= select_2210;
-      census_columns_values_0_cell_2_of_skin_q <= select_2211;
-      census_columns_values_0_cell_3_left_q <= select_2212;
-      census_columns_values_0_cell_3_right_q <= select_2213;
-      census_columns_values_0_cell_3_mask_q <= select_2214;
-      census_columns_values_0_cell_4_left_q <= select_2215;
-      census_columns_values_0_cell_4_right_q <= select_2216;
-      census_columns_values_0_cell_4_mask_q <= select_2217;
-      census_columns_values_1_cell_0_left_q <= select_2218;
-      census_columns_values_1_cell_0_right_q <= select_2219;
-      census_columns_values_1_cell_0_mask_q <= select_2220;
-      census_columns_values_1_cell_1_left_q <= select_2221;
-      census_columns_values_1_cell_1_right_q <= select_2222;
-      census_columns_values_1_cell_1_mask_q <= select_2223;
-      census_columns_values_1_cell_2_left_q <= select_2224;
-      census_columns_values_1_cell_2_right_q <= select_2225;
-      census_columns_values_1_cell_2_mask_q <= select_2226;
-      census_columns_values_1_cell_2_of_skin_q <= select_2227;
-      census_columns_values_1_cell_3_left_q <= select_2228;
-      census_columns_values_1_cell_3_right_q <= select_2229;
-      census_columns_values_1_cell_3_mask_q <= select_2230;
-      census_columns_values_1_cell_4_left_q <= select_2231;
-      census_columns_values_1_cell_4_right_q <= select_2232;
-      census_columns_values_1_cell_4_mask_q <= select_2233;
-      census_columns_values_2_cell_0_left_q <= select_2234;
-      census_columns_values_2_cell_0_right_q <= select_2235;
-      census_columns_values_2_cell_0_mask_q <= select_2236;
-      census_columns_values_2_cell_1_left_q <= select_2237;
-      census_columns_values_2_cell_1_right_q <= select_2238;
-      census_columns_values_2_cell_1_mask_q <= select_2239;
-      census_columns_values_2_cell_2_left_q <= select_2240;
-      census_columns_values_2_cell_2_right_q <= select_2241;
-      census_columns_values_2_cell_2_mask_q <= select_2242;
-      census_columns_values_2_cell_3_left_q <= select_2243;
-      census_columns_values_2_cell_3_right_q <= select_2244;
-      census_columns_values_2_cell_3_mask_q <= select_2245;
-      census_columns_values_2_cell_4_left_q <= select_2246;
-      census_columns_values_2_cell_4_right_q <= select_2247;
-      census_columns_values_2_cell_4_mask_q <= select_2248;
-      census_columns_values_3_cell_0_mask_q <= select_2249;
-      census_columns_values_3_cell_1_left_q <= select_2250;
-      census_columns_values_3_cell_1_right_q <= select_2251;
-      census_columns_values_3_cell_1_mask_q <= select_2252;
-      census_columns_values_3_cell_2_mask_q <= select_2253;
-      census_columns_values_3_cell_3_left_q <= select_2254;
-      census_columns_values_3_cell_3_right_q <= select_2255;
-      census_columns_values_3_cell_3_mask_q <= select_2256;
-      census_columns_values_3_cell_4_mask_q <= select_2257;
+      census_columns_values_0_cell_1_left_q <= select_2204;
+      census_columns_values_0_cell_1_right_q <= select_2205;
+      census_columns_values_0_cell_1_mask_q <= select_2206;
+      census_columns_values_0_cell_2_left_q <= select_2207;
+      census_columns_values_0_cell_2_right_q <= select_2208;
+      census_columns_values_0_cell_2_mask_q <= select_2209;
+      census_columns_values_0_cell_2_of_skin_q <= select_2210;
+      census_columns_values_0_cell_3_left_q <= select_2211;
+      census_columns_values_0_cell_3_right_q <= select_2212;
+      census_columns_values_0_cell_3_mask_q <= select_2213;
+      census_columns_values_0_cell_4_left_q <= select_2214;
+      census_columns_values_0_cell_4_right_q <= select_2215;
+      census_columns_values_0_cell_4_mask_q <= select_2216;
+      census_columns_values_1_cell_0_left_q <= select_2217;
+      census_columns_values_1_cell_0_right_q <= select_2218;
+      census_columns_values_1_cell_0_mask_q <= select_2219;
+      census_columns_values_1_cell_1_left_q <= select_2220;
+      census_columns_values_1_cell_1_right_q <= select_2221;
+      census_columns_values_1_cell_1_mask_q <= select_2222;
+      census_columns_values_1_cell_2_left_q <= select_2223;
+      census_columns_values_1_cell_2_right_q <= select_2224;
+      census_columns_values_1_cell_2_mask_q <= select_2225;
+      census_columns_values_1_cell_2_of_skin_q <= select_2226;
+      census_columns_values_1_cell_3_left_q <= select_2227;
+      census_columns_values_1_cell_3_right_q <= select_2228;
+      census_columns_values_1_cell_3_mask_q <= select_2229;
+      census_columns_values_1_cell_4_left_q <= select_2230;
+      census_columns_values_1_cell_4_right_q <= select_2231;
+      census_columns_values_1_cell_4_mask_q <= select_2232;
+      census_columns_values_2_cell_0_left_q <= select_2233;
+      census_columns_values_2_cell_0_right_q <= select_2234;
+      census_columns_values_2_cell_0_mask_q <= select_2235;
+      census_columns_values_2_cell_1_left_q <= select_2236;
+      census_columns_values_2_cell_1_right_q <= select_2237;
+      census_columns_values_2_cell_1_mask_q <= select_2238;
+      census_columns_values_2_cell_2_left_q <= select_2239;
+      census_columns_values_2_cell_2_right_q <= select_2240;
+      census_columns_values_2_cell_2_mask_q <= select_2241;
+      census_columns_values_2_cell_3_left_q <= select_2242;
+      census_columns_values_2_cell_3_right_q <= select_2243;
+      census_columns_values_2_cell_3_mask_q <= select_2244;
+      census_columns_values_2_cell_4_left_q <= select_2245;
+      census_columns_values_2_cell_4_right_q <= select_2246;
+      census_columns_values_2_cell_4_mask_q <= select_2247;
+      census_columns_values_3_cell_0_mask_q <= select_2248;
+      census_columns_values_3_cell_1_left_q <= select_2249;
+      census_columns_values_3_cell_1_right_q <= select_2250;
+      census_columns_values_3_cell_1_mask_q <= select_2251;
+      census_columns_values_3_cell_2_mask_q <= select_2252;
+      census_columns_values_3_cell_3_left_q <= select_2253;
+      census_columns_values_3_cell_3_right_q <= select_2254;
+      census_columns_values_3_cell_3_mask_q <= select_2255;
+      census_columns_values_3_cell_4_mask_q <= select_2256;
       sharpness_last_mean_0_q <= and_549_s2_q ? select_555 : sharpness_last_mean_0_q;
       sharpness_last_mean_1_q <= and_549_s2_q ? select_559 : sharpness_last_mean_1_q;
       middle_sum_columns_values_0_q <= slot_s2_q[0] ? middle_sum_columns_values_0_q : column_s2_q;
-      middle_sum_columns_values_1_q <= select_2573;
-      middle_sum_columns_values_2_q <= select_2574;
-      middle_sum_columns_values_3_q <= select_2575;
-      middle_sum_columns_values_4_q <= select_2576;
-      middle_sum_columns_values_5_q <= select_2577;
-      middle_sum_columns_values_6_q <= select_2578;
+      middle_sum_columns_values_1_q <= select_2572;
+      middle_sum_columns_values_2_q <= select_2573;
+      middle_sum_columns_values_3_q <= select_2574;
+      middle_sum_columns_values_4_q <= select_2575;
+      middle_sum_columns_values_5_q <= select_2576;
+      middle_sum_columns_values_6_q <= select_2577;
       middle_sum_sum_sums_values_0_q <= slot_s2_q[0] ? middle_sum_sum_sums_values_0_q : sum_1011;
       sums_0_sum_sums_values_0_q <= sum_1261;
       sums_0_sum_sums_values_1_q <= equal_1259 ? 8'h0 : sums_0_sum_sums_values_0_q;
@@ -5227,64 +5227,64 @@ module horopter_agreement (
   logic and_1794_s3_q;
   logic [4:0] select_1809_s3_q;
   logic select_1815_s3_q;
-  logic [3:0] select_1856_s3_q;
-  logic less_1960_s3_q;
-  logic equal_1961_s3_q;
-  logic not_1962_s3_q;
-  logic equal_1963_s3_q;
-  logic and_1977_s3_q;
-  logic select_1979_s3_q;
-  logic and_1982_s3_q;
-  logic or_1988_s3_q;
-  logic or_1991_s3_q;
-  logic or_1994_s3_q;
-  logic not_1996_s3_q;
+  logic [3:0] select_1855_s3_q;
+  logic less_1959_s3_q;
+  logic equal_1960_s3_q;
+  logic not_1961_s3_q;
+  logic equal_1962_s3_q;
+  logic and_1976_s3_q;
+  logic select_1978_s3_q;
+  logic and_1981_s3_q;
+  logic or_1987_s3_q;
+  logic or_1990_s3_q;
+  logic or_1993_s3_q;
+  logic not_1995_s3_q;
   logic textured_s3_q;
   logic explained_s3_q;
-  logic and_2023_s3_q;
-  logic and_2028_s3_q;
-  logic and_2060_s3_q;
-  logic less_2061_s3_q;
-  logic [11:0] sum_2069_s3_q;
+  logic and_2022_s3_q;
+  logic and_2027_s3_q;
+  logic and_2059_s3_q;
+  logic less_2060_s3_q;
+  logic [11:0] sum_2068_s3_q;
   logic [2:0] textured_2_s3_q;
-  logic or_2087_s3_q;
-  logic or_2090_s3_q;
-  logic or_2093_s3_q;
+  logic or_2086_s3_q;
+  logic or_2089_s3_q;
+  logic or_2092_s3_q;
   logic [2:0] shown_2_s3_q;
   logic [2:0] near_2_s3_q;
-  logic and_2143_s3_q;
-  logic [11:0] sum_2273_s3_q;
-  logic [9:0] sum_2276_s3_q;
-  logic equal_2284_s3_q;
+  logic and_2142_s3_q;
+  logic [11:0] sum_2272_s3_q;
+  logic [9:0] sum_2275_s3_q;
+  logic equal_2283_s3_q;
   logic [8:0] contrast_s3_q;
   logic [8:0] contrast_2_s3_q;
-  logic and_2598_s3_q;
-  logic and_2604_s3_q;
+  logic and_2597_s3_q;
+  logic and_2603_s3_q;
   logic [2:0] explained_2_s3_q;
-  logic and_2666_s3_q;
-  logic and_2700_s3_q;
+  logic and_2665_s3_q;
+  logic and_2699_s3_q;
+  logic and_2757_s3_q;
   logic and_2758_s3_q;
-  logic and_2759_s3_q;
   logic [7:0] residual_s3_q;
-  logic and_2795_s3_q;
-  logic and_2809_s3_q;
-  logic equal_2852_s3_q;
-  logic parity_3230_s3_q;
-  logic parity_3359_s3_q;
-  logic parity_3421_s3_q;
-  logic xor_3449_s3_q;
-  logic parity_3461_s3_q;
-  logic or_3465_s3_q;
-  logic equal_3466_s3_q;
-  logic [4:0] select_3585_s3_q;
-  logic equal_3597_s3_q;
+  logic and_2794_s3_q;
+  logic and_2808_s3_q;
+  logic equal_2851_s3_q;
+  logic parity_3229_s3_q;
+  logic parity_3358_s3_q;
+  logic parity_3420_s3_q;
+  logic xor_3448_s3_q;
+  logic parity_3460_s3_q;
+  logic or_3464_s3_q;
+  logic equal_3465_s3_q;
+  logic [4:0] select_3584_s3_q;
+  logic equal_3596_s3_q;
+  logic less_3598_s3_q;
   logic less_3599_s3_q;
-  logic less_3600_s3_q;
-  logic or_3605_s3_q;
-  logic [7:0] select_3650_s3_q;
-  logic equal_3947_s3_q;
-  logic and_4167_s3_q;
-  logic equal_4240_s3_q;
+  logic or_3604_s3_q;
+  logic [7:0] select_3649_s3_q;
+  logic equal_3946_s3_q;
+  logic and_4166_s3_q;
+  logic equal_4239_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       saturated_s3_q <= saturated_s2_q;
@@ -5388,64 +5388,64 @@ module horopter_agreement (
       and_1794_s3_q <= and_1778 & equal_1793;
       select_1809_s3_q <= select_1809_s2_q;
       select_1815_s3_q <= select_1815_s2_q;
-      select_1856_s3_q <= select_1856_s2_q;
-      less_1960_s3_q <= less_1960_s2_q;
-      equal_1961_s3_q <= equal_1961_s2_q;
-      not_1962_s3_q <= not_1962_s2_q;
-      equal_1963_s3_q <= equal_1963_s2_q;
-      and_1977_s3_q <= and_1977_s2_q;
-      select_1979_s3_q <= select_1979_s2_q;
-      and_1982_s3_q <= and_1982_s2_q;
-      or_1988_s3_q <= or_1988;
-      or_1991_s3_q <= or_1991;
-      or_1994_s3_q <= or_1994;
-      not_1996_s3_q <= not_1996;
+      select_1855_s3_q <= select_1855_s2_q;
+      less_1959_s3_q <= less_1959_s2_q;
+      equal_1960_s3_q <= equal_1960_s2_q;
+      not_1961_s3_q <= not_1961_s2_q;
+      equal_1962_s3_q <= equal_1962_s2_q;
+      and_1976_s3_q <= and_1976_s2_q;
+      select_1978_s3_q <= select_1978_s2_q;
+      and_1981_s3_q <= and_1981_s2_q;
+      or_1987_s3_q <= or_1987;
+      or_1990_s3_q <= or_1990;
+      or_1993_s3_q <= or_1993;
+      not_1995_s3_q <= not_1995;
       textured_s3_q <= textured;
       explained_s3_q <= explained;
-      and_2023_s3_q <= inside_v_s2_q & (and_2021 & and_1585);
-      and_2028_s3_q <= not_575_s2_q & and_2003;
-      and_2060_s3_q <= and_2060;
-      less_2061_s3_q <= less_2061;
-      sum_2069_s3_q <= sum_2069;
+      and_2022_s3_q <= inside_v_s2_q & (and_2020 & and_1585);
+      and_2027_s3_q <= not_575_s2_q & and_2002;
+      and_2059_s3_q <= and_2059;
+      less_2060_s3_q <= less_2060;
+      sum_2068_s3_q <= sum_2068;
       textured_2_s3_q <= textured_2;
-      or_2087_s3_q <= or_2087;
-      or_2090_s3_q <= select_2084[7] | (~({select_2084[6], select_2084[3:2]} == 3'h0));
-      or_2093_s3_q <= select_2084[7] | (~(select_2084[6:4] == 3'h0));
+      or_2086_s3_q <= or_2086;
+      or_2089_s3_q <= select_2083[7] | (~({select_2083[6], select_2083[3:2]} == 3'h0));
+      or_2092_s3_q <= select_2083[7] | (~(select_2083[6:4] == 3'h0));
       shown_2_s3_q <= shown_2;
       near_2_s3_q <= near_2;
-      and_2143_s3_q <= and_2143;
-      sum_2273_s3_q <= {1'b0, sum_2269} + {2'h0, sum_2272};
-      sum_2276_s3_q <= {9'h0, difference_2274[9]} + {1'b0, xor_2275};
-      equal_2284_s3_q <= equal_2284_s2_q;
+      and_2142_s3_q <= and_2142;
+      sum_2272_s3_q <= {1'b0, sum_2268} + {2'h0, sum_2271};
+      sum_2275_s3_q <= {9'h0, difference_2273[9]} + {1'b0, xor_2274};
+      equal_2283_s3_q <= equal_2283_s2_q;
       contrast_s3_q <= contrast;
       contrast_2_s3_q <= contrast_2;
-      and_2598_s3_q <= and_2598;
-      and_2604_s3_q <= and_2604;
+      and_2597_s3_q <= and_2597;
+      and_2603_s3_q <= and_2603;
       explained_2_s3_q <= explained_2;
-      and_2666_s3_q <= not_575_s2_q & and_2665;
-      and_2700_s3_q <= not_575_s2_q & and_2699;
-      and_2758_s3_q <= not_575_s2_q & (so_s2_q & (half_ends & equal_2755));
-      and_2759_s3_q <= and_2759;
+      and_2665_s3_q <= not_575_s2_q & and_2664;
+      and_2699_s3_q <= not_575_s2_q & and_2698;
+      and_2757_s3_q <= not_575_s2_q & (so_s2_q & (half_ends & equal_2754));
+      and_2758_s3_q <= and_2758;
       residual_s3_q <= residual[7:0];
-      and_2795_s3_q <= and_2795;
-      and_2809_s3_q <= and_2759 & less_2808;
-      equal_2852_s3_q <= (registration_fresh_q & select_2850) == 4'h0;
-      parity_3230_s3_q <= ^{xor_3226, xor_3189, select_3156[44:36], other[44:36]};
-      parity_3359_s3_q <= parity_3359;
-      parity_3421_s3_q <= parity_3421;
-      xor_3449_s3_q <= parity_3436 ^ parity_3448;
-      parity_3461_s3_q <= ^{or_3458, or_3454, and_3450};
-      or_3465_s3_q <= (or_3454 & or_3458) | (and_3450 & (or_3454 | or_3458));
-      equal_3466_s3_q <= equal_3466_s2_q;
-      select_3585_s3_q <= select_3585[14:10];
-      equal_3597_s3_q <= select_3554[3:0] == 4'h0;
-      less_3599_s3_q <= {difference_3598, 3'h0} < {3'h0, sum_3146};
-      less_3600_s3_q <= select_3595 < select_3585[9:0];
-      or_3605_s3_q <= (sum_3146 < 10'h39) | ({1'b0, sum_3146[9:1]} < select_3585[9:0]);
-      select_3650_s3_q <= select_3650;
-      equal_3947_s3_q <= equal_3947;
-      and_4167_s3_q <= and_2143 & (sum_2069 == sum_2053);
-      equal_4240_s3_q <= (registration_fresh_q & select_4238) == 4'h0;
+      and_2794_s3_q <= and_2794;
+      and_2808_s3_q <= and_2758 & less_2807;
+      equal_2851_s3_q <= (registration_fresh_q & select_2849) == 4'h0;
+      parity_3229_s3_q <= ^{xor_3225, xor_3188, select_3155[44:36], other[44:36]};
+      parity_3358_s3_q <= parity_3358;
+      parity_3420_s3_q <= parity_3420;
+      xor_3448_s3_q <= parity_3435 ^ parity_3447;
+      parity_3460_s3_q <= ^{or_3457, or_3453, and_3449};
+      or_3464_s3_q <= (or_3453 & or_3457) | (and_3449 & (or_3453 | or_3457));
+      equal_3465_s3_q <= equal_3465_s2_q;
+      select_3584_s3_q <= select_3584[14:10];
+      equal_3596_s3_q <= select_3553[3:0] == 4'h0;
+      less_3598_s3_q <= {difference_3597, 3'h0} < {3'h0, sum_3145};
+      less_3599_s3_q <= select_3594 < select_3584[9:0];
+      or_3604_s3_q <= (sum_3145 < 10'h39) | ({1'b0, sum_3145[9:1]} < select_3584[9:0]);
+      select_3649_s3_q <= select_3649;
+      equal_3946_s3_q <= equal_3946;
+      and_4166_s3_q <= and_2142 & (sum_2068 == sum_2052);
+      equal_4239_s3_q <= (registration_fresh_q & select_4237) == 4'h0;
     end
   end
 
@@ -5509,11 +5509,11 @@ module horopter_agreement (
   logic registration_other_up_q;
   logic registration_moved_q;
   logic patches_place_0_valid_q;
-  logic [6:0] patches_place_0_column_q;
+  logic [7:0] patches_place_0_column_q;
   logic [5:0] patches_place_0_shift_q;
   logic [7:0] patches_place_0_slope_q;
   logic patches_place_1_valid_q;
-  logic [6:0] patches_place_1_column_q;
+  logic [7:0] patches_place_1_column_q;
   logic [5:0] patches_place_1_shift_q;
   logic [7:0] patches_place_1_slope_q;
   logic patches_valid_0_q;
@@ -5658,1242 +5658,1239 @@ module horopter_agreement (
   assign select_1670 = equal_1664 ? {1'b0, registration_half_measured_q} : up;
   logic [11:0] sum_1671;
   assign sum_1671 = (equal_1662_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1670[6]}}, select_1670};
-  // hls/stages/patches.hpp:353
-  logic [21:0] select_1795;
+  // hls/stages/patches.hpp:354
+  logic [22:0] select_1795;
   assign select_1795 = and_1794_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1750_s3_q} : patches_choices_rdata_q;
   // hls/stages/patches.hpp:127
   logic select_1797;
   assign select_1797 = equal_1693_s3_q ? patches_place_0_valid_q : (select_1692_s3_q ? patches_place_0_valid_q : select_1795[0]);
-  // hls/stages/patches.hpp:354
-  logic [20:0] select_1798;
-  assign select_1798 = select_1692_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1795[21:1];
+  // hls/stages/patches.hpp:132
+  logic [7:0] sum_1798;
+  assign sum_1798 = {1'b0, select_511_s3_q, select_509_s3_q[2]} + 8'h3;
+  // hls/stages/patches.hpp:355
+  logic [21:0] select_1799;
+  assign select_1799 = select_1692_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1795[22:1];
   // hls/stages/patches.hpp:127
-  logic [6:0] select_1799;
-  assign select_1799 = equal_1693_s3_q ? patches_place_0_column_q : select_1798[6:0];
-  logic [5:0] select_1800;
-  assign select_1800 = equal_1693_s3_q ? patches_place_0_shift_q : select_1798[12:7];
-  // hls/stages/patches.hpp:323
-  logic [6:0] sum_1801;
-  assign sum_1801 = select_1799 + {select_1800[5], select_1800};
-  // hls/stages/patches.hpp:324
-  logic [5:0] sum_1802;
-  assign sum_1802 = sum_1801[6:1] + 6'h3f;
-  // hls/stages/patches.hpp:131
+  logic [7:0] select_1800;
+  assign select_1800 = equal_1693_s3_q ? patches_place_0_column_q : select_1799[7:0];
+  logic [5:0] select_1801;
+  assign select_1801 = equal_1693_s3_q ? patches_place_0_shift_q : select_1799[13:8];
+  // hls/stages/patches.hpp:325
+  logic [7:0] sum_1802;
+  assign sum_1802 = select_1800 + {{2{select_1801[5]}}, select_1801};
+  // hls/stages/patches.hpp:132
   logic equal_1803;
-  assign equal_1803 = {sum_1802[5], select_511_s3_q, select_509_s3_q} == {1'b0, sum_1802[4:0], sum_1801[0], 3'h4};
-  // hls/stages/patches.hpp:133
+  assign equal_1803 = {sum_1802, sum_1798[0], select_509_s3_q[1:0]} == {1'b0, sum_1798[7:1], 3'h0};
+  // hls/stages/patches.hpp:134
   logic or_1805;
   assign or_1805 = and_1675_s3_q | (select_1797 & equal_1803);
   // hls/stages/agreement.hpp:276
   logic [4:0] select_1806;
   assign select_1806 = or_1805 ? 5'h0 : patches_right_next_0_q[4:0];
-  // hls/stages/patches.hpp:133
+  // hls/stages/patches.hpp:134
   logic [5:0] select_1816;
   assign select_1816 = or_1805 ? {and_1675_s3_q, 5'h0} : patches_right_next_0_q;
-  // hls/stages/patches.hpp:137
+  // hls/stages/patches.hpp:138
   logic and_1818;
   assign and_1818 = select_1815_s3_q & (~select_1816[5]);
   // hls/stages/patches.hpp:127
   logic select_1826;
   assign select_1826 = equal_1693_s3_q ? patches_place_1_valid_q : (select_1692_s3_q ? select_1795[0] : patches_place_1_valid_q);
-  // hls/stages/patches.hpp:354
-  logic [20:0] select_1827;
-  assign select_1827 = select_1692_s3_q ? select_1795[21:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  // hls/stages/patches.hpp:355
+  logic [21:0] select_1827;
+  assign select_1827 = select_1692_s3_q ? select_1795[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:127
-  logic [6:0] select_1828;
-  assign select_1828 = equal_1693_s3_q ? patches_place_1_column_q : select_1827[6:0];
+  logic [7:0] select_1828;
+  assign select_1828 = equal_1693_s3_q ? patches_place_1_column_q : select_1827[7:0];
   logic [5:0] select_1829;
-  assign select_1829 = equal_1693_s3_q ? patches_place_1_shift_q : select_1827[12:7];
-  // hls/stages/patches.hpp:323
-  logic [6:0] sum_1830;
-  assign sum_1830 = select_1828 + {select_1829[5], select_1829};
-  // hls/stages/patches.hpp:324
-  logic [5:0] sum_1831;
-  assign sum_1831 = sum_1830[6:1] + 6'h3f;
-  // hls/stages/patches.hpp:131
-  logic equal_1832;
-  assign equal_1832 = {sum_1831[5], select_511_s3_q, select_509_s3_q} == {1'b0, sum_1831[4:0], sum_1830[0], 3'h4};
-  // hls/stages/patches.hpp:133
-  logic or_1834;
-  assign or_1834 = and_1675_s3_q | (select_1826 & equal_1832);
+  assign select_1829 = equal_1693_s3_q ? patches_place_1_shift_q : select_1827[13:8];
+  // hls/stages/patches.hpp:325
+  logic [7:0] sum_1830;
+  assign sum_1830 = select_1828 + {{2{select_1829[5]}}, select_1829};
+  // hls/stages/patches.hpp:132
+  logic equal_1831;
+  assign equal_1831 = {sum_1830[7], sum_1798, select_509_s3_q[1:0]} == {1'b0, sum_1830[6:0], 3'h0};
+  // hls/stages/patches.hpp:134
+  logic or_1833;
+  assign or_1833 = and_1675_s3_q | (select_1826 & equal_1831);
   // hls/stages/agreement.hpp:276
-  logic [4:0] select_1835;
-  assign select_1835 = or_1834 ? 5'h0 : patches_right_next_1_q[4:0];
+  logic [4:0] select_1834;
+  assign select_1834 = or_1833 ? 5'h0 : patches_right_next_1_q[4:0];
+  // hls/stages/patches.hpp:134
+  logic [5:0] select_1835;
+  assign select_1835 = or_1833 ? {and_1675_s3_q, 5'h0} : patches_right_next_1_q;
+  // hls/stages/patches.hpp:138
+  logic and_1837;
+  assign and_1837 = select_1815_s3_q & (~select_1835[5]);
+  // hls/stages/patches.hpp:320
+  logic [6:0] sum_1844;
+  assign sum_1844 = select_1800[6:0] + 7'h7f;
   // hls/stages/patches.hpp:133
-  logic [5:0] select_1836;
-  assign select_1836 = or_1834 ? {and_1675_s3_q, 5'h0} : patches_right_next_1_q;
-  // hls/stages/patches.hpp:137
-  logic and_1838;
-  assign and_1838 = select_1815_s3_q & (~select_1836[5]);
-  // hls/stages/patches.hpp:319
-  logic [6:0] sum_1845;
-  assign sum_1845 = select_1799 + 7'h7f;
-  // hls/stages/patches.hpp:132
-  logic equal_1846;
-  assign equal_1846 = {sum_1845[6], select_511_s3_q, select_509_s3_q} == {1'b0, sum_1845[5:0], 3'h4};
-  // hls/stages/patches.hpp:134
-  logic or_1848;
-  assign or_1848 = and_1675_s3_q | (select_1797 & equal_1846);
-  logic [4:0] select_1849;
-  assign select_1849 = or_1848 ? {and_1675_s3_q, 4'h0} : patches_left_next_0_q;
-  // hls/stages/patches.hpp:319
-  logic [6:0] sum_1850;
-  assign sum_1850 = select_1828 + 7'h7f;
-  // hls/stages/patches.hpp:132
-  logic equal_1851;
-  assign equal_1851 = {sum_1850[6], select_511_s3_q, select_509_s3_q} == {1'b0, sum_1850[5:0], 3'h4};
-  // hls/stages/patches.hpp:134
-  logic [4:0] select_1854;
-  assign select_1854 = (and_1675_s3_q | (select_1826 & equal_1851)) ? {and_1675_s3_q, 4'h0} : patches_left_next_1_q;
-  // hls/stages/patches.hpp:142
+  logic equal_1845;
+  assign equal_1845 = {sum_1844[6], select_511_s3_q, select_509_s3_q} == {1'b0, sum_1844[5:0], 3'h4};
+  // hls/stages/patches.hpp:135
+  logic or_1847;
+  assign or_1847 = and_1675_s3_q | (select_1797 & equal_1845);
+  logic [4:0] select_1848;
+  assign select_1848 = or_1847 ? {and_1675_s3_q, 4'h0} : patches_left_next_0_q;
+  // hls/stages/patches.hpp:320
+  logic [6:0] sum_1849;
+  assign sum_1849 = select_1828[6:0] + 7'h7f;
+  // hls/stages/patches.hpp:133
+  logic equal_1850;
+  assign equal_1850 = {sum_1849[6], select_511_s3_q, select_509_s3_q} == {1'b0, sum_1849[5:0], 3'h4};
+  // hls/stages/patches.hpp:135
+  logic [4:0] select_1853;
+  assign select_1853 = (and_1675_s3_q | (select_1826 & equal_1850)) ? {and_1675_s3_q, 4'h0} : patches_left_next_1_q;
+  // hls/stages/patches.hpp:143
   logic [3:0] column_4;
-  assign column_4 = select_1849[4] ? select_1854[3:0] : select_1849[3:0];
+  assign column_4 = select_1848[4] ? select_1853[3:0] : select_1848[3:0];
   // hls/stages/agreement.hpp:276
-  logic select_1857;
-  assign select_1857 = or_1848 ? and_1675_s3_q : patches_left_next_0_q[4];
-  // hls/stages/patches.hpp:142
-  logic and_1863;
-  assign and_1863 = (select_1815_s3_q & (select_1809_s3_q[3] ^ select_1809_s3_q[4])) & ((~select_1849[4]) | (~select_1854[4]));
-  // hls/stages/patches.hpp:184
-  logic less_1972;
-  assign less_1972 = patches_sums_values_0_q < patches_best_differing_q;
+  logic select_1856;
+  assign select_1856 = or_1847 ? and_1675_s3_q : patches_left_next_0_q[4];
+  // hls/stages/patches.hpp:143
+  logic and_1862;
+  assign and_1862 = (select_1815_s3_q & (select_1809_s3_q[3] ^ select_1809_s3_q[4])) & ((~select_1848[4]) | (~select_1853[4]));
   // hls/stages/patches.hpp:185
-  logic not_1973;
-  assign not_1973 = ~less_1972;
-  logic [1:0] select_1974;
-  assign select_1974 = patches_summed_first_s3_q ? 2'h2 : {less_1972, not_1973};
-  logic [12:0] select_1975;
-  assign select_1975 = select_1974[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
+  logic less_1971;
+  assign less_1971 = patches_sums_values_0_q < patches_best_differing_q;
+  // hls/stages/patches.hpp:186
+  logic not_1972;
+  assign not_1972 = ~less_1971;
+  logic [1:0] select_1973;
+  assign select_1973 = patches_summed_first_s3_q ? 2'h2 : {less_1971, not_1972};
+  logic [12:0] select_1974;
+  assign select_1974 = select_1973[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
+  logic [14:0] select_1982;
+  assign select_1982 = select_1973[0] ? {patches_best_column_q, patches_best_differing_q} : {4'h0, and_1981_s3_q, 1'b0, select_1978_s3_q, left_pixel_q};
   logic [14:0] select_1983;
-  assign select_1983 = select_1974[0] ? {patches_best_column_q, patches_best_differing_q} : {4'h0, and_1982_s3_q, 1'b0, select_1979_s3_q, left_pixel_q};
-  logic [14:0] select_1984;
-  assign select_1984 = select_1974[1] ? {select_1975[12:8], patches_sums_values_0_q[9:8], select_1975[7:0]} : select_1983;
+  assign select_1983 = select_1973[1] ? {select_1974[12:8], patches_sums_values_0_q[9:8], select_1974[7:0]} : select_1982;
   // hls/stages/agreement.hpp:900
-  logic [5:0] select_2009;
-  assign select_2009 = segment_started_q ? segment_textured_q : 6'h0;
+  logic [5:0] select_2008;
+  assign select_2008 = segment_started_q ? segment_textured_q : 6'h0;
   // hls/stages/agreement.hpp:901
-  logic [5:0] sum_2010;
-  assign sum_2010 = {5'h0, textured_s3_q} + select_2009;
+  logic [5:0] sum_2009;
+  assign sum_2009 = {5'h0, textured_s3_q} + select_2008;
   // hls/stages/agreement.hpp:1061
-  logic [9:0] sum_2012;
-  assign sum_2012 = {4'h0, sum_2010} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
+  logic [9:0] sum_2011;
+  assign sum_2011 = {4'h0, sum_2009} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
   // hls/stages/agreement.hpp:900
-  logic [5:0] select_2014;
-  assign select_2014 = segment_started_q ? segment_explained_q : 6'h0;
+  logic [5:0] select_2013;
+  assign select_2013 = segment_started_q ? segment_explained_q : 6'h0;
   // hls/stages/agreement.hpp:901
-  logic [5:0] sum_2015;
-  assign sum_2015 = {5'h0, explained_s3_q} + select_2014;
+  logic [5:0] sum_2014;
+  assign sum_2014 = {5'h0, explained_s3_q} + select_2013;
   // hls/stages/agreement.hpp:1062
-  logic [9:0] sum_2017;
-  assign sum_2017 = {4'h0, sum_2015} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
+  logic [9:0] sum_2016;
+  assign sum_2016 = {4'h0, sum_2014} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
   // hls/stages/agreement.hpp:900
-  logic [5:0] select_2024;
-  assign select_2024 = segment_started_q ? segment_nearer_q : 6'h0;
+  logic [5:0] select_2023;
+  assign select_2023 = segment_started_q ? segment_nearer_q : 6'h0;
   // hls/stages/agreement.hpp:902
-  logic [5:0] sum_2025;
-  assign sum_2025 = {5'h0, and_2023_s3_q} + select_2024;
+  logic [5:0] sum_2024;
+  assign sum_2024 = {5'h0, and_2022_s3_q} + select_2023;
   // hls/stages/agreement.hpp:1063
-  logic [9:0] sum_2027;
-  assign sum_2027 = {4'h0, sum_2025} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
+  logic [9:0] sum_2026;
+  assign sum_2026 = {4'h0, sum_2024} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
   // hls/stages/agreement.hpp:1094
-  logic [2:0] select_2078;
-  assign select_2078 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2079;
-  assign difference_2079 = {1'b0, textured_2_s3_q} - {1'b0, select_2078};
+  logic [2:0] select_2077;
+  assign select_2077 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2078;
+  assign difference_2078 = {1'b0, textured_2_s3_q} - {1'b0, select_2077};
   logic [4:0] t;
-  assign t = {difference_2079[3], difference_2079} + (equal_569_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  assign t = {difference_2078[3], difference_2078} + (equal_569_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1100
-  logic equal_2082;
-  assign equal_2082 = t[4:1] == 4'h0;
+  logic equal_2081;
+  assign equal_2081 = t[4:1] == 4'h0;
   // hls/stages/agreement.hpp:1101
-  logic not_2094;
-  assign not_2094 = ~region_row_s3_q[2];
-  logic [2:0] select_2095;
-  assign select_2095 = region_row_s3_q[1] ? {1'b0, not_2094, 1'b0} : {region_row_s3_q[2], 1'b0, not_2094};
-  logic [5:0] select_2096;
-  assign select_2096 = region_row_s3_q[0] ? {select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0], 1'b0} : {1'b0, select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0]};
-  logic [11:0] select_2097;
-  assign select_2097 = or_2093_s3_q ? {select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0], 1'b0} : {1'b0, select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0]};
-  logic [23:0] select_2098;
-  assign select_2098 = or_2090_s3_q ? {select_2097[11], 1'b0, select_2097[10], 1'b0, select_2097[9], 1'b0, select_2097[8], 1'b0, select_2097[7], 1'b0, select_2097[6], 1'b0, select_2097[5], 1'b0, select_2097[4], 1'b0, select_2097[3], 1'b0, select_2097[2], 1'b0, select_2097[1], 1'b0, select_2097[0], 1'b0} : {1'b0, select_2097[11], 1'b0, select_2097[10], 1'b0, select_2097[9], 1'b0, select_2097[8], 1'b0, select_2097[7], 1'b0, select_2097[6], 1'b0, select_2097[5], 1'b0, select_2097[4], 1'b0, select_2097[3], 1'b0, select_2097[2], 1'b0, select_2097[1], 1'b0, select_2097[0]};
-  logic [47:0] select_2099;
-  assign select_2099 = or_2087_s3_q ? {select_2098[23], 1'b0, select_2098[22], 1'b0, select_2098[21], 1'b0, select_2098[20], 1'b0, select_2098[19], 1'b0, select_2098[18], 1'b0, select_2098[17], 1'b0, select_2098[16], 1'b0, select_2098[15], 1'b0, select_2098[14], 1'b0, select_2098[13], 1'b0, select_2098[12], 1'b0, select_2098[11], 1'b0, select_2098[10], 1'b0, select_2098[9], 1'b0, select_2098[8], 1'b0, select_2098[7], 1'b0, select_2098[6], 1'b0, select_2098[5], 1'b0, select_2098[4], 1'b0, select_2098[3], 1'b0, select_2098[2], 1'b0, select_2098[1], 1'b0, select_2098[0], 1'b0} : {1'b0, select_2098[23], 1'b0, select_2098[22], 1'b0, select_2098[21], 1'b0, select_2098[20], 1'b0, select_2098[19], 1'b0, select_2098[18], 1'b0, select_2098[17], 1'b0, select_2098[16], 1'b0, select_2098[15], 1'b0, select_2098[14], 1'b0, select_2098[13], 1'b0, select_2098[12], 1'b0, select_2098[11], 1'b0, select_2098[10], 1'b0, select_2098[9], 1'b0, select_2098[8], 1'b0, select_2098[7], 1'b0, select_2098[6], 1'b0, select_2098[5], 1'b0, select_2098[4], 1'b0, select_2098[3], 1'b0, select_2098[2], 1'b0, select_2098[1], 1'b0, select_2098[0]};
+  logic not_2093;
+  assign not_2093 = ~region_row_s3_q[2];
+  logic [2:0] select_2094;
+  assign select_2094 = region_row_s3_q[1] ? {1'b0, not_2093, 1'b0} : {region_row_s3_q[2], 1'b0, not_2093};
+  logic [5:0] select_2095;
+  assign select_2095 = region_row_s3_q[0] ? {select_2094[2], 1'b0, select_2094[1], 1'b0, select_2094[0], 1'b0} : {1'b0, select_2094[2], 1'b0, select_2094[1], 1'b0, select_2094[0]};
+  logic [11:0] select_2096;
+  assign select_2096 = or_2092_s3_q ? {select_2095[5], 1'b0, select_2095[4], 1'b0, select_2095[3], 1'b0, select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0], 1'b0} : {1'b0, select_2095[5], 1'b0, select_2095[4], 1'b0, select_2095[3], 1'b0, select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0]};
+  logic [23:0] select_2097;
+  assign select_2097 = or_2089_s3_q ? {select_2096[11], 1'b0, select_2096[10], 1'b0, select_2096[9], 1'b0, select_2096[8], 1'b0, select_2096[7], 1'b0, select_2096[6], 1'b0, select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0], 1'b0} : {1'b0, select_2096[11], 1'b0, select_2096[10], 1'b0, select_2096[9], 1'b0, select_2096[8], 1'b0, select_2096[7], 1'b0, select_2096[6], 1'b0, select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0]};
+  logic [47:0] select_2098;
+  assign select_2098 = or_2086_s3_q ? {select_2097[23], 1'b0, select_2097[22], 1'b0, select_2097[21], 1'b0, select_2097[20], 1'b0, select_2097[19], 1'b0, select_2097[18], 1'b0, select_2097[17], 1'b0, select_2097[16], 1'b0, select_2097[15], 1'b0, select_2097[14], 1'b0, select_2097[13], 1'b0, select_2097[12], 1'b0, select_2097[11], 1'b0, select_2097[10], 1'b0, select_2097[9], 1'b0, select_2097[8], 1'b0, select_2097[7], 1'b0, select_2097[6], 1'b0, select_2097[5], 1'b0, select_2097[4], 1'b0, select_2097[3], 1'b0, select_2097[2], 1'b0, select_2097[1], 1'b0, select_2097[0], 1'b0} : {1'b0, select_2097[23], 1'b0, select_2097[22], 1'b0, select_2097[21], 1'b0, select_2097[20], 1'b0, select_2097[19], 1'b0, select_2097[18], 1'b0, select_2097[17], 1'b0, select_2097[16], 1'b0, select_2097[15], 1'b0, select_2097[14], 1'b0, select_2097[13], 1'b0, select_2097[12], 1'b0, select_2097[11], 1'b0, select_2097[10], 1'b0, select_2097[9], 1'b0, select_2097[8], 1'b0, select_2097[7], 1'b0, select_2097[6], 1'b0, select_2097[5], 1'b0, select_2097[4], 1'b0, select_2097[3], 1'b0, select_2097[2], 1'b0, select_2097[1], 1'b0, select_2097[0]};
   // hls/stages/agreement.hpp:1030
-  logic and_2103;
-  assign and_2103 = good_known_q & (~((good_q & select_2099) == 48'h0));
+  logic and_2102;
+  assign and_2102 = good_known_q & (~((good_q & select_2098) == 48'h0));
   // hls/stages/agreement.hpp:1096
-  logic [2:0] select_2112;
-  assign select_2112 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2113;
-  assign difference_2113 = {1'b0, shown_2_s3_q} - {1'b0, select_2112};
+  logic [2:0] select_2111;
+  assign select_2111 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2112;
+  assign difference_2112 = {1'b0, shown_2_s3_q} - {1'b0, select_2111};
   logic [4:0] around;
-  assign around = {difference_2113[3], difference_2113} + (equal_569_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  assign around = {difference_2112[3], difference_2112} + (equal_569_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1103
-  logic [5:0] sum_2116;
-  assign sum_2116 = {1'b0, around} + {2'h0, around[4:1]};
+  logic [5:0] sum_2115;
+  assign sum_2115 = {1'b0, around} + {2'h0, around[4:1]};
   logic is_seen;
-  assign is_seen = equal_2082 ? and_2103 : (~({sum_2116, around[0]} < {2'h0, t}));
+  assign is_seen = equal_2081 ? and_2102 : (~({sum_2115, around[0]} < {2'h0, t}));
   // hls/stages/agreement.hpp:1097
-  logic [2:0] select_2128;
-  assign select_2128 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2129;
-  assign difference_2129 = {1'b0, near_2_s3_q} - {1'b0, select_2128};
+  logic [2:0] select_2127;
+  assign select_2127 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2128;
+  assign difference_2128 = {1'b0, near_2_s3_q} - {1'b0, select_2127};
   logic [4:0] n;
-  assign n = {difference_2129[3], difference_2129} + (equal_569_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  assign n = {difference_2128[3], difference_2128} + (equal_569_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1112
-  logic and_2133;
-  assign and_2133 = is_seen & ({1'b0, around[4:1]} < n);
+  logic and_2132;
+  assign and_2132 = is_seen & ({1'b0, around[4:1]} < n);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_2167;
-  assign select_2167 = sample_pair_whole_s3_q ? (and_547_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2169;
-  assign select_2169 = sample_pair_whole_s3_q ? (and_547_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2171;
-  assign select_2171 = sample_pair_whole_s3_q ? (and_547_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2173;
-  assign select_2173 = sample_pair_whole_s3_q ? (and_547_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  logic [8:0] select_2166;
+  assign select_2166 = sample_pair_whole_s3_q ? (and_547_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2168;
+  assign select_2168 = sample_pair_whole_s3_q ? (and_547_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2170;
+  assign select_2170 = sample_pair_whole_s3_q ? (and_547_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2172;
+  assign select_2172 = sample_pair_whole_s3_q ? (and_547_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:217
-  logic [9:0] sum_2178;
-  assign sum_2178 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
-  logic [9:0] difference_2179;
-  assign difference_2179 = {1'b0, sum_2178[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_2177;
+  assign sum_2177 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
+  logic [9:0] difference_2178;
+  assign difference_2178 = {1'b0, sum_2177[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:218
-  logic [9:0] xor_2180;
-  assign xor_2180 = {difference_2179[8:0], sum_2178[0]} ^ {10{difference_2179[9]}};
+  logic [9:0] xor_2179;
+  assign xor_2179 = {difference_2178[8:0], sum_2177[0]} ^ {10{difference_2178[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2179[9]} + {1'b0, xor_2180};
+  assign size = {10'h0, difference_2178[9]} + {1'b0, xor_2179};
   // hls/stages/census.hpp:219
   logic [13:0] detail;
   assign detail = {3'h0, size} + (equal_552_s3_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2185;
-  assign select_2185 = sample_pair_whole_s3_q ? (and_547_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2184;
+  assign select_2184 = sample_pair_whole_s3_q ? (and_547_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:217
-  logic [9:0] sum_2186;
-  assign sum_2186 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
-  logic [9:0] difference_2187;
-  assign difference_2187 = {1'b0, sum_2186[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_2185;
+  assign sum_2185 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
+  logic [9:0] difference_2186;
+  assign difference_2186 = {1'b0, sum_2185[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:218
-  logic [9:0] xor_2188;
-  assign xor_2188 = {difference_2187[8:0], sum_2186[0]} ^ {10{difference_2187[9]}};
+  logic [9:0] xor_2187;
+  assign xor_2187 = {difference_2186[8:0], sum_2185[0]} ^ {10{difference_2186[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2187[9]} + {1'b0, xor_2188};
+  assign size_2 = {10'h0, difference_2186[9]} + {1'b0, xor_2187};
   // hls/stages/census.hpp:219
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_2} + (equal_552_s3_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2193;
-  assign select_2193 = sample_pair_whole_s3_q ? (and_547_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2192;
+  assign select_2192 = sample_pair_whole_s3_q ? (and_547_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/census.hpp:283
-  logic [11:0] sum_2277;
-  assign sum_2277 = sum_2273_s3_q + {2'h0, sum_2276_s3_q};
+  logic [11:0] sum_2276;
+  assign sum_2276 = sum_2272_s3_q + {2'h0, sum_2275_s3_q};
   // hls/stages/agreement.hpp:520
+  logic [11:0] select_2278;
+  assign select_2278 = and_549_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_2279;
-  assign select_2279 = and_549_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  assign select_2279 = and_549_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
   logic [11:0] select_2280;
-  assign select_2280 = and_549_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  assign select_2280 = and_549_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
   logic [11:0] select_2281;
-  assign select_2281 = and_549_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_2282;
-  assign select_2282 = and_549_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  assign select_2281 = and_549_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:293
-  logic [12:0] sum_2285;
-  assign sum_2285 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2277};
-  logic [13:0] sum_2287;
-  assign sum_2287 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2285});
+  logic [12:0] sum_2284;
+  assign sum_2284 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2276};
+  logic [13:0] sum_2286;
+  assign sum_2286 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2284});
   // hls/stages/census.hpp:320
-  logic and_2289;
-  assign and_2289 = and_708_s3_q & (9'h4 < sum_2287[13:5]);
+  logic and_2288;
+  assign and_2288 = and_708_s3_q & (9'h4 < sum_2286[13:5]);
   // hls/stages/census.hpp:321
-  logic and_2290;
-  assign and_2290 = and_708_s3_q & less_732;
+  logic and_2289;
+  assign and_2289 = and_708_s3_q & less_732;
   // hls/stages/census.hpp:322
-  logic [19:0] sum_2291;
-  assign sum_2291 = census_left_misses_q + {{17{and_2290}}, and_2289, 1'b0, and_2289};
+  logic [19:0] sum_2290;
+  assign sum_2290 = census_left_misses_q + {{17{and_2289}}, and_2288, 1'b0, and_2288};
   // hls/stages/agreement.hpp:520
-  logic [19:0] select_2293;
-  assign select_2293 = and_549_s3_q ? (equal_2284_s3_q ? 20'h0 : sum_2291) : census_left_misses_q;
+  logic [19:0] select_2292;
+  assign select_2292 = and_549_s3_q ? (equal_2283_s3_q ? 20'h0 : sum_2290) : census_left_misses_q;
   // hls/stages/agreement.hpp:276
-  logic [27:0] select_2363;
-  assign select_2363 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
+  logic [27:0] select_2362;
+  assign select_2362 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
   // hls/stages/agreement.hpp:520
-  logic select_2366;
-  assign select_2366 = and_549_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic select_2365;
+  assign select_2365 = and_549_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:370
-  logic and_2369;
-  assign and_2369 = whole_2_s3_q & (~(last_s3_q[5:1] == 5'h0));
+  logic and_2368;
+  assign and_2368 = whole_2_s3_q & (~(last_s3_q[5:1] == 5'h0));
   // hls/stages/agreement.hpp:457
+  logic and_2374;
+  assign and_2374 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
   logic and_2375;
-  assign and_2375 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
-  logic and_2376;
-  assign and_2376 = and_2369 & and_2375;
+  assign and_2375 = and_2368 & and_2374;
   // hls/stages/census.hpp:369
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2363[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2362[13:0]};
   // hls/stages/census.hpp:371
-  logic [12:0] select_2378;
-  assign select_2378 = and_2376 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2377;
+  assign select_2377 = and_2375 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:372
-  logic [23:0] select_2380;
-  assign select_2380 = equal_2284_s3_q ? {11'h0, select_2378} : (sharpness_sums_detail_0_q + {11'h0, select_2378});
+  logic [23:0] select_2379;
+  assign select_2379 = equal_2283_s3_q ? {11'h0, select_2377} : (sharpness_sums_detail_0_q + {11'h0, select_2377});
   // hls/stages/agreement.hpp:457
+  logic and_2386;
+  assign and_2386 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
   logic and_2387;
-  assign and_2387 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
-  logic and_2388;
-  assign and_2388 = and_2369 & and_2387;
+  assign and_2387 = and_2368 & and_2386;
   // hls/stages/census.hpp:369
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2363[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2362[27:14]};
   // hls/stages/census.hpp:371
-  logic [12:0] select_2390;
-  assign select_2390 = and_2388 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2389;
+  assign select_2389 = and_2387 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:372
-  logic [23:0] select_2392;
-  assign select_2392 = equal_2284_s3_q ? {11'h0, select_2390} : (sharpness_sums_detail_1_q + {11'h0, select_2390});
-  logic [8:0] select_2395;
-  assign select_2395 = and_2376 ? contrast_s3_q : 9'h0;
-  logic [23:0] sum_2396;
-  assign sum_2396 = (equal_2284_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2395};
-  logic [8:0] select_2399;
-  assign select_2399 = and_2388 ? contrast_2_s3_q : 9'h0;
-  logic [23:0] sum_2400;
-  assign sum_2400 = (equal_2284_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2399};
+  logic [23:0] select_2391;
+  assign select_2391 = equal_2283_s3_q ? {11'h0, select_2389} : (sharpness_sums_detail_1_q + {11'h0, select_2389});
+  logic [8:0] select_2394;
+  assign select_2394 = and_2375 ? contrast_s3_q : 9'h0;
+  logic [23:0] sum_2395;
+  assign sum_2395 = (equal_2283_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2394};
+  logic [8:0] select_2398;
+  assign select_2398 = and_2387 ? contrast_2_s3_q : 9'h0;
+  logic [23:0] sum_2399;
+  assign sum_2399 = (equal_2283_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2398};
   // hls/stages/agreement.hpp:211
-  logic equal_2402;
-  assign equal_2402 = x_s3_q[7:3] == 5'h0;
+  logic equal_2401;
+  assign equal_2401 = x_s3_q[7:3] == 5'h0;
   // hls/stages/census.hpp:385
-  logic less_2403;
-  assign less_2403 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
+  logic less_2402;
+  assign less_2402 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
   // hls/stages/census.hpp:424
-  logic less_2404;
-  assign less_2404 = x_s3_q[4:0] < 5'h3;
-  logic not_2405;
-  assign not_2405 = ~x_s3_q[1];
-  logic [2:0] select_2406;
-  assign select_2406 = x_s3_q[0] ? {1'b0, not_2405, 1'b0} : {x_s3_q[1], 1'b0, not_2405};
-  logic [5:0] select_2407;
-  assign select_2407 = slot_s3_q[2] ? {select_2406[2], 1'b0, select_2406[1], 1'b0, select_2406[0], 1'b0} : {1'b0, select_2406[2], 1'b0, select_2406[1], 1'b0, select_2406[0]};
-  logic [11:0] select_2408;
-  assign select_2408 = slot_s3_q[1] ? {select_2407[5], 1'b0, select_2407[4], 1'b0, select_2407[3], 1'b0, select_2407[2], 1'b0, select_2407[1], 1'b0, select_2407[0], 1'b0} : {1'b0, select_2407[5], 1'b0, select_2407[4], 1'b0, select_2407[3], 1'b0, select_2407[2], 1'b0, select_2407[1], 1'b0, select_2407[0]};
-  logic [23:0] select_2409;
-  assign select_2409 = slot_s3_q[0] ? {select_2408[11], 1'b0, select_2408[10], 1'b0, select_2408[9], 1'b0, select_2408[8], 1'b0, select_2408[7], 1'b0, select_2408[6], 1'b0, select_2408[5], 1'b0, select_2408[4], 1'b0, select_2408[3], 1'b0, select_2408[2], 1'b0, select_2408[1], 1'b0, select_2408[0], 1'b0} : {1'b0, select_2408[11], 1'b0, select_2408[10], 1'b0, select_2408[9], 1'b0, select_2408[8], 1'b0, select_2408[7], 1'b0, select_2408[6], 1'b0, select_2408[5], 1'b0, select_2408[4], 1'b0, select_2408[3], 1'b0, select_2408[2], 1'b0, select_2408[1], 1'b0, select_2408[0]};
+  logic less_2403;
+  assign less_2403 = x_s3_q[4:0] < 5'h3;
+  logic not_2404;
+  assign not_2404 = ~x_s3_q[1];
+  logic [2:0] select_2405;
+  assign select_2405 = x_s3_q[0] ? {1'b0, not_2404, 1'b0} : {x_s3_q[1], 1'b0, not_2404};
+  logic [5:0] select_2406;
+  assign select_2406 = slot_s3_q[2] ? {select_2405[2], 1'b0, select_2405[1], 1'b0, select_2405[0], 1'b0} : {1'b0, select_2405[2], 1'b0, select_2405[1], 1'b0, select_2405[0]};
+  logic [11:0] select_2407;
+  assign select_2407 = slot_s3_q[1] ? {select_2406[5], 1'b0, select_2406[4], 1'b0, select_2406[3], 1'b0, select_2406[2], 1'b0, select_2406[1], 1'b0, select_2406[0], 1'b0} : {1'b0, select_2406[5], 1'b0, select_2406[4], 1'b0, select_2406[3], 1'b0, select_2406[2], 1'b0, select_2406[1], 1'b0, select_2406[0]};
+  logic [23:0] select_2408;
+  assign select_2408 = slot_s3_q[0] ? {select_2407[11], 1'b0, select_2407[10], 1'b0, select_2407[9], 1'b0, select_2407[8], 1'b0, select_2407[7], 1'b0, select_2407[6], 1'b0, select_2407[5], 1'b0, select_2407[4], 1'b0, select_2407[3], 1'b0, select_2407[2], 1'b0, select_2407[1], 1'b0, select_2407[0], 1'b0} : {1'b0, select_2407[11], 1'b0, select_2407[10], 1'b0, select_2407[9], 1'b0, select_2407[8], 1'b0, select_2407[7], 1'b0, select_2407[6], 1'b0, select_2407[5], 1'b0, select_2407[4], 1'b0, select_2407[3], 1'b0, select_2407[2], 1'b0, select_2407[1], 1'b0, select_2407[0]};
   // hls/stages/census.hpp:387
-  logic and_2413;
-  assign and_2413 = less_2404 & (~((sharpness_sums_contrast_1_q & select_2409) == 24'h0));
+  logic and_2412;
+  assign and_2412 = less_2403 & (~((sharpness_sums_contrast_1_q & select_2408) == 24'h0));
   // hls/stages/census.hpp:392
-  logic [17:0] select_2415;
-  assign select_2415 = (less_2403 & and_2413) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2414;
+  assign select_2414 = (less_2402 & and_2412) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2415};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2414};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2418;
-  assign select_2418 = equal_2402 ? (less_2403 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_2417;
+  assign select_2417 = equal_2401 ? (less_2402 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:387
-  logic and_2423;
-  assign and_2423 = less_2404 & (~((sharpness_sums_contrast_0_q & select_2409) == 24'h0));
+  logic and_2422;
+  assign and_2422 = less_2403 & (~((sharpness_sums_contrast_0_q & select_2408) == 24'h0));
   // hls/stages/census.hpp:392
-  logic [17:0] select_2425;
-  assign select_2425 = (less_2403 & and_2423) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2424;
+  assign select_2424 = (less_2402 & and_2422) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2425};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2424};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2428;
-  assign select_2428 = equal_2402 ? (less_2403 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2430;
-  assign select_2430 = equal_2402 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2432;
-  assign select_2432 = equal_2402 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2434;
-  assign select_2434 = equal_2402 ? {sharpness_comparing_contrast_0_q[0], and_2423} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2436;
-  assign select_2436 = equal_2402 ? {sharpness_comparing_contrast_1_q[0], and_2413} : sharpness_comparing_contrast_1_q;
+  logic [17:0] select_2427;
+  assign select_2427 = equal_2401 ? (less_2402 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2429;
+  assign select_2429 = equal_2401 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2431;
+  assign select_2431 = equal_2401 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2433;
+  assign select_2433 = equal_2401 ? {sharpness_comparing_contrast_0_q[0], and_2422} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2435;
+  assign select_2435 = equal_2401 ? {sharpness_comparing_contrast_1_q[0], and_2412} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:398
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2441;
-  assign select_2441 = drew_q ? (equal_2402 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2440;
+  assign select_2440 = drew_q ? (equal_2401 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:398
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2445;
-  assign select_2445 = drew_q ? (equal_2402 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  logic select_2444;
+  assign select_2444 = drew_q ? (equal_2401 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:384
-  logic equal_2446;
-  assign equal_2446 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
+  logic equal_2445;
+  assign equal_2445 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
   // hls/stages/census.hpp:400
-  logic xor_2447;
-  assign xor_2447 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2450;
-  assign select_2450 = (equal_2446 | xor_2447) ? (five_times[0] & xor_2447) : sharpness_comparing_less_detail_0_q;
+  logic xor_2446;
+  assign xor_2446 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic select_2449;
+  assign select_2449 = (equal_2445 | xor_2446) ? (five_times[0] & xor_2446) : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2452;
-  assign select_2452 = drew_q ? (equal_2402 ? select_2450 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  logic select_2451;
+  assign select_2451 = drew_q ? (equal_2401 ? select_2449 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
   // hls/stages/census.hpp:400
-  logic xor_2453;
-  assign xor_2453 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2456;
-  assign select_2456 = (equal_2446 | xor_2453) ? (five_times_2[0] & xor_2453) : sharpness_comparing_less_detail_1_q;
+  logic xor_2452;
+  assign xor_2452 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2455;
+  assign select_2455 = (equal_2445 | xor_2452) ? (five_times_2[0] & xor_2452) : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2458;
-  assign select_2458 = drew_q ? (equal_2402 ? select_2456 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  logic select_2457;
+  assign select_2457 = drew_q ? (equal_2401 ? select_2455 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
   // hls/stages/census.hpp:401
-  logic xor_2459;
-  assign xor_2459 = sharpness_comparing_contrast_0_q[1] ^ and_2413;
-  logic select_2462;
-  assign select_2462 = (equal_2446 | xor_2459) ? (and_2413 & xor_2459) : sharpness_comparing_less_contrast_0_q;
+  logic xor_2458;
+  assign xor_2458 = sharpness_comparing_contrast_0_q[1] ^ and_2412;
+  logic select_2461;
+  assign select_2461 = (equal_2445 | xor_2458) ? (and_2412 & xor_2458) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2464;
-  assign select_2464 = drew_q ? (equal_2402 ? select_2462 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  logic select_2463;
+  assign select_2463 = drew_q ? (equal_2401 ? select_2461 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/census.hpp:401
-  logic xor_2465;
-  assign xor_2465 = sharpness_comparing_contrast_1_q[1] ^ and_2423;
-  logic select_2468;
-  assign select_2468 = (equal_2446 | xor_2465) ? (and_2423 & xor_2465) : sharpness_comparing_less_contrast_1_q;
+  logic xor_2464;
+  assign xor_2464 = sharpness_comparing_contrast_1_q[1] ^ and_2422;
+  logic select_2467;
+  assign select_2467 = (equal_2445 | xor_2464) ? (and_2422 & xor_2464) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2470;
-  assign select_2470 = drew_q ? (equal_2402 ? select_2468 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  logic select_2469;
+  assign select_2469 = drew_q ? (equal_2401 ? select_2467 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2606;
-  assign select_2606 = and_2598_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2604_s3_q});
+  logic [13:0] select_2605;
+  assign select_2605 = and_2597_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2603_s3_q});
   // hls/stages/agreement.hpp:788
-  logic and_2609;
-  assign and_2609 = not_575_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
-  logic and_2614;
-  assign and_2614 = not_575_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
-  logic and_2619;
-  assign and_2619 = not_575_s3_q & (drew_q & (ends_cell_s3_q & and_2023_s3_q));
+  logic and_2608;
+  assign and_2608 = not_575_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
+  logic and_2613;
+  assign and_2613 = not_575_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
+  logic and_2618;
+  assign and_2618 = not_575_s3_q & (drew_q & (ends_cell_s3_q & and_2022_s3_q));
   // hls/stages/agreement.hpp:1105
-  logic not_2623;
-  assign not_2623 = ~(x_s3_q[7:1] == 7'h0);
+  logic not_2622;
+  assign not_2622 = ~(x_s3_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:1095
-  logic [2:0] select_2632;
-  assign select_2632 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2633;
-  assign difference_2633 = {1'b0, explained_2_s3_q} - {1'b0, select_2632};
+  logic [2:0] select_2631;
+  assign select_2631 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2632;
+  assign difference_2632 = {1'b0, explained_2_s3_q} - {1'b0, select_2631};
   logic [4:0] e;
-  assign e = {difference_2633[3], difference_2633} + (equal_569_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  assign e = {difference_2632[3], difference_2632} + (equal_569_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1102
-  logic [5:0] sum_2636;
-  assign sum_2636 = {1'b0, e} + {2'h0, e[4:1]};
+  logic [5:0] sum_2635;
+  assign sum_2635 = {1'b0, e} + {2'h0, e[4:1]};
   // hls/stages/agreement.hpp:1106
-  logic not_2640;
-  assign not_2640 = ~(equal_2082 ? and_2103 : (~({sum_2636, e[0]} < {2'h0, t})));
+  logic not_2639;
+  assign not_2639 = ~(equal_2081 ? and_2102 : (~({sum_2635, e[0]} < {2'h0, t})));
   // hls/stages/agreement.hpp:788
-  logic and_2643;
-  assign and_2643 = ends_cell_s3_q & (not_2623 & (centres_values_1_textured_s3_q & not_2640));
-  logic and_2645;
-  assign and_2645 = not_575_s3_q & (drew_q & and_2643);
+  logic and_2642;
+  assign and_2642 = ends_cell_s3_q & (not_2622 & (centres_values_1_textured_s3_q & not_2639));
+  logic and_2644;
+  assign and_2644 = not_575_s3_q & (drew_q & and_2642);
   // hls/stages/agreement.hpp:1132
-  logic less_2648;
-  assign less_2648 = region_row_s3_q < x_s3_q[5:3];
-  logic [9:0] select_2649;
-  assign select_2649 = less_2648 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_2652;
-  assign select_2652 = less_2648 ? 10'h0 : regions_rdata_q[19:10];
+  logic less_2647;
+  assign less_2647 = region_row_s3_q < x_s3_q[5:3];
+  logic [9:0] select_2648;
+  assign select_2648 = less_2647 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_2651;
+  assign select_2651 = less_2647 ? 10'h0 : regions_rdata_q[19:10];
   // hls/stages/agreement.hpp:1133
-  logic [10:0] sum_2653;
-  assign sum_2653 = {1'b0, select_2652} + {3'h0, select_2652[9:2]};
-  logic and_2655;
-  assign and_2655 = (~(select_2649[9:4] == 6'h0)) & ({sum_2653, select_2652[1:0]} < {3'h0, select_2649});
+  logic [10:0] sum_2652;
+  assign sum_2652 = {1'b0, select_2651} + {3'h0, select_2651[9:2]};
+  logic and_2654;
+  assign and_2654 = (~(select_2648[9:4] == 6'h0)) & ({sum_2652, select_2651[1:0]} < {3'h0, select_2648});
   // hls/stages/agreement.hpp:1142
+  logic [9:0] select_2657;
+  assign select_2657 = x_s3_q[6] ? (equal_1607_s3_q ? 10'h0 : (and_2654 ? select_2648 : 10'h0)) : 10'h0;
+  // hls/stages/agreement.hpp:788
   logic [9:0] select_2658;
-  assign select_2658 = x_s3_q[6] ? (equal_1607_s3_q ? 10'h0 : (and_2655 ? select_2649 : 10'h0)) : 10'h0;
-  // hls/stages/agreement.hpp:788
-  logic [9:0] select_2659;
-  assign select_2659 = equal_574_s3_q ? select_2658 : 10'h0;
+  assign select_2658 = equal_574_s3_q ? select_2657 : 10'h0;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2661;
-  assign select_2661 = and_2598_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2659});
-  logic [13:0] select_2668;
-  assign select_2668 = and_2598_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2666_s3_q});
+  logic [13:0] select_2660;
+  assign select_2660 = and_2597_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2658});
+  logic [13:0] select_2667;
+  assign select_2667 = and_2597_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2665_s3_q});
   // hls/stages/agreement.hpp:1110
-  logic and_2670;
-  assign and_2670 = not_2623 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
+  logic and_2669;
+  assign and_2669 = not_2622 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
   // hls/stages/agreement.hpp:788
-  logic and_2673;
-  assign and_2673 = not_575_s3_q & (drew_q & (ends_cell_s3_q & and_2670));
+  logic and_2672;
+  assign and_2672 = not_575_s3_q & (drew_q & (ends_cell_s3_q & and_2669));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2675;
-  assign select_2675 = and_2598_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2673});
+  logic [13:0] select_2674;
+  assign select_2674 = and_2597_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2672});
   // hls/stages/agreement.hpp:1110
-  logic and_2677;
-  assign and_2677 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_2640);
+  logic and_2676;
+  assign and_2676 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_2639);
   // hls/stages/agreement.hpp:788
-  logic and_2681;
-  assign and_2681 = not_575_s3_q & (drew_q & (ends_cell_s3_q & (not_2623 & and_2677)));
+  logic and_2680;
+  assign and_2680 = not_575_s3_q & (drew_q & (ends_cell_s3_q & (not_2622 & and_2676)));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2683;
-  assign select_2683 = and_2598_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2681});
-  logic [13:0] select_2702;
-  assign select_2702 = and_2598_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2700_s3_q});
+  logic [13:0] select_2682;
+  assign select_2682 = and_2597_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2680});
+  logic [13:0] select_2701;
+  assign select_2701 = and_2597_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2699_s3_q});
   // hls/stages/agreement.hpp:788
+  logic [7:0] select_2776;
+  assign select_2776 = drew_q ? (equal_1703_s3_q ? (and_2758_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
   logic [7:0] select_2777;
-  assign select_2777 = drew_q ? (equal_1703_s3_q ? (and_2759_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2778;
-  assign select_2778 = equal_574_s3_q ? 8'h0 : select_2777;
+  assign select_2777 = equal_574_s3_q ? 8'h0 : select_2776;
   // hls/stages/registration.hpp:134
-  logic [13:0] select_2780;
-  assign select_2780 = and_2758_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_2778[7]}}, select_2778});
+  logic [13:0] select_2779;
+  assign select_2779 = and_2757_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_2777[7]}}, select_2777});
   // hls/stages/agreement.hpp:788
-  logic and_2783;
-  assign and_2783 = not_575_s3_q & (drew_q & (and_2759_s3_q & equal_1703_s3_q));
+  logic and_2782;
+  assign and_2782 = not_575_s3_q & (drew_q & (and_2758_s3_q & equal_1703_s3_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_2785;
-  assign select_2785 = and_2758_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2783});
+  logic [5:0] select_2784;
+  assign select_2784 = and_2757_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2782});
   // hls/stages/registration.hpp:107
-  logic and_2787;
-  assign and_2787 = and_2759_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
+  logic and_2786;
+  assign and_2786 = and_2758_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:788
+  logic [1:0] select_2788;
+  assign select_2788 = drew_q ? (equal_1703_s3_q ? {and_2786, and_2758_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_2789;
-  assign select_2789 = drew_q ? (equal_1703_s3_q ? {and_2787, and_2759_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2790;
-  assign select_2790 = equal_574_s3_q ? 2'h0 : select_2789;
+  assign select_2789 = equal_574_s3_q ? 2'h0 : select_2788;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2791;
-  assign sum_2791 = registration_half_votes_down_q + {{5{select_2790[1]}}, select_2790};
+  logic [6:0] sum_2790;
+  assign sum_2790 = registration_half_votes_down_q + {{5{select_2789[1]}}, select_2789};
   // hls/stages/agreement.hpp:788
+  logic [1:0] select_2796;
+  assign select_2796 = drew_q ? (equal_1703_s3_q ? {and_2794_s3_q, and_2758_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_2797;
-  assign select_2797 = drew_q ? (equal_1703_s3_q ? {and_2795_s3_q, and_2759_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2798;
-  assign select_2798 = equal_574_s3_q ? 2'h0 : select_2797;
+  assign select_2797 = equal_574_s3_q ? 2'h0 : select_2796;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2799;
-  assign sum_2799 = registration_half_votes_up_q + {{5{select_2798[1]}}, select_2798};
+  logic [6:0] sum_2798;
+  assign sum_2798 = registration_half_votes_up_q + {{5{select_2797[1]}}, select_2797};
   // hls/stages/registration.hpp:107
-  logic and_2802;
-  assign and_2802 = and_2759_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
+  logic and_2801;
+  assign and_2801 = and_2758_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
   // hls/stages/agreement.hpp:788
+  logic [1:0] select_2803;
+  assign select_2803 = drew_q ? (equal_1703_s3_q ? {and_2801, and_2758_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_2804;
-  assign select_2804 = drew_q ? (equal_1703_s3_q ? {and_2802, and_2759_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2805;
-  assign select_2805 = equal_574_s3_q ? 2'h0 : select_2804;
+  assign select_2804 = equal_574_s3_q ? 2'h0 : select_2803;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2806;
-  assign sum_2806 = registration_half_half_votes_down_q + {{5{select_2805[1]}}, select_2805};
+  logic [6:0] sum_2805;
+  assign sum_2805 = registration_half_half_votes_down_q + {{5{select_2804[1]}}, select_2804};
   // hls/stages/agreement.hpp:788
+  logic [1:0] select_2810;
+  assign select_2810 = drew_q ? (equal_1703_s3_q ? {and_2808_s3_q, and_2758_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_2811;
-  assign select_2811 = drew_q ? (equal_1703_s3_q ? {and_2809_s3_q, and_2759_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2812;
-  assign select_2812 = equal_574_s3_q ? 2'h0 : select_2811;
+  assign select_2811 = equal_574_s3_q ? 2'h0 : select_2810;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2813;
-  assign sum_2813 = registration_half_half_votes_up_q + {{5{select_2812[1]}}, select_2812};
+  logic [6:0] sum_2812;
+  assign sum_2812 = registration_half_half_votes_up_q + {{5{select_2811[1]}}, select_2811};
   // hls/stages/agreement.hpp:788
-  logic and_2847;
-  assign and_2847 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q & less_1638_s3_q));
+  logic and_2846;
+  assign and_2846 = equal_574_s3_q & (x_s3_q[6] & (not_1995_s3_q & less_1638_s3_q));
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2854;
-  assign select_2854 = or_1642_s3_q ? 12'h0 : (equal_2852_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  logic [11:0] select_2853;
+  assign select_2853 = or_1642_s3_q ? 12'h0 : (equal_2851_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
   // hls/stages/agreement.hpp:1142
+  logic [11:0] select_2856;
+  assign select_2856 = x_s3_q[6] ? (equal_1607_s3_q ? 12'h0 : (less_1638_s3_q ? select_2853 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:788
   logic [11:0] select_2857;
-  assign select_2857 = x_s3_q[6] ? (equal_1607_s3_q ? 12'h0 : (less_1638_s3_q ? select_2854 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:788
-  logic [11:0] select_2858;
-  assign select_2858 = equal_574_s3_q ? select_2857 : 12'h0;
+  assign select_2857 = equal_574_s3_q ? select_2856 : 12'h0;
   // hls/stages/registration.hpp:153
-  logic and_2859;
-  assign and_2859 = x_s3_q[1] & all_s3_q;
+  logic and_2858;
+  assign and_2858 = x_s3_q[1] & all_s3_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2862;
-  assign and_2862 = not_1996_s3_q & (less_1638_s3_q & ({and_2859, x_s3_q[0]} == 2'h0));
+  logic and_2861;
+  assign and_2861 = not_1995_s3_q & (less_1638_s3_q & ({and_2858, x_s3_q[0]} == 2'h0));
   // hls/stages/agreement.hpp:788
-  logic and_2864;
-  assign and_2864 = equal_574_s3_q & (x_s3_q[6] & and_2862);
+  logic and_2863;
+  assign and_2863 = equal_574_s3_q & (x_s3_q[6] & and_2861);
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_2866;
-  assign sum_2866 = {{2{select_2858[11]}}, select_2858} + (and_2864 ? 14'h0 : registration_down_q);
+  logic [13:0] sum_2865;
+  assign sum_2865 = {{2{select_2857[11]}}, select_2857} + (and_2863 ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2869;
-  assign select_2869 = or_1642_s3_q ? 12'h0 : (equal_2852_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  logic [11:0] select_2868;
+  assign select_2868 = or_1642_s3_q ? 12'h0 : (equal_2851_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
   // hls/stages/agreement.hpp:1142
+  logic [11:0] select_2871;
+  assign select_2871 = x_s3_q[6] ? (equal_1607_s3_q ? 12'h0 : (less_1638_s3_q ? select_2868 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:788
   logic [11:0] select_2872;
-  assign select_2872 = x_s3_q[6] ? (equal_1607_s3_q ? 12'h0 : (less_1638_s3_q ? select_2869 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:788
-  logic [11:0] select_2873;
-  assign select_2873 = equal_574_s3_q ? select_2872 : 12'h0;
+  assign select_2872 = equal_574_s3_q ? select_2871 : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_2875;
-  assign sum_2875 = {{2{select_2873[11]}}, select_2873} + (and_2864 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2874;
+  assign sum_2874 = {{2{select_2872[11]}}, select_2872} + (and_2863 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:150
-  logic not_2877;
-  assign not_2877 = ~all_s3_q;
+  logic not_2876;
+  assign not_2876 = ~all_s3_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2880;
-  assign and_2880 = not_1996_s3_q & (less_1638_s3_q & (x_s3_q[2:0] == {all_s3_q, not_2877, 1'b0}));
+  logic and_2879;
+  assign and_2879 = not_1995_s3_q & (less_1638_s3_q & (x_s3_q[2:0] == {all_s3_q, not_2876, 1'b0}));
   // hls/stages/agreement.hpp:788
-  logic and_2886;
-  assign and_2886 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q & (less_1638_s3_q & all_s3_q)));
+  logic and_2885;
+  assign and_2885 = equal_574_s3_q & (x_s3_q[6] & (not_1995_s3_q & (less_1638_s3_q & all_s3_q)));
   // hls/stages/registration.hpp:246
-  logic not_2887;
-  assign not_2887 = ~and_2886;
-  logic less_2888;
-  assign less_2888 = $signed({9'h1, {2{not_2887}}, and_2886}) < $signed(registration_up_q[13:2]);
-  logic select_2889;
-  assign select_2889 = (equal_574_s3_q & (x_s3_q[6] & and_2880)) ? less_2888 : registration_enough_q;
+  logic not_2886;
+  assign not_2886 = ~and_2885;
+  logic less_2887;
+  assign less_2887 = $signed({9'h1, {2{not_2886}}, and_2885}) < $signed(registration_up_q[13:2]);
+  logic select_2888;
+  assign select_2888 = (equal_574_s3_q & (x_s3_q[6] & and_2879)) ? less_2887 : registration_enough_q;
   // hls/stages/agreement.hpp:1142
+  logic and_2892;
+  assign and_2892 = x_s3_q[6] & (not_1995_s3_q & (less_1638_s3_q & (x_s3_q[2:0] == 3'h4)));
+  // hls/stages/agreement.hpp:788
   logic and_2893;
-  assign and_2893 = x_s3_q[6] & (not_1996_s3_q & (less_1638_s3_q & (x_s3_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:788
-  logic and_2894;
-  assign and_2894 = equal_574_s3_q & and_2893;
+  assign and_2893 = equal_574_s3_q & and_2892;
   // hls/stages/registration.hpp:242
-  logic less_2895;
-  assign less_2895 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_2897;
-  assign less_2897 = $signed(14'h0) < $signed(registration_up_q);
+  logic less_2894;
+  assign less_2894 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2896;
+  assign less_2896 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_2899;
-  assign equal_2899 = x_s3_q[2:0] == 3'h7;
+  logic equal_2898;
+  assign equal_2898 = x_s3_q[2:0] == 3'h7;
   // hls/stages/agreement.hpp:788
-  logic and_2903;
-  assign and_2903 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q & (less_1638_s3_q & equal_2899)));
+  logic and_2902;
+  assign and_2902 = equal_574_s3_q & (x_s3_q[6] & (not_1995_s3_q & (less_1638_s3_q & equal_2898)));
   // hls/stages/agreement.hpp:1142
-  logic and_2910;
-  assign and_2910 = x_s3_q[6] & (not_1996_s3_q & (less_1638_s3_q & (x_s3_q[5:0] == 6'h0)));
+  logic and_2909;
+  assign and_2909 = x_s3_q[6] & (not_1995_s3_q & (less_1638_s3_q & (x_s3_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
-  logic equal_2913;
-  assign equal_2913 = x_s3_q[2:0] == 3'h6;
+  logic equal_2912;
+  assign equal_2912 = x_s3_q[2:0] == 3'h6;
   // hls/stages/agreement.hpp:1142
-  logic and_2916;
-  assign and_2916 = not_1996_s3_q & (less_1638_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_2913));
+  logic and_2915;
+  assign and_2915 = not_1995_s3_q & (less_1638_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_2912));
   // hls/stages/registration.hpp:244
-  logic and_2920;
-  assign and_2920 = (equal_574_s3_q & (x_s3_q[6] & and_2916)) & (less_2897 | less_2895);
+  logic and_2919;
+  assign and_2919 = (equal_574_s3_q & (x_s3_q[6] & and_2915)) & (less_2896 | less_2894);
   // hls/stages/agreement.hpp:1142
-  logic and_2925;
-  assign and_2925 = not_1996_s3_q & (less_1638_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_2913)));
+  logic and_2924;
+  assign and_2924 = not_1995_s3_q & (less_1638_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_2912)));
   // hls/stages/registration.hpp:244
-  logic and_2928;
-  assign and_2928 = registration_votes_up_q & registration_other_down_q;
-  logic select_2930;
-  assign select_2930 = registration_votes_down_q ? (registration_other_up_q | and_2928) : and_2928;
+  logic and_2927;
+  assign and_2927 = registration_votes_up_q & registration_other_down_q;
+  logic select_2929;
+  assign select_2929 = registration_votes_down_q ? (registration_other_up_q | and_2927) : and_2927;
   // hls/stages/registration.hpp:138
-  logic and_2932;
-  assign and_2932 = (equal_574_s3_q & (x_s3_q[6] & and_2925)) & (registration_other_enough_q & select_2930);
+  logic and_2931;
+  assign and_2931 = (equal_574_s3_q & (x_s3_q[6] & and_2924)) & (registration_other_enough_q & select_2929);
   // hls/stages/registration.hpp:245
-  logic or_2935;
-  assign or_2935 = registration_moved_q | (registration_enough_q & (and_2920 | and_2932));
+  logic or_2934;
+  assign or_2934 = registration_moved_q | (registration_enough_q & (and_2919 | and_2931));
   // hls/stages/agreement.hpp:276
-  logic [7:0] select_3019;
-  assign select_3019 = sample_pair_whole_s3_q ? (equal_1693_s3_q ? patches_place_0_slope_q : select_1798[20:13]) : patches_place_0_slope_q;
-  logic [7:0] select_3024;
-  assign select_3024 = sample_pair_whole_s3_q ? (equal_1693_s3_q ? patches_place_1_slope_q : select_1827[20:13]) : patches_place_1_slope_q;
+  logic [7:0] select_3018;
+  assign select_3018 = sample_pair_whole_s3_q ? (equal_1693_s3_q ? patches_place_0_slope_q : select_1799[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3023;
+  assign select_3023 = sample_pair_whole_s3_q ? (equal_1693_s3_q ? patches_place_1_slope_q : select_1827[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:127
-  logic select_3026;
-  assign select_3026 = equal_1693_s3_q ? patches_valid_0_q : (select_1692_s3_q ? patches_valid_0_q : select_1795[0]);
+  logic select_3025;
+  assign select_3025 = equal_1693_s3_q ? patches_valid_0_q : (select_1692_s3_q ? patches_valid_0_q : select_1795[0]);
   // hls/stages/agreement.hpp:276
-  logic select_3029;
-  assign select_3029 = sample_pair_whole_s3_q ? (and_1818 ? (sample_present_s3_q & select_3026) : select_3026) : patches_valid_0_q;
+  logic select_3028;
+  assign select_3028 = sample_pair_whole_s3_q ? (and_1818 ? (sample_present_s3_q & select_3025) : select_3025) : patches_valid_0_q;
   // hls/stages/patches.hpp:127
-  logic select_3031;
-  assign select_3031 = equal_1693_s3_q ? patches_valid_1_q : (select_1692_s3_q ? select_1795[0] : patches_valid_1_q);
+  logic select_3030;
+  assign select_3030 = equal_1693_s3_q ? patches_valid_1_q : (select_1692_s3_q ? select_1795[0] : patches_valid_1_q);
   // hls/stages/agreement.hpp:276
-  logic select_3034;
-  assign select_3034 = sample_pair_whole_s3_q ? (and_1838 ? (sample_present_s3_q & select_3031) : select_3031) : patches_valid_1_q;
-  logic [5:0] select_3037;
-  assign select_3037 = sample_pair_whole_s3_q ? (select_1816[5] ? {1'b1, select_1816[4:0]} : (select_1816 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3040;
-  assign select_3040 = sample_pair_whole_s3_q ? (select_1836[5] ? {1'b1, select_1836[4:0]} : (select_1836 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3043;
-  assign select_3043 = sample_pair_whole_s3_q ? (select_1849[4] ? {1'b1, select_1849[3:0]} : (select_1849 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3046;
-  assign select_3046 = sample_pair_whole_s3_q ? (select_1854[4] ? {1'b1, select_1854[3:0]} : (select_1854 + 5'h1)) : patches_left_next_1_q;
-  // hls/stages/patches.hpp:525
+  logic select_3033;
+  assign select_3033 = sample_pair_whole_s3_q ? (and_1837 ? (sample_present_s3_q & select_3030) : select_3030) : patches_valid_1_q;
+  logic [5:0] select_3036;
+  assign select_3036 = sample_pair_whole_s3_q ? (select_1816[5] ? {1'b1, select_1816[4:0]} : (select_1816 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3039;
+  assign select_3039 = sample_pair_whole_s3_q ? (select_1835[5] ? {1'b1, select_1835[4:0]} : (select_1835 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3042;
+  assign select_3042 = sample_pair_whole_s3_q ? (select_1848[4] ? {1'b1, select_1848[3:0]} : (select_1848 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3045;
+  assign select_3045 = sample_pair_whole_s3_q ? (select_1853[4] ? {1'b1, select_1853[3:0]} : (select_1853 + 5'h1)) : patches_left_next_1_q;
+  // hls/stages/patches.hpp:526
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3465_s3_q, parity_3461_s3_q, xor_3449_s3_q, parity_3421_s3_q, parity_3359_s3_q, parity_3230_s3_q} + (equal_3466_s3_q ? 10'h0 : patches_sums_values_16_q);
-  // hls/stages/patches.hpp:184
+  assign sum_3 = {4'h0, or_3464_s3_q, parity_3460_s3_q, xor_3448_s3_q, parity_3420_s3_q, parity_3358_s3_q, parity_3229_s3_q} + (equal_3465_s3_q ? 10'h0 : patches_sums_values_16_q);
+  // hls/stages/patches.hpp:185
+  logic [9:0] select_3469;
+  assign select_3469 = equal_1779_s3_q ? patches_sums_values_0_q : (equal_1781_s3_q ? sum_3 : patches_sums_values_0_q);
   logic [9:0] select_3470;
-  assign select_3470 = equal_1779_s3_q ? patches_sums_values_0_q : (equal_1781_s3_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3471;
-  assign select_3471 = equal_1781_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3473;
-  assign select_3473 = equal_1781_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
-  logic [9:0] select_3475;
-  assign select_3475 = equal_1781_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
-  logic [9:0] select_3477;
-  assign select_3477 = equal_1781_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
-  logic [9:0] select_3479;
-  assign select_3479 = equal_1781_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
-  logic [9:0] select_3481;
-  assign select_3481 = equal_1781_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
-  logic [9:0] select_3483;
-  assign select_3483 = equal_1781_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
-  logic [9:0] select_3485;
-  assign select_3485 = equal_1781_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
-  logic [9:0] select_3487;
-  assign select_3487 = equal_1781_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
-  logic [9:0] select_3489;
-  assign select_3489 = equal_1781_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
-  logic [9:0] select_3491;
-  assign select_3491 = equal_1781_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
-  logic [9:0] select_3493;
-  assign select_3493 = equal_1781_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
-  logic [9:0] select_3495;
-  assign select_3495 = equal_1781_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
-  logic [9:0] select_3497;
-  assign select_3497 = equal_1781_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
-  logic [9:0] select_3499;
-  assign select_3499 = equal_1781_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
-  logic [9:0] select_3501;
-  assign select_3501 = equal_1781_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
-  // hls/stages/patches.hpp:599
-  logic or_3606;
-  assign or_3606 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_3605_s3_q;
-  logic or_3609;
-  assign or_3609 = equal_3597_s3_q | (less_3599_s3_q | (less_3600_s3_q | or_3606));
-  // hls/stages/patches.hpp:579
-  logic not_3610;
-  assign not_3610 = ~or_3609;
-  // hls/stages/patches.hpp:560
-  logic and_3611;
-  assign and_3611 = equal_1963_s3_q & not_3610;
-  // hls/stages/patches.hpp:184
-  logic and_3614;
-  assign and_3614 = equal_1779_s3_q & (less_1960_s3_q ? (not_1962_s3_q & and_3611) : and_3611);
-  // hls/stages/patches.hpp:657
-  logic not_3615;
-  assign not_3615 = ~patches_lower_s3_q;
-  // hls/stages/patches.hpp:560
-  logic and_3617;
-  assign and_3617 = equal_1963_s3_q & (patches_second_s3_q & not_3610);
-  // hls/stages/patches.hpp:184
-  logic and_3620;
-  assign and_3620 = equal_1779_s3_q & (less_1960_s3_q ? (not_1962_s3_q & and_3617) : and_3617);
-  // hls/stages/patches.hpp:657
-  logic not_3621;
-  assign not_3621 = ~and_3620;
-  // hls/stages/patches.hpp:188
-  logic and_3623;
-  assign and_3623 = and_3614 & (not_3615 & not_3621);
-  // hls/stages/patches.hpp:659
-  logic [7:0] sum_3625;
-  assign sum_3625 = {7'h0, and_3623} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
-  // hls/stages/patches.hpp:597
-  logic [7:0] select_3651;
-  assign select_3651 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
-  // hls/stages/patches.hpp:596
-  logic [5:0] select_3652;
-  assign select_3652 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_3653;
-  assign sum_3653 = {2'h0, select_3585_s3_q[4:3]} + 4'hf;
-  logic [6:0] sum_3654;
-  assign sum_3654 = {select_3652[5], select_3652} + {{3{sum_3653[3]}}, sum_3653};
-  // hls/stages/patches.hpp:597
-  logic [17:0] product_3655;
-  assign product_3655 = $signed({{10{select_3651[7]}}, select_3651}) * $signed({{8{sum_3654[6]}}, sum_3654, select_3585_s3_q[2:0]});
+  assign select_3470 = equal_1781_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3472;
+  assign select_3472 = equal_1781_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3474;
+  assign select_3474 = equal_1781_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  logic [9:0] select_3476;
+  assign select_3476 = equal_1781_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  logic [9:0] select_3478;
+  assign select_3478 = equal_1781_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  logic [9:0] select_3480;
+  assign select_3480 = equal_1781_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  logic [9:0] select_3482;
+  assign select_3482 = equal_1781_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  logic [9:0] select_3484;
+  assign select_3484 = equal_1781_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  logic [9:0] select_3486;
+  assign select_3486 = equal_1781_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  logic [9:0] select_3488;
+  assign select_3488 = equal_1781_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3490;
+  assign select_3490 = equal_1781_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3492;
+  assign select_3492 = equal_1781_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3494;
+  assign select_3494 = equal_1781_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3496;
+  assign select_3496 = equal_1781_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3498;
+  assign select_3498 = equal_1781_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3500;
+  assign select_3500 = equal_1781_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  // hls/stages/patches.hpp:600
+  logic or_3605;
+  assign or_3605 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_3604_s3_q;
+  logic or_3608;
+  assign or_3608 = equal_3596_s3_q | (less_3598_s3_q | (less_3599_s3_q | or_3605));
+  // hls/stages/patches.hpp:580
+  logic not_3609;
+  assign not_3609 = ~or_3608;
+  // hls/stages/patches.hpp:561
+  logic and_3610;
+  assign and_3610 = equal_1962_s3_q & not_3609;
+  // hls/stages/patches.hpp:185
+  logic and_3613;
+  assign and_3613 = equal_1779_s3_q & (less_1959_s3_q ? (not_1961_s3_q & and_3610) : and_3610);
+  // hls/stages/patches.hpp:658
+  logic not_3614;
+  assign not_3614 = ~patches_lower_s3_q;
+  // hls/stages/patches.hpp:561
+  logic and_3616;
+  assign and_3616 = equal_1962_s3_q & (patches_second_s3_q & not_3609);
+  // hls/stages/patches.hpp:185
+  logic and_3619;
+  assign and_3619 = equal_1779_s3_q & (less_1959_s3_q ? (not_1961_s3_q & and_3616) : and_3616);
+  // hls/stages/patches.hpp:658
+  logic not_3620;
+  assign not_3620 = ~and_3619;
+  // hls/stages/patches.hpp:189
+  logic and_3622;
+  assign and_3622 = and_3613 & (not_3614 & not_3620);
+  // hls/stages/patches.hpp:660
+  logic [7:0] sum_3624;
+  assign sum_3624 = {7'h0, and_3622} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:598
-  logic [13:0] difference_3656;
-  assign difference_3656 = {{6{select_3650_s3_q[7]}}, select_3650_s3_q} - {product_3655[17], product_3655[17:5]};
-  // hls/stages/patches.hpp:604
-  logic less_3657;
-  assign less_3657 = $signed({{7{difference_3627[6]}}, difference_3627}) < $signed(difference_3656);
-  // hls/stages/patches.hpp:560
-  logic and_3660;
-  assign and_3660 = equal_1963_s3_q & (not_3610 & (~less_3657));
-  // hls/stages/patches.hpp:184
-  logic and_3663;
-  assign and_3663 = equal_1779_s3_q & (less_1960_s3_q ? (not_1962_s3_q & and_3660) : and_3660);
-  // hls/stages/patches.hpp:660
-  logic and_3664;
-  assign and_3664 = and_3663 & and_3623;
-  logic [7:0] sum_3665;
-  assign sum_3665 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3664};
-  // hls/stages/patches.hpp:560
-  logic and_3669;
-  assign and_3669 = not_3610 & (~($signed(difference_3656) < $signed({8'h0, cfg_patch_limit_i})));
-  logic and_3670;
-  assign and_3670 = equal_1963_s3_q & and_3669;
-  // hls/stages/patches.hpp:184
-  logic and_3673;
-  assign and_3673 = equal_1779_s3_q & (less_1960_s3_q ? (not_1962_s3_q & and_3670) : and_3670);
-  // hls/stages/patches.hpp:661
-  logic and_3674;
-  assign and_3674 = and_3673 & and_3623;
-  logic [7:0] sum_3675;
-  assign sum_3675 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3674};
-  // hls/stages/patches.hpp:188
-  logic and_3677;
-  assign and_3677 = and_3614 & (and_3620 & not_3615);
-  // hls/stages/patches.hpp:659
-  logic [7:0] sum_3679;
-  assign sum_3679 = {7'h0, and_3677} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:660
-  logic and_3681;
-  assign and_3681 = and_3663 & and_3677;
-  logic [7:0] sum_3682;
-  assign sum_3682 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3681};
-  // hls/stages/patches.hpp:661
-  logic and_3684;
-  assign and_3684 = and_3673 & and_3677;
-  logic [7:0] sum_3685;
-  assign sum_3685 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3684};
-  // hls/stages/patches.hpp:188
-  logic and_3687;
-  assign and_3687 = and_3614 & (patches_lower_s3_q & not_3621);
-  // hls/stages/patches.hpp:659
-  logic [7:0] sum_3689;
-  assign sum_3689 = {7'h0, and_3687} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:660
-  logic and_3691;
-  assign and_3691 = and_3663 & and_3687;
-  logic [7:0] sum_3692;
-  assign sum_3692 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3691};
-  // hls/stages/patches.hpp:661
-  logic and_3694;
-  assign and_3694 = and_3673 & and_3687;
-  logic [7:0] sum_3695;
-  assign sum_3695 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3694};
-  // hls/stages/patches.hpp:188
-  logic and_3697;
-  assign and_3697 = and_3614 & (patches_lower_s3_q & and_3620);
-  // hls/stages/patches.hpp:659
-  logic [7:0] sum_3699;
-  assign sum_3699 = {7'h0, and_3697} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
-  // hls/stages/patches.hpp:660
-  logic and_3701;
-  assign and_3701 = and_3663 & and_3697;
-  logic [7:0] sum_3702;
-  assign sum_3702 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3701};
-  // hls/stages/patches.hpp:661
-  logic and_3704;
-  assign and_3704 = and_3673 & and_3697;
-  logic [7:0] sum_3705;
-  assign sum_3705 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3704};
-  // hls/stages/agreement.hpp:1223
-  logic equal_3706;
-  assign equal_3706 = x_s3_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1130
-  logic less_3707;
-  assign less_3707 = x_s3_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:788
-  logic and_3711;
-  assign and_3711 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q & (equal_3706 & less_3707)));
-  // hls/stages/agreement.hpp:1142
-  logic and_3716;
-  assign and_3716 = x_s3_q[6] & (not_1996_s3_q & (less_3707 & (x_s3_q[2:0] == 3'h1)));
-  // hls/stages/agreement.hpp:788
-  logic and_3717;
-  assign and_3717 = equal_574_s3_q & and_3716;
-  // hls/stages/patches.hpp:623
-  logic [7:0] or_3719;
-  assign or_3719 = (and_3711 ? patches_quarters_0_places_q : 8'h0) | (and_3717 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/agreement.hpp:1142
-  logic and_3723;
-  assign and_3723 = x_s3_q[6] & (not_1996_s3_q & (less_3707 & (x_s3_q[2:0] == 3'h2)));
-  // hls/stages/agreement.hpp:788
-  logic and_3724;
-  assign and_3724 = equal_574_s3_q & and_3723;
-  // hls/stages/agreement.hpp:1142
-  logic and_3730;
-  assign and_3730 = x_s3_q[6] & (not_1996_s3_q & (less_3707 & (x_s3_q[2:0] == 3'h3)));
-  // hls/stages/agreement.hpp:788
-  logic and_3731;
-  assign and_3731 = equal_574_s3_q & and_3730;
-  // hls/stages/patches.hpp:623
-  logic [7:0] or_3733;
-  assign or_3733 = (or_3719 | (and_3724 ? patches_quarters_2_places_q : 8'h0)) | (and_3731 ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/patches.hpp:199
-  logic select_3737;
-  assign select_3737 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
-  // hls/stages/agreement.hpp:788
-  logic and_3741;
-  assign and_3741 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q & (less_3707 & select_3737)));
-  // hls/stages/patches.hpp:624
-  logic [7:0] select_3743;
-  assign select_3743 = and_3711 ? (and_3741 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
-  logic [7:0] select_3745;
-  assign select_3745 = and_3717 ? (and_3741 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_3748;
-  assign select_3748 = and_3724 ? (and_3741 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_3751;
-  assign select_3751 = and_3731 ? (and_3741 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
-  // hls/stages/patches.hpp:625
-  logic [7:0] select_3754;
-  assign select_3754 = and_3711 ? (and_3741 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
-  logic [7:0] select_3756;
-  assign select_3756 = and_3717 ? (and_3741 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_3759;
-  assign select_3759 = and_3724 ? (and_3741 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_3762;
-  assign select_3762 = and_3731 ? (and_3741 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
-  // hls/stages/patches.hpp:202
-  logic [4:0] sum_3764;
-  assign sum_3764 = {2'h0, x_s3_q[2:0]} + 5'h1f;
-  // hls/stages/agreement.hpp:1142
-  logic and_3768;
-  assign and_3768 = x_s3_q[6] & (not_1996_s3_q & (less_3707 & (sum_3764[4:2] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_3769;
-  assign and_3769 = equal_574_s3_q & and_3768;
-  // hls/stages/patches.hpp:620
-  logic [7:0] select_3772;
-  assign select_3772 = and_3769 ? (patches_word_places_q + (and_3717 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_3775;
-  assign select_3775 = and_3769 ? (patches_word_up_q + (and_3717 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] select_3778;
-  assign select_3778 = and_3769 ? (patches_word_down_q + (and_3717 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
-  // hls/stages/patches.hpp:606
-  logic [5:0] select_3782;
-  assign select_3782 = ($signed(difference_3656[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3656[5:0];
-  logic [5:0] select_3783;
-  assign select_3783 = ($signed(14'h10) < $signed(difference_3656)) ? 6'h10 : select_3782;
-  // hls/stages/patches.hpp:560
-  logic [5:0] select_3785;
-  assign select_3785 = equal_1963_s3_q ? (or_3609 ? 6'h0 : select_3783) : 6'h0;
-  logic [5:0] select_3787;
-  assign select_3787 = less_1960_s3_q ? (equal_1961_s3_q ? 6'h0 : select_3785) : select_3785;
-  // hls/stages/patches.hpp:663
-  logic [5:0] select_3789;
-  assign select_3789 = and_3614 ? (equal_1779_s3_q ? select_3787 : 6'h0) : 6'h0;
-  logic [11:0] sum_3790;
-  assign sum_3790 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3789[5]}}, select_3789};
-  // hls/stages/agreement.hpp:788
-  logic and_3794;
-  assign and_3794 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q & (equal_2899 & less_3707)));
-  // hls/stages/agreement.hpp:1142
-  logic and_3798;
-  assign and_3798 = x_s3_q[6] & (not_1996_s3_q & (less_3707 & (x_s3_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_3799;
-  assign and_3799 = equal_574_s3_q & and_3798;
-  // hls/stages/patches.hpp:647
-  logic [7:0] select_3801;
-  assign select_3801 = and_3794 ? (and_3799 ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:649
-  logic or_3805;
-  assign or_3805 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:650
-  logic or_3808;
-  assign or_3808 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
-  // hls/stages/patches.hpp:651
-  logic [8:0] sum_3809;
-  assign sum_3809 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
-  // hls/stages/patches.hpp:646
-  logic select_3811;
-  assign select_3811 = and_3794 ? (and_3799 ? patches_enough_q : patches_complete_q) : patches_complete_q;
-  // hls/stages/patches.hpp:188
-  logic and_3814;
-  assign and_3814 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:646
-  logic [2:0] select_3816;
-  assign select_3816 = and_3799 ? {and_3814, patches_found_q[2:1]} : (and_3794 ? {and_3814, patches_found_q[2:1]} : patches_found_q);
-  // hls/stages/patches.hpp:645
-  logic or_3820;
-  assign or_3820 = patches_partly_q | (patches_doubted_q & (~and_3799));
-  // hls/stages/patches.hpp:646
-  logic select_3823;
-  assign select_3823 = and_3794 ? (and_3799 ? or_3820 : (and_3794 ? or_3820 : patches_doubted_q)) : patches_doubted_q;
-  // hls/stages/patches.hpp:644
-  logic select_3824;
-  assign select_3824 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
-  // hls/stages/patches.hpp:633
-  logic [7:0] select_3828;
-  assign select_3828 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  logic [7:0] select_3650;
+  assign select_3650 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  // hls/stages/patches.hpp:597
+  logic [5:0] select_3651;
+  assign select_3651 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_3652;
+  assign sum_3652 = {2'h0, select_3584_s3_q[4:3]} + 4'hf;
+  logic [6:0] sum_3653;
+  assign sum_3653 = {select_3651[5], select_3651} + {{3{sum_3652[3]}}, sum_3652};
+  // hls/stages/patches.hpp:598
+  logic [17:0] product_3654;
+  assign product_3654 = $signed({{10{select_3650[7]}}, select_3650}) * $signed({{8{sum_3653[6]}}, sum_3653, select_3584_s3_q[2:0]});
+  // hls/stages/patches.hpp:599
+  logic [13:0] difference_3655;
+  assign difference_3655 = {{6{select_3649_s3_q[7]}}, select_3649_s3_q} - {product_3654[17], product_3654[17:5]};
   // hls/stages/patches.hpp:605
-  logic [10:0] sum_3830;
-  assign sum_3830 = {sum_3654[6], sum_3654, select_3585_s3_q[2:0]} + 11'h1;
-  // hls/stages/patches.hpp:560
-  logic and_3833;
-  assign and_3833 = equal_1963_s3_q & (not_3610 & ({{5{sum_3830[10]}}, sum_3830} < 16'h3));
-  // hls/stages/patches.hpp:184
-  logic and_3836;
-  assign and_3836 = equal_1779_s3_q & (less_1960_s3_q ? (not_1962_s3_q & and_3833) : and_3833);
-  // hls/stages/patches.hpp:188
-  logic and_3837;
-  assign and_3837 = and_3614 & and_3836;
+  logic less_3656;
+  assign less_3656 = $signed({{7{difference_3626[6]}}, difference_3626}) < $signed(difference_3655);
+  // hls/stages/patches.hpp:561
+  logic and_3659;
+  assign and_3659 = equal_1962_s3_q & (not_3609 & (~less_3656));
+  // hls/stages/patches.hpp:185
+  logic and_3662;
+  assign and_3662 = equal_1779_s3_q & (less_1959_s3_q ? (not_1961_s3_q & and_3659) : and_3659);
+  // hls/stages/patches.hpp:661
+  logic and_3663;
+  assign and_3663 = and_3662 & and_3622;
+  logic [7:0] sum_3664;
+  assign sum_3664 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3663};
+  // hls/stages/patches.hpp:561
+  logic and_3668;
+  assign and_3668 = not_3609 & (~($signed(difference_3655) < $signed({8'h0, cfg_patch_limit_i})));
+  logic and_3669;
+  assign and_3669 = equal_1962_s3_q & and_3668;
+  // hls/stages/patches.hpp:185
+  logic and_3672;
+  assign and_3672 = equal_1779_s3_q & (less_1959_s3_q ? (not_1961_s3_q & and_3669) : and_3669);
+  // hls/stages/patches.hpp:662
+  logic and_3673;
+  assign and_3673 = and_3672 & and_3622;
+  logic [7:0] sum_3674;
+  assign sum_3674 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3673};
+  // hls/stages/patches.hpp:189
+  logic and_3676;
+  assign and_3676 = and_3613 & (and_3619 & not_3614);
+  // hls/stages/patches.hpp:660
+  logic [7:0] sum_3678;
+  assign sum_3678 = {7'h0, and_3676} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:661
+  logic and_3680;
+  assign and_3680 = and_3662 & and_3676;
+  logic [7:0] sum_3681;
+  assign sum_3681 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3680};
+  // hls/stages/patches.hpp:662
+  logic and_3683;
+  assign and_3683 = and_3672 & and_3676;
+  logic [7:0] sum_3684;
+  assign sum_3684 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3683};
+  // hls/stages/patches.hpp:189
+  logic and_3686;
+  assign and_3686 = and_3613 & (patches_lower_s3_q & not_3620);
+  // hls/stages/patches.hpp:660
+  logic [7:0] sum_3688;
+  assign sum_3688 = {7'h0, and_3686} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:661
+  logic and_3690;
+  assign and_3690 = and_3662 & and_3686;
+  logic [7:0] sum_3691;
+  assign sum_3691 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3690};
+  // hls/stages/patches.hpp:662
+  logic and_3693;
+  assign and_3693 = and_3672 & and_3686;
+  logic [7:0] sum_3694;
+  assign sum_3694 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3693};
+  // hls/stages/patches.hpp:189
+  logic and_3696;
+  assign and_3696 = and_3613 & (patches_lower_s3_q & and_3619);
+  // hls/stages/patches.hpp:660
+  logic [7:0] sum_3698;
+  assign sum_3698 = {7'h0, and_3696} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:661
+  logic and_3700;
+  assign and_3700 = and_3662 & and_3696;
+  logic [7:0] sum_3701;
+  assign sum_3701 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3700};
+  // hls/stages/patches.hpp:662
+  logic and_3703;
+  assign and_3703 = and_3672 & and_3696;
+  logic [7:0] sum_3704;
+  assign sum_3704 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3703};
+  // hls/stages/agreement.hpp:1223
+  logic equal_3705;
+  assign equal_3705 = x_s3_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:1130
+  logic less_3706;
+  assign less_3706 = x_s3_q[5:3] < 3'h3;
+  // hls/stages/agreement.hpp:788
+  logic and_3710;
+  assign and_3710 = equal_574_s3_q & (x_s3_q[6] & (not_1995_s3_q & (equal_3705 & less_3706)));
+  // hls/stages/agreement.hpp:1142
+  logic and_3715;
+  assign and_3715 = x_s3_q[6] & (not_1995_s3_q & (less_3706 & (x_s3_q[2:0] == 3'h1)));
+  // hls/stages/agreement.hpp:788
+  logic and_3716;
+  assign and_3716 = equal_574_s3_q & and_3715;
+  // hls/stages/patches.hpp:624
+  logic [7:0] or_3718;
+  assign or_3718 = (and_3710 ? patches_quarters_0_places_q : 8'h0) | (and_3716 ? patches_quarters_1_places_q : 8'h0);
+  // hls/stages/agreement.hpp:1142
+  logic and_3722;
+  assign and_3722 = x_s3_q[6] & (not_1995_s3_q & (less_3706 & (x_s3_q[2:0] == 3'h2)));
+  // hls/stages/agreement.hpp:788
+  logic and_3723;
+  assign and_3723 = equal_574_s3_q & and_3722;
+  // hls/stages/agreement.hpp:1142
+  logic and_3729;
+  assign and_3729 = x_s3_q[6] & (not_1995_s3_q & (less_3706 & (x_s3_q[2:0] == 3'h3)));
+  // hls/stages/agreement.hpp:788
+  logic and_3730;
+  assign and_3730 = equal_574_s3_q & and_3729;
+  // hls/stages/patches.hpp:624
+  logic [7:0] or_3732;
+  assign or_3732 = (or_3718 | (and_3723 ? patches_quarters_2_places_q : 8'h0)) | (and_3730 ? patches_quarters_3_places_q : 8'h0);
+  // hls/stages/patches.hpp:200
+  logic select_3736;
+  assign select_3736 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
+  // hls/stages/agreement.hpp:788
+  logic and_3740;
+  assign and_3740 = equal_574_s3_q & (x_s3_q[6] & (not_1995_s3_q & (less_3706 & select_3736)));
+  // hls/stages/patches.hpp:625
+  logic [7:0] select_3742;
+  assign select_3742 = and_3710 ? (and_3740 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_3744;
+  assign select_3744 = and_3716 ? (and_3740 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_3747;
+  assign select_3747 = and_3723 ? (and_3740 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_3750;
+  assign select_3750 = and_3730 ? (and_3740 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  // hls/stages/patches.hpp:626
+  logic [7:0] select_3753;
+  assign select_3753 = and_3710 ? (and_3740 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_3755;
+  assign select_3755 = and_3716 ? (and_3740 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_3758;
+  assign select_3758 = and_3723 ? (and_3740 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_3761;
+  assign select_3761 = and_3730 ? (and_3740 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  // hls/stages/patches.hpp:203
+  logic [4:0] sum_3763;
+  assign sum_3763 = {2'h0, x_s3_q[2:0]} + 5'h1f;
+  // hls/stages/agreement.hpp:1142
+  logic and_3767;
+  assign and_3767 = x_s3_q[6] & (not_1995_s3_q & (less_3706 & (sum_3763[4:2] == 3'h0)));
+  // hls/stages/agreement.hpp:788
+  logic and_3768;
+  assign and_3768 = equal_574_s3_q & and_3767;
+  // hls/stages/patches.hpp:621
+  logic [7:0] select_3771;
+  assign select_3771 = and_3768 ? (patches_word_places_q + (and_3716 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_3774;
+  assign select_3774 = and_3768 ? (patches_word_up_q + (and_3716 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] select_3777;
+  assign select_3777 = and_3768 ? (patches_word_down_q + (and_3716 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  // hls/stages/patches.hpp:607
+  logic [5:0] select_3781;
+  assign select_3781 = ($signed(difference_3655[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3655[5:0];
+  logic [5:0] select_3782;
+  assign select_3782 = ($signed(14'h10) < $signed(difference_3655)) ? 6'h10 : select_3781;
+  // hls/stages/patches.hpp:561
+  logic [5:0] select_3784;
+  assign select_3784 = equal_1962_s3_q ? (or_3608 ? 6'h0 : select_3782) : 6'h0;
+  logic [5:0] select_3786;
+  assign select_3786 = less_1959_s3_q ? (equal_1960_s3_q ? 6'h0 : select_3784) : select_3784;
   // hls/stages/patches.hpp:664
-  logic [7:0] sum_3838;
-  assign sum_3838 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3837};
-  // hls/stages/patches.hpp:653
-  logic [12:0] product_3843;
-  assign product_3843 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_3801};
-  // hls/stages/patches.hpp:188
-  logic and_3845;
-  assign and_3845 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_3843[12:5] < patches_on_skin_q);
-  logic select_3850;
-  assign select_3850 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic [5:0] select_3788;
+  assign select_3788 = and_3613 ? (equal_1779_s3_q ? select_3786 : 6'h0) : 6'h0;
+  logic [11:0] sum_3789;
+  assign sum_3789 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3788[5]}}, select_3788};
+  // hls/stages/agreement.hpp:788
+  logic and_3793;
+  assign and_3793 = equal_574_s3_q & (x_s3_q[6] & (not_1995_s3_q & (equal_2898 & less_3706)));
+  // hls/stages/agreement.hpp:1142
+  logic and_3797;
+  assign and_3797 = x_s3_q[6] & (not_1995_s3_q & (less_3706 & (x_s3_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:788
+  logic and_3798;
+  assign and_3798 = equal_574_s3_q & and_3797;
+  // hls/stages/patches.hpp:648
+  logic [7:0] select_3800;
+  assign select_3800 = and_3793 ? (and_3798 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  // hls/stages/patches.hpp:650
+  logic or_3804;
+  assign or_3804 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  // hls/stages/patches.hpp:651
+  logic or_3807;
+  assign or_3807 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  // hls/stages/patches.hpp:652
+  logic [8:0] sum_3808;
+  assign sum_3808 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  // hls/stages/patches.hpp:647
+  logic select_3810;
+  assign select_3810 = and_3793 ? (and_3798 ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  // hls/stages/patches.hpp:189
+  logic and_3813;
+  assign and_3813 = patches_enough_q & patches_mostly_q;
+  // hls/stages/patches.hpp:647
+  logic [2:0] select_3815;
+  assign select_3815 = and_3798 ? {and_3813, patches_found_q[2:1]} : (and_3793 ? {and_3813, patches_found_q[2:1]} : patches_found_q);
+  // hls/stages/patches.hpp:646
+  logic or_3819;
+  assign or_3819 = patches_partly_q | (patches_doubted_q & (~and_3798));
+  // hls/stages/patches.hpp:647
+  logic select_3822;
+  assign select_3822 = and_3793 ? (and_3798 ? or_3819 : (and_3793 ? or_3819 : patches_doubted_q)) : patches_doubted_q;
+  // hls/stages/patches.hpp:645
+  logic select_3823;
+  assign select_3823 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
   // hls/stages/patches.hpp:634
-  logic or_3854;
-  assign or_3854 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  logic [7:0] select_3827;
+  assign select_3827 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  // hls/stages/patches.hpp:606
+  logic [10:0] sum_3829;
+  assign sum_3829 = {sum_3653[6], sum_3653, select_3584_s3_q[2:0]} + 11'h1;
+  // hls/stages/patches.hpp:561
+  logic and_3832;
+  assign and_3832 = equal_1962_s3_q & (not_3609 & ({{5{sum_3829[10]}}, sum_3829} < 16'h3));
+  // hls/stages/patches.hpp:185
+  logic and_3835;
+  assign and_3835 = equal_1779_s3_q & (less_1959_s3_q ? (not_1961_s3_q & and_3832) : and_3832);
+  // hls/stages/patches.hpp:189
+  logic and_3836;
+  assign and_3836 = and_3613 & and_3835;
+  // hls/stages/patches.hpp:665
+  logic [7:0] sum_3837;
+  assign sum_3837 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3836};
+  // hls/stages/patches.hpp:654
+  logic [12:0] product_3842;
+  assign product_3842 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_3800};
+  // hls/stages/patches.hpp:189
+  logic and_3844;
+  assign and_3844 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_3842[12:5] < patches_on_skin_q);
+  logic select_3849;
+  assign select_3849 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:635
+  logic or_3853;
+  assign or_3853 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  // hls/stages/patches.hpp:636
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
-  // hls/stages/patches.hpp:636
-  logic select_3861;
-  assign select_3861 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:637
-  logic and_3867;
-  assign and_3867 = patches_frame_ended_s3_q & (~patches_age_q[9]);
-  logic [9:0] sum_3868;
-  assign sum_3868 = patches_age_q + {9'h0, and_3867};
-  logic [9:0] select_3871;
-  assign select_3871 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3868)) : sum_3868;
+  logic select_3860;
+  assign select_3860 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  // hls/stages/patches.hpp:638
+  logic and_3866;
+  assign and_3866 = patches_frame_ended_s3_q & (~patches_age_q[9]);
+  logic [9:0] sum_3867;
+  assign sum_3867 = patches_age_q + {9'h0, and_3866};
+  logic [9:0] select_3870;
+  assign select_3870 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3867)) : sum_3867;
   // hls/stages/agreement.hpp:1188
-  logic or_3928;
-  assign or_3928 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  logic or_3927;
+  assign or_3927 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1217
-  logic equal_3930;
-  assign equal_3930 = x_s3_q[6:3] == 4'h7;
+  logic equal_3929;
+  assign equal_3929 = x_s3_q[6:3] == 4'h7;
   // hls/stages/agreement.hpp:1226
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
   // hls/stages/agreement.hpp:1227
-  logic select_3936;
-  assign select_3936 = (equal_3930 & equal_3706) ? too_little : disagree_q;
+  logic select_3935;
+  assign select_3935 = (equal_3929 & equal_3705) ? too_little : disagree_q;
   // hls/stages/agreement.hpp:1135
-  logic [10:0] sum_3939;
-  assign sum_3939 = {1'b0, select_2652} + {2'h0, select_2652[9:1]};
-  logic select_3942;
-  assign select_3942 = (select_2649[9:3] == 7'h0) ? ((~or_3928) & (~select_3936)) : (~({sum_3939, select_2652[0]} < {2'h0, select_2649}));
+  logic [10:0] sum_3938;
+  assign sum_3938 = {1'b0, select_2651} + {2'h0, select_2651[9:1]};
+  logic select_3941;
+  assign select_3941 = (select_2648[9:3] == 7'h0) ? ((~or_3927) & (~select_3935)) : (~({sum_3938, select_2651[0]} < {2'h0, select_2648}));
   // hls/stages/agreement.hpp:1142
-  logic [47:0] select_3944;
-  assign select_3944 = x_s3_q[6] ? (equal_1607_s3_q ? good_q : {select_3942, good_q[47:1]}) : good_q;
+  logic [47:0] select_3943;
+  assign select_3943 = x_s3_q[6] ? (equal_1607_s3_q ? good_q : {select_3941, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:788
-  logic select_3949;
-  assign select_3949 = equal_574_s3_q ? ((x_s3_q[6] & good_known_q) | equal_3947_s3_q) : good_known_q;
+  logic select_3948;
+  assign select_3948 = equal_574_s3_q ? ((x_s3_q[6] & good_known_q) | equal_3946_s3_q) : good_known_q;
   // hls/stages/agreement.hpp:1217
-  logic equal_3950;
-  assign equal_3950 = x_s3_q[6:3] == 4'ha;
+  logic equal_3949;
+  assign equal_3949 = x_s3_q[6:3] == 4'ha;
+  logic equal_3951;
+  assign equal_3951 = x_s3_q[6:3] == 4'hc;
   logic equal_3952;
-  assign equal_3952 = x_s3_q[6:3] == 4'hc;
+  assign equal_3952 = x_s3_q[6:3] == 4'hb;
   logic equal_3953;
-  assign equal_3953 = x_s3_q[6:3] == 4'hb;
+  assign equal_3953 = x_s3_q[6:3] == 4'h9;
   logic equal_3954;
-  assign equal_3954 = x_s3_q[6:3] == 4'h9;
-  logic equal_3955;
-  assign equal_3955 = x_s3_q[6:3] == 4'h8;
+  assign equal_3954 = x_s3_q[6:3] == 4'h8;
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3957;
-  assign select_3957 = equal_3954 ? counts_skin_unproven_q : (equal_3955 ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_3959;
-  assign select_3959 = equal_3953 ? counts_regions_bad_q : (equal_3950 ? counts_nearer_q : select_3957);
+  logic [13:0] select_3956;
+  assign select_3956 = equal_3953 ? counts_skin_unproven_q : (equal_3954 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_3958;
+  assign select_3958 = equal_3952 ? counts_regions_bad_q : (equal_3949 ? counts_nearer_q : select_3956);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_3952 ? counts_on_skin_q : select_3959;
+  assign before_v_4 = equal_3951 ? counts_on_skin_q : select_3958;
   // hls/stages/agreement.hpp:1222
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_4};
   // hls/stages/agreement.hpp:1230
-  logic select_3962;
-  assign select_3962 = (equal_3950 & equal_3706) ? over[14] : hides_q;
+  logic select_3961;
+  assign select_3961 = (equal_3949 & equal_3705) ? over[14] : hides_q;
   // hls/stages/agreement.hpp:1148
-  logic not_3963;
-  assign not_3963 = ~hidden_for_q[7];
-  logic [7:0] select_3965;
-  assign select_3965 = select_3962 ? (hidden_for_q + {7'h0, not_3963}) : 8'h0;
+  logic not_3962;
+  assign not_3962 = ~hidden_for_q[7];
+  logic [7:0] select_3964;
+  assign select_3964 = select_3961 ? (hidden_for_q + {7'h0, not_3962}) : 8'h0;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3967;
-  assign select_3967 = equal_574_s3_q ? (equal_3947_s3_q ? select_3965 : hidden_for_q) : hidden_for_q;
+  logic [7:0] select_3966;
+  assign select_3966 = equal_574_s3_q ? (equal_3946_s3_q ? select_3964 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1231
-  logic [13:0] select_3968;
-  assign select_3968 = equal_3706 ? 14'h0 : product_q;
+  logic [13:0] select_3967;
+  assign select_3967 = equal_3705 ? 14'h0 : product_q;
   // hls/stages/agreement.hpp:1125
-  logic [7:0] select_3970;
-  assign select_3970 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_3972;
-  assign select_3972 = equal_3955 ? cfg_unproven_skin_limit_i : (equal_3930 ? cfg_unproven_limit_i : select_3970);
-  logic [7:0] select_3974;
-  assign select_3974 = equal_3950 ? cfg_regions_limit_i : (equal_3954 ? cfg_hidden_limit_i : select_3972);
+  logic [7:0] select_3969;
+  assign select_3969 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_3971;
+  assign select_3971 = equal_3954 ? cfg_unproven_skin_limit_i : (equal_3929 ? cfg_unproven_limit_i : select_3969);
+  logic [7:0] select_3973;
+  assign select_3973 = equal_3949 ? cfg_regions_limit_i : (equal_3953 ? cfg_hidden_limit_i : select_3971);
   logic [7:0] limit;
-  assign limit = equal_3952 ? cfg_regions_limit_i : (equal_3953 ? {cfg_on_skin_limit_i, 3'h0} : select_3974);
+  assign limit = equal_3951 ? cfg_regions_limit_i : (equal_3952 ? {cfg_on_skin_limit_i, 3'h0} : select_3973);
   // hls/stages/agreement.hpp:1231
-  logic not_3977;
-  assign not_3977 = ~x_s3_q[2];
-  logic [3:0] select_3978;
-  assign select_3978 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_3977, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_3977};
-  logic [7:0] select_3979;
-  assign select_3979 = x_s3_q[0] ? {select_3978[3], 1'b0, select_3978[2], 1'b0, select_3978[1], 1'b0, select_3978[0], 1'b0} : {1'b0, select_3978[3], 1'b0, select_3978[2], 1'b0, select_3978[1], 1'b0, select_3978[0]};
+  logic not_3976;
+  assign not_3976 = ~x_s3_q[2];
+  logic [3:0] select_3977;
+  assign select_3977 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_3976, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_3976};
+  logic [7:0] select_3978;
+  assign select_3978 = x_s3_q[0] ? {select_3977[3], 1'b0, select_3977[2], 1'b0, select_3977[1], 1'b0, select_3977[0], 1'b0} : {1'b0, select_3977[3], 1'b0, select_3977[2], 1'b0, select_3977[1], 1'b0, select_3977[0]};
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3983;
-  assign select_3983 = equal_3954 ? counts_skin_supervised_q : (equal_3955 ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] select_3985;
-  assign select_3985 = equal_3953 ? counts_skin_textured_q : (equal_3950 ? counts_textured_q : select_3983);
+  logic [13:0] select_3982;
+  assign select_3982 = equal_3953 ? counts_skin_supervised_q : (equal_3954 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_3984;
+  assign select_3984 = equal_3952 ? counts_skin_textured_q : (equal_3949 ? counts_textured_q : select_3982);
   logic [13:0] of;
-  assign of = equal_3952 ? counts_textured_q : select_3985;
+  assign of = equal_3951 ? counts_textured_q : select_3984;
   // hls/stages/agreement.hpp:1231
-  logic [13:0] select_3987;
-  assign select_3987 = ((limit & select_3979) == 8'h0) ? 14'h0 : of;
+  logic [13:0] select_3986;
+  assign select_3986 = ((limit & select_3978) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_3968} + {1'b0, select_3987};
+  assign sum_4 = {1'b0, select_3967} + {1'b0, select_3986};
   // hls/stages/agreement.hpp:788
-  logic select_3992;
-  assign select_3992 = equal_574_s3_q ? (equal_3706 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
+  logic select_3991;
+  assign select_3991 = equal_574_s3_q ? (equal_3705 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
   // hls/stages/agreement.hpp:1228
-  logic and_3997;
-  assign and_3997 = too_much_q & (~(equal_3955 & equal_3706));
+  logic and_3996;
+  assign and_3996 = too_much_q & (~(equal_3954 & equal_3705));
   // hls/stages/agreement.hpp:1229
-  logic select_4002;
-  assign select_4002 = (over[14] & equal_3706) ? (and_3997 | ((equal_3955 | equal_3954) | (x_s3_q[6:3] == 4'hf))) : and_3997;
+  logic select_4001;
+  assign select_4001 = (over[14] & equal_3705) ? (and_3996 | ((equal_3954 | equal_3953) | (x_s3_q[6:3] == 4'hf))) : and_3996;
   // hls/stages/agreement.hpp:1125
-  logic and_4007;
-  assign and_4007 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  logic and_4006;
+  assign and_4006 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
   // hls/stages/agreement.hpp:1231
-  logic select_4008;
-  assign select_4008 = (equal_3952 & equal_3706) ? and_4007 : overlooks_q;
+  logic select_4007;
+  assign select_4007 = (equal_3951 & equal_3705) ? and_4006 : overlooks_q;
   // hls/stages/agreement.hpp:788
-  logic [2:0] select_4010;
-  assign select_4010 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic [2:0] select_4009;
+  assign select_4009 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic [2:0] select_4011;
+  assign select_4011 = equal_574_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4009 : box_textured_columns_values_0_q);
   logic [2:0] select_4012;
-  assign select_4012 = equal_574_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4010 : box_textured_columns_values_0_q);
-  logic [2:0] select_4013;
-  assign select_4013 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  assign select_4012 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_4014;
+  assign select_4014 = equal_574_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4012 : box_textured_columns_values_1_q);
   logic [2:0] select_4015;
-  assign select_4015 = equal_574_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4013 : box_textured_columns_values_1_q);
-  logic [2:0] select_4016;
-  assign select_4016 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  assign select_4015 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_4017;
+  assign select_4017 = equal_574_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4015 : box_textured_columns_values_2_q);
   logic [2:0] select_4018;
-  assign select_4018 = equal_574_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4016 : box_textured_columns_values_2_q);
-  logic [2:0] select_4019;
-  assign select_4019 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  assign select_4018 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_4020;
+  assign select_4020 = equal_574_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4018 : box_textured_columns_values_3_q);
   logic [2:0] select_4021;
-  assign select_4021 = equal_574_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4019 : box_textured_columns_values_3_q);
-  logic [2:0] select_4022;
-  assign select_4022 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_4024;
-  assign select_4024 = equal_574_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4022 : box_textured_columns_values_4_q);
-  logic [4:0] select_4026;
-  assign select_4026 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_4028;
-  assign select_4028 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  assign select_4021 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_4023;
+  assign select_4023 = equal_574_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4021 : box_textured_columns_values_4_q);
+  logic [4:0] select_4025;
+  assign select_4025 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [2:0] select_4027;
+  assign select_4027 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  logic [2:0] select_4029;
+  assign select_4029 = equal_574_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4027 : box_explained_columns_values_0_q);
   logic [2:0] select_4030;
-  assign select_4030 = equal_574_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4028 : box_explained_columns_values_0_q);
-  logic [2:0] select_4031;
-  assign select_4031 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_4030 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_4032;
+  assign select_4032 = equal_574_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4030 : box_explained_columns_values_1_q);
   logic [2:0] select_4033;
-  assign select_4033 = equal_574_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4031 : box_explained_columns_values_1_q);
-  logic [2:0] select_4034;
-  assign select_4034 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_4033 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_4035;
+  assign select_4035 = equal_574_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4033 : box_explained_columns_values_2_q);
   logic [2:0] select_4036;
-  assign select_4036 = equal_574_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4034 : box_explained_columns_values_2_q);
-  logic [2:0] select_4037;
-  assign select_4037 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  assign select_4036 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_4038;
+  assign select_4038 = equal_574_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4036 : box_explained_columns_values_3_q);
   logic [2:0] select_4039;
-  assign select_4039 = equal_574_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4037 : box_explained_columns_values_3_q);
-  logic [2:0] select_4040;
-  assign select_4040 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [2:0] select_4042;
-  assign select_4042 = equal_574_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4040 : box_explained_columns_values_4_q);
-  logic [4:0] select_4044;
-  assign select_4044 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [2:0] select_4047;
-  assign select_4047 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
-  logic [2:0] select_4049;
-  assign select_4049 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_4039 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_4041;
+  assign select_4041 = equal_574_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4039 : box_explained_columns_values_4_q);
+  logic [4:0] select_4043;
+  assign select_4043 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [2:0] select_4046;
+  assign select_4046 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_4048;
+  assign select_4048 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4050;
+  assign select_4050 = equal_574_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4048 : box_shown_columns_values_1_q);
   logic [2:0] select_4051;
-  assign select_4051 = equal_574_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4049 : box_shown_columns_values_1_q);
-  logic [2:0] select_4052;
-  assign select_4052 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_4051 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_4053;
+  assign select_4053 = equal_574_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4051 : box_shown_columns_values_2_q);
   logic [2:0] select_4054;
-  assign select_4054 = equal_574_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4052 : box_shown_columns_values_2_q);
-  logic [2:0] select_4055;
-  assign select_4055 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  assign select_4054 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_4056;
+  assign select_4056 = equal_574_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4054 : box_shown_columns_values_3_q);
   logic [2:0] select_4057;
-  assign select_4057 = equal_574_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4055 : box_shown_columns_values_3_q);
-  logic [2:0] select_4058;
-  assign select_4058 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_4060;
-  assign select_4060 = equal_574_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4058 : box_shown_columns_values_4_q);
-  logic [4:0] select_4062;
-  assign select_4062 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_4065;
-  assign select_4065 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_4067;
-  assign select_4067 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_4057 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4059;
+  assign select_4059 = equal_574_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4057 : box_shown_columns_values_4_q);
+  logic [4:0] select_4061;
+  assign select_4061 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [2:0] select_4064;
+  assign select_4064 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_4066;
+  assign select_4066 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4068;
+  assign select_4068 = equal_574_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4066 : box_nearer_columns_values_1_q);
   logic [2:0] select_4069;
-  assign select_4069 = equal_574_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4067 : box_nearer_columns_values_1_q);
-  logic [2:0] select_4070;
-  assign select_4070 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_4069 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4071;
+  assign select_4071 = equal_574_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4069 : box_nearer_columns_values_2_q);
   logic [2:0] select_4072;
-  assign select_4072 = equal_574_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4070 : box_nearer_columns_values_2_q);
-  logic [2:0] select_4073;
-  assign select_4073 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  assign select_4072 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4074;
+  assign select_4074 = equal_574_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4072 : box_nearer_columns_values_3_q);
   logic [2:0] select_4075;
-  assign select_4075 = equal_574_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4073 : box_nearer_columns_values_3_q);
-  logic [2:0] select_4076;
-  assign select_4076 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_4078;
-  assign select_4078 = equal_574_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4076 : box_nearer_columns_values_4_q);
-  logic [4:0] select_4080;
-  assign select_4080 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  assign select_4075 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4077;
+  assign select_4077 = equal_574_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4075 : box_nearer_columns_values_4_q);
+  logic [4:0] select_4079;
+  assign select_4079 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:1275
-  logic select_4115;
-  assign select_4115 = left_first_s3_q ? done_s3_q : proven_q;
+  logic select_4114;
+  assign select_4114 = left_first_s3_q ? done_s3_q : proven_q;
   // hls/stages/agreement.hpp:278
-  logic select_4117;
-  assign select_4117 = left_first_s3_q ? done_s3_q : (and_1977_s3_q ? select_4115 : proven_q);
+  logic select_4116;
+  assign select_4116 = left_first_s3_q ? done_s3_q : (and_1976_s3_q ? select_4114 : proven_q);
   // hls/stages/agreement.hpp:1308
-  logic [1:0] select_4168;
-  assign select_4168 = and_4167_s3_q ? {and_2133, is_seen} : map_rdata_q;
+  logic [1:0] select_4167;
+  assign select_4167 = and_4166_s3_q ? {and_2132, is_seen} : map_rdata_q;
   // hls/stages/agreement.hpp:1309
-  logic and_4169;
-  assign and_4169 = select_4115 & less_4145;
+  logic and_4168;
+  assign and_4168 = select_4114 & less_4144;
   // hls/stages/agreement.hpp:438
-  logic select_4172;
-  assign select_4172 = and_2060_s3_q ? (less_2061_s3_q ? (select_4168[0] & and_4169) : seen_q) : seen_q;
+  logic select_4171;
+  assign select_4171 = and_2059_s3_q ? (less_2060_s3_q ? (select_4167[0] & and_4168) : seen_q) : seen_q;
   // hls/stages/agreement.hpp:278
+  logic select_4173;
+  assign select_4173 = left_first_s3_q ? select_4171 : (and_1976_s3_q ? select_4171 : seen_q);
   logic select_4174;
-  assign select_4174 = left_first_s3_q ? select_4172 : (and_1977_s3_q ? select_4172 : seen_q);
-  logic select_4175;
-  assign select_4175 = and_1977_s3_q ? select_4174 : seen_q;
+  assign select_4174 = and_1976_s3_q ? select_4173 : seen_q;
   // hls/stages/agreement.hpp:438
-  logic select_4178;
-  assign select_4178 = and_2060_s3_q ? (less_2061_s3_q ? (select_4168[1] & and_4169) : nearer_q) : nearer_q;
+  logic select_4177;
+  assign select_4177 = and_2059_s3_q ? (less_2060_s3_q ? (select_4167[1] & and_4168) : nearer_q) : nearer_q;
   // hls/stages/agreement.hpp:278
+  logic select_4179;
+  assign select_4179 = left_first_s3_q ? select_4177 : (and_1976_s3_q ? select_4177 : nearer_q);
   logic select_4180;
-  assign select_4180 = left_first_s3_q ? select_4178 : (and_1977_s3_q ? select_4178 : nearer_q);
-  logic select_4181;
-  assign select_4181 = and_1977_s3_q ? select_4180 : nearer_q;
+  assign select_4180 = and_1976_s3_q ? select_4179 : nearer_q;
   // hls/stages/agreement.hpp:1239
-  logic or_4188;
-  assign or_4188 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | (~proven_q);
+  logic or_4187;
+  assign or_4187 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | (~proven_q);
   // hls/stages/agreement.hpp:1241
-  logic not_4196;
-  assign not_4196 = ~(or_3928 | not_2354);
+  logic not_4195;
+  assign not_4195 = ~(or_3927 | not_2353);
   // hls/stages/agreement.hpp:788
-  logic and_4200;
-  assign and_4200 = equal_574_s3_q & (equal_3947_s3_q & (not_4196 & (select_3936 | select_4002)));
-  logic and_4203;
-  assign and_4203 = equal_3947_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  logic and_4199;
+  assign and_4199 = equal_574_s3_q & (equal_3946_s3_q & (not_4195 & (select_3935 | select_4001)));
+  logic and_4202;
+  assign and_4202 = equal_3946_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
   // hls/stages/agreement.hpp:1150
-  logic or_4207;
-  assign or_4207 = select_2452 | (select_2464 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  logic or_4206;
+  assign or_4206 = select_2451 | (select_2463 | ($signed(20'h0) < $signed(census_left_misses_q)));
   // hls/stages/agreement.hpp:788
-  logic and_4214;
-  assign and_4214 = equal_574_s3_q & (equal_3947_s3_q & (not_4196 & (select_2458 | select_2470)));
+  logic and_4213;
+  assign and_4213 = equal_574_s3_q & (equal_3946_s3_q & (not_4195 & (select_2457 | select_2469)));
   // hls/stages/agreement.hpp:1150
-  logic and_4219;
-  assign and_4219 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3965 < cfg_hidden_frames_i));
-  logic select_4225;
-  assign select_4225 = (not_2354 | (select_4008 & not_3840)) ? cfg_prove_i : patches_overlooked_q;
+  logic and_4218;
+  assign and_4218 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3964 < cfg_hidden_frames_i));
+  logic select_4224;
+  assign select_4224 = (not_2353 | (select_4007 & not_3839)) ? cfg_prove_i : patches_overlooked_q;
   // hls/stages/agreement.hpp:788
-  logic and_4230;
-  assign and_4230 = equal_574_s3_q & (equal_3947_s3_q & (cfg_prove_i & moments_out_of_step_q));
-  logic and_4234;
-  assign and_4234 = equal_574_s3_q & (x_s3_q[6] & (not_1996_s3_q | (4'hc < x_s3_q[5:2])));
+  logic and_4229;
+  assign and_4229 = equal_574_s3_q & (equal_3946_s3_q & (cfg_prove_i & moments_out_of_step_q));
+  logic and_4233;
+  assign and_4233 = equal_574_s3_q & (x_s3_q[6] & (not_1995_s3_q | (4'hc < x_s3_q[5:2])));
   // hls/stages/agreement.hpp:1140
+  logic [31:0] select_4241;
+  assign select_4241 = equal_1629_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4239_s3_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_4242;
-  assign select_4242 = equal_1629_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4240_s3_q ? registration_sums_rdata_q : 32'h0);
+  assign select_4242 = equal_1627_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4241;
   logic [31:0] select_4243;
-  assign select_4243 = equal_1627_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4242;
+  assign select_4243 = equal_1625_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4242;
   logic [31:0] select_4244;
-  assign select_4244 = equal_1625_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4243;
+  assign select_4244 = equal_1623_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4243;
   logic [31:0] select_4245;
-  assign select_4245 = equal_1623_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4244;
+  assign select_4245 = equal_1621_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4244;
   logic [31:0] select_4246;
-  assign select_4246 = equal_1621_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4245;
+  assign select_4246 = equal_1619_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4245;
   logic [31:0] select_4247;
-  assign select_4247 = equal_1619_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4246;
+  assign select_4247 = equal_1617_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4246;
   logic [31:0] select_4248;
-  assign select_4248 = equal_1617_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4247;
-  logic [31:0] select_4249;
-  assign select_4249 = equal_1615_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4248;
+  assign select_4248 = equal_1615_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4247;
   // hls/stages/agreement.hpp:1138
-  logic [9:0] select_4250;
-  assign select_4250 = less_2648 ? 10'h0 : regions_rdata_q[29:20];
+  logic [9:0] select_4249;
+  assign select_4249 = less_2647 ? 10'h0 : regions_rdata_q[29:20];
   // hls/stages/agreement.hpp:1142
-  logic [31:0] select_4251;
-  assign select_4251 = equal_1607_s3_q ? select_4249 : {2'h0, select_4250, select_2652, select_2649};
+  logic [31:0] select_4250;
+  assign select_4250 = equal_1607_s3_q ? select_4248 : {2'h0, select_4249, select_2651, select_2648};
 
   // Memory fresh, write
   logic [5:0] fresh_waddr;
@@ -7015,9 +7012,9 @@ module horopter_agreement (
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_1809_s3_q, select_1835};
+  assign patches_right_1_waddr = {select_1809_s3_q, select_1834};
   logic patches_right_1_we;
-  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_1838);
+  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_1837);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_1_we) patches_right_1_mem[patches_right_1_waddr] <= sample_pair_pixel_1_s3_q;
   end
@@ -7054,9 +7051,9 @@ module horopter_agreement (
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_1857, select_1856_s3_q, column_4};
+  assign patches_left_waddr = {select_1856, select_1855_s3_q, column_4};
   logic patches_left_we;
-  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_1863);
+  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_1862);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_left_we) patches_left_mem[patches_left_waddr] <= sample_pair_pixel_0_s3_q;
   end
@@ -7097,7 +7094,7 @@ module horopter_agreement (
   logic patches_rows_we;
   assign patches_rows_we = s3_en & patches_summed_last_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= select_1984;
+    if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= select_1983;
   end
 `ifndef SYNTHESIS
   logic [4:0] patches_rows_raddr_s2_sim;
@@ -7126,11 +7123,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s3_q, or_1994_s3_q, or_1991_s3_q, or_1988_s3_q};
+  assign regions_waddr = {region_row_s3_q, or_1993_s3_q, or_1990_s3_q, or_1987_s3_q};
   logic regions_we;
-  assign regions_we = s3_en & and_2028_s3_q;
+  assign regions_we = s3_en & and_2027_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_2027, sum_2017, sum_2012};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_2026, sum_2016, sum_2011};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -7144,11 +7141,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [11:0] map_waddr;
-  assign map_waddr = sum_2069_s3_q;
+  assign map_waddr = sum_2068_s3_q;
   logic map_we;
-  assign map_we = s3_en & and_2143_s3_q;
+  assign map_we = s3_en & and_2142_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_2133, is_seen};
+    if (map_we) map_mem[map_waddr] <= {and_2132, is_seen};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -7208,11 +7205,11 @@ module horopter_agreement (
       registration_other_up_q <= 1'b0;
       registration_moved_q <= 1'b0;
       patches_place_0_valid_q <= 1'b0;
-      patches_place_0_column_q <= 7'h0;
+      patches_place_0_column_q <= 8'h0;
       patches_place_0_shift_q <= 6'h0;
       patches_place_0_slope_q <= 8'h0;
       patches_place_1_valid_q <= 1'b0;
-      patches_place_1_column_q <= 7'h0;
+      patches_place_1_column_q <= 8'h0;
       patches_place_1_shift_q <= 6'h0;
       patches_place_1_slope_q <= 8'h0;
       patches_valid_0_q <= 1'b0;
@@ -7299,140 +7296,140 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s3_en) begin
-      census_left_misses_q <= select_2293;
-      sharpness_before_last_mask_q <= select_2366;
-      sharpness_sums_detail_0_q <= and_549_s3_q ? select_2380 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_549_s3_q ? select_2392 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_549_s3_q ? sum_2396 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_549_s3_q ? sum_2400 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2418 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2428 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2430 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2432 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2434 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2436 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2441;
-      sharpness_comparing_carry_1_q <= select_2445;
-      sharpness_comparing_less_detail_0_q <= select_2452;
-      sharpness_comparing_less_detail_1_q <= select_2458;
-      sharpness_comparing_less_contrast_0_q <= select_2464;
-      sharpness_comparing_less_contrast_1_q <= select_2470;
-      counts_supervised_q <= select_2606;
-      counts_textured_q <= and_2598_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_2609});
-      counts_explained_q <= and_2598_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_2614});
-      counts_nearer_q <= and_2598_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2619});
-      counts_unproven_q <= and_2598_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2645});
-      counts_regions_bad_q <= select_2661;
-      counts_skin_supervised_q <= select_2668;
-      counts_skin_textured_q <= select_2675;
-      counts_skin_unproven_q <= select_2683;
-      counts_on_skin_q <= select_2702;
-      registration_half_across_q <= select_2780;
-      registration_half_measured_q <= select_2785;
-      registration_half_votes_down_q <= and_2758_s3_q ? 7'h0 : sum_2791;
-      registration_half_votes_up_q <= and_2758_s3_q ? 7'h0 : sum_2799;
-      registration_half_half_votes_down_q <= and_2758_s3_q ? 7'h0 : sum_2806;
-      registration_half_half_votes_up_q <= and_2758_s3_q ? 7'h0 : sum_2813;
-      registration_down_q <= and_2847 ? sum_2866 : registration_down_q;
-      registration_up_q <= and_2847 ? sum_2875 : registration_up_q;
-      registration_enough_q <= select_2889;
-      registration_votes_down_q <= and_2894 ? less_2895 : registration_votes_down_q;
-      registration_votes_up_q <= and_2894 ? less_2897 : registration_votes_up_q;
-      registration_other_enough_q <= and_2903 ? select_2889 : registration_other_enough_q;
-      registration_other_down_q <= and_2903 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2903 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_574_s3_q & and_2910)) & or_2935;
+      census_left_misses_q <= select_2292;
+      sharpness_before_last_mask_q <= select_2365;
+      sharpness_sums_detail_0_q <= and_549_s3_q ? select_2379 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_549_s3_q ? select_2391 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_549_s3_q ? sum_2395 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_549_s3_q ? sum_2399 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2417 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2427 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2429 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2431 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2433 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2435 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2440;
+      sharpness_comparing_carry_1_q <= select_2444;
+      sharpness_comparing_less_detail_0_q <= select_2451;
+      sharpness_comparing_less_detail_1_q <= select_2457;
+      sharpness_comparing_less_contrast_0_q <= select_2463;
+      sharpness_comparing_less_contrast_1_q <= select_2469;
+      counts_supervised_q <= select_2605;
+      counts_textured_q <= and_2597_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_2608});
+      counts_explained_q <= and_2597_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_2613});
+      counts_nearer_q <= and_2597_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2618});
+      counts_unproven_q <= and_2597_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2644});
+      counts_regions_bad_q <= select_2660;
+      counts_skin_supervised_q <= select_2667;
+      counts_skin_textured_q <= select_2674;
+      counts_skin_unproven_q <= select_2682;
+      counts_on_skin_q <= select_2701;
+      registration_half_across_q <= select_2779;
+      registration_half_measured_q <= select_2784;
+      registration_half_votes_down_q <= and_2757_s3_q ? 7'h0 : sum_2790;
+      registration_half_votes_up_q <= and_2757_s3_q ? 7'h0 : sum_2798;
+      registration_half_half_votes_down_q <= and_2757_s3_q ? 7'h0 : sum_2805;
+      registration_half_half_votes_up_q <= and_2757_s3_q ? 7'h0 : sum_2812;
+      registration_down_q <= and_2846 ? sum_2865 : registration_down_q;
+      registration_up_q <= and_2846 ? sum_2874 : registration_up_q;
+      registration_enough_q <= select_2888;
+      registration_votes_down_q <= and_2893 ? less_2894 : registration_votes_down_q;
+      registration_votes_up_q <= and_2893 ? less_2896 : registration_votes_up_q;
+      registration_other_enough_q <= and_2902 ? select_2888 : registration_other_enough_q;
+      registration_other_down_q <= and_2902 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2902 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_574_s3_q & and_2909)) & or_2934;
       patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_1797 : patches_place_0_valid_q;
-      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_1799 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_1800 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3019;
+      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_1800 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_1801 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_3018;
       patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_1826 : patches_place_1_valid_q;
       patches_place_1_column_q <= sample_pair_whole_s3_q ? select_1828 : patches_place_1_column_q;
       patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_1829 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3024;
-      patches_valid_0_q <= select_3029;
-      patches_valid_1_q <= select_3034;
-      patches_right_next_0_q <= select_3037;
-      patches_right_next_1_q <= select_3040;
-      patches_left_next_0_q <= select_3043;
-      patches_left_next_1_q <= select_3046;
-      patches_sums_values_0_q <= select_3470;
-      patches_sums_values_1_q <= equal_1779_s3_q ? patches_sums_values_1_q : select_3471;
-      patches_sums_values_2_q <= equal_1779_s3_q ? patches_sums_values_2_q : select_3473;
-      patches_sums_values_3_q <= equal_1779_s3_q ? patches_sums_values_3_q : select_3475;
-      patches_sums_values_4_q <= equal_1779_s3_q ? patches_sums_values_4_q : select_3477;
-      patches_sums_values_5_q <= equal_1779_s3_q ? patches_sums_values_5_q : select_3479;
-      patches_sums_values_6_q <= equal_1779_s3_q ? patches_sums_values_6_q : select_3481;
-      patches_sums_values_7_q <= equal_1779_s3_q ? patches_sums_values_7_q : select_3483;
-      patches_sums_values_8_q <= equal_1779_s3_q ? patches_sums_values_8_q : select_3485;
-      patches_sums_values_9_q <= equal_1779_s3_q ? patches_sums_values_9_q : select_3487;
-      patches_sums_values_10_q <= equal_1779_s3_q ? patches_sums_values_10_q : select_3489;
-      patches_sums_values_11_q <= equal_1779_s3_q ? patches_sums_values_11_q : select_3491;
-      patches_sums_values_12_q <= equal_1779_s3_q ? patches_sums_values_12_q : select_3493;
-      patches_sums_values_13_q <= equal_1779_s3_q ? patches_sums_values_13_q : select_3495;
-      patches_sums_values_14_q <= equal_1779_s3_q ? patches_sums_values_14_q : select_3497;
-      patches_sums_values_15_q <= equal_1779_s3_q ? patches_sums_values_15_q : select_3499;
-      patches_sums_values_16_q <= equal_1779_s3_q ? patches_sums_values_16_q : select_3501;
-      patches_best_differing_q <= select_1984[9:0];
-      patches_best_column_q <= select_1984[14:10];
-      patches_quarters_0_places_q <= sum_3625;
-      patches_quarters_0_up_q <= sum_3665;
-      patches_quarters_0_down_q <= sum_3675;
-      patches_quarters_1_places_q <= sum_3679;
-      patches_quarters_1_up_q <= sum_3682;
-      patches_quarters_1_down_q <= sum_3685;
-      patches_quarters_2_places_q <= sum_3689;
-      patches_quarters_2_up_q <= sum_3692;
-      patches_quarters_2_down_q <= sum_3695;
-      patches_quarters_3_places_q <= sum_3699;
-      patches_quarters_3_up_q <= sum_3702;
-      patches_quarters_3_down_q <= sum_3705;
-      patches_word_places_q <= or_3733;
-      patches_word_up_q <= ((select_3743 | select_3745) | select_3748) | select_3751;
-      patches_word_down_q <= ((select_3754 | select_3756) | select_3759) | select_3762;
-      patches_sum_places_q <= select_3772;
-      patches_sum_up_q <= select_3775;
-      patches_sum_down_q <= select_3778;
-      patches_across_q <= sum_3790;
-      patches_places_q <= select_3801;
+      patches_place_1_slope_q <= select_3023;
+      patches_valid_0_q <= select_3028;
+      patches_valid_1_q <= select_3033;
+      patches_right_next_0_q <= select_3036;
+      patches_right_next_1_q <= select_3039;
+      patches_left_next_0_q <= select_3042;
+      patches_left_next_1_q <= select_3045;
+      patches_sums_values_0_q <= select_3469;
+      patches_sums_values_1_q <= equal_1779_s3_q ? patches_sums_values_1_q : select_3470;
+      patches_sums_values_2_q <= equal_1779_s3_q ? patches_sums_values_2_q : select_3472;
+      patches_sums_values_3_q <= equal_1779_s3_q ? patches_sums_values_3_q : select_3474;
+      patches_sums_values_4_q <= equal_1779_s3_q ? patches_sums_values_4_q : select_3476;
+      patches_sums_values_5_q <= equal_1779_s3_q ? patches_sums_values_5_q : select_3478;
+      patches_sums_values_6_q <= equal_1779_s3_q ? patches_sums_values_6_q : select_3480;
+      patches_sums_values_7_q <= equal_1779_s3_q ? patches_sums_values_7_q : select_3482;
+      patches_sums_values_8_q <= equal_1779_s3_q ? patches_sums_values_8_q : select_3484;
+      patches_sums_values_9_q <= equal_1779_s3_q ? patches_sums_values_9_q : select_3486;
+      patches_sums_values_10_q <= equal_1779_s3_q ? patches_sums_values_10_q : select_3488;
+      patches_sums_values_11_q <= equal_1779_s3_q ? patches_sums_values_11_q : select_3490;
+      patches_sums_values_12_q <= equal_1779_s3_q ? patches_sums_values_12_q : select_3492;
+      patches_sums_values_13_q <= equal_1779_s3_q ? patches_sums_values_13_q : select_3494;
+      patches_sums_values_14_q <= equal_1779_s3_q ? patches_sums_values_14_q : select_3496;
+      patches_sums_values_15_q <= equal_1779_s3_q ? patches_sums_values_15_q : select_3498;
+      patches_sums_values_16_q <= equal_1779_s3_q ? patches_sums_values_16_q : select_3500;
+      patches_best_differing_q <= select_1983[9:0];
+      patches_best_column_q <= select_1983[14:10];
+      patches_quarters_0_places_q <= sum_3624;
+      patches_quarters_0_up_q <= sum_3664;
+      patches_quarters_0_down_q <= sum_3674;
+      patches_quarters_1_places_q <= sum_3678;
+      patches_quarters_1_up_q <= sum_3681;
+      patches_quarters_1_down_q <= sum_3684;
+      patches_quarters_2_places_q <= sum_3688;
+      patches_quarters_2_up_q <= sum_3691;
+      patches_quarters_2_down_q <= sum_3694;
+      patches_quarters_3_places_q <= sum_3698;
+      patches_quarters_3_up_q <= sum_3701;
+      patches_quarters_3_down_q <= sum_3704;
+      patches_word_places_q <= or_3732;
+      patches_word_up_q <= ((select_3742 | select_3744) | select_3747) | select_3750;
+      patches_word_down_q <= ((select_3753 | select_3755) | select_3758) | select_3761;
+      patches_sum_places_q <= select_3771;
+      patches_sum_up_q <= select_3774;
+      patches_sum_down_q <= select_3777;
+      patches_across_q <= sum_3789;
+      patches_places_q <= select_3800;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_3805;
-      patches_partly_q <= or_3808;
-      patches_clear_limit_q <= sum_3809[8:2];
-      patches_complete_q <= select_3811;
+      patches_mostly_q <= or_3804;
+      patches_partly_q <= or_3807;
+      patches_clear_limit_q <= sum_3808[8:2];
+      patches_complete_q <= select_3810;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= and_3794 ? select_3816 : patches_found_q;
-      patches_doubted_q <= select_3823;
-      patches_doubted_before_q <= select_3824;
+      patches_found_q <= and_3793 ? select_3815 : patches_found_q;
+      patches_doubted_q <= select_3822;
+      patches_doubted_before_q <= select_3823;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_3828;
-      patches_on_skin_q <= sum_3838;
-      patches_large_q <= not_3840 & and_3845;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3850;
-      patches_spoiled_q <= or_3854;
+      patches_round_on_skin_q <= select_3827;
+      patches_on_skin_q <= sum_3837;
+      patches_large_q <= not_3839 & and_3844;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3849;
+      patches_spoiled_q <= or_3853;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_3861;
+      patches_moved_q <= select_3860;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_3871;
-      segment_textured_q <= select_2009 + {5'h0, and_2609};
-      segment_explained_q <= select_2014 + {5'h0, and_2614};
-      segment_nearer_q <= select_2024 + {5'h0, and_2619};
+      patches_age_q <= select_3870;
+      segment_textured_q <= select_2008 + {5'h0, and_2608};
+      segment_explained_q <= select_2013 + {5'h0, and_2613};
+      segment_nearer_q <= select_2023 + {5'h0, and_2618};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_574_s3_q ? select_3944 : good_q;
-      good_known_q <= select_3949;
-      hidden_for_q <= select_3967;
+      good_q <= equal_574_s3_q ? select_3943 : good_q;
+      good_known_q <= select_3948;
+      hidden_for_q <= select_3966;
       product_q <= equal_574_s3_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_3992;
-      disagree_q <= equal_574_s3_q ? select_3936 : disagree_q;
-      too_much_q <= equal_574_s3_q ? select_4002 : too_much_q;
-      hides_q <= equal_574_s3_q ? select_3962 : hides_q;
-      overlooks_q <= equal_574_s3_q ? select_4008 : overlooks_q;
-      proven_q <= and_1977_s3_q ? select_4117 : proven_q;
-      seen_q <= select_4175;
-      nearer_q <= select_4181;
+      product_rest_q <= select_3991;
+      disagree_q <= equal_574_s3_q ? select_3935 : disagree_q;
+      too_much_q <= equal_574_s3_q ? select_4001 : too_much_q;
+      hides_q <= equal_574_s3_q ? select_3961 : hides_q;
+      overlooks_q <= equal_574_s3_q ? select_4007 : overlooks_q;
+      proven_q <= and_1976_s3_q ? select_4116 : proven_q;
+      seen_q <= select_4174;
+      nearer_q <= select_4180;
     end
   end
 
@@ -7482,45 +7479,45 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
-      averager_quarter_1_0_q <= select_2167;
-      averager_quarter_1_1_q <= select_2169;
-      averager_quarter_2_0_q <= select_2171;
-      averager_quarter_2_1_q <= select_2173;
-      averager_detail_0_q <= select_2185;
-      averager_detail_1_q <= select_2193;
+      averager_quarter_1_0_q <= select_2166;
+      averager_quarter_1_1_q <= select_2168;
+      averager_quarter_2_0_q <= select_2170;
+      averager_quarter_2_1_q <= select_2172;
+      averager_detail_0_q <= select_2184;
+      averager_detail_1_q <= select_2192;
       census_changes_values_0_left_q <= and_549_s3_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_549_s3_q ? sum_2277 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2279;
-      census_changes_values_1_right_q <= select_2280;
-      census_changes_values_2_left_q <= select_2281;
-      census_changes_values_2_right_q <= select_2282;
+      census_changes_values_0_right_q <= and_549_s3_q ? sum_2276 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2278;
+      census_changes_values_1_right_q <= select_2279;
+      census_changes_values_2_left_q <= select_2280;
+      census_changes_values_2_right_q <= select_2281;
       sharpness_last_mask_q <= and_549_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_549_s3_q ? select_2363[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_549_s3_q ? select_2363[27:14] : sharpness_last_detail_1_q;
-      box_textured_columns_values_0_q <= select_4012;
-      box_textured_columns_values_1_q <= select_4015;
-      box_textured_columns_values_2_q <= select_4018;
-      box_textured_columns_values_3_q <= select_4021;
-      box_textured_columns_values_4_q <= select_4024;
-      box_textured_sum_sums_values_0_q <= equal_574_s3_q ? box_textured_sum_sums_values_0_q : select_4026;
-      box_explained_columns_values_0_q <= select_4030;
-      box_explained_columns_values_1_q <= select_4033;
-      box_explained_columns_values_2_q <= select_4036;
-      box_explained_columns_values_3_q <= select_4039;
-      box_explained_columns_values_4_q <= select_4042;
-      box_explained_sum_sums_values_0_q <= equal_574_s3_q ? box_explained_sum_sums_values_0_q : select_4044;
-      box_shown_columns_values_0_q <= equal_574_s3_q ? box_shown_columns_values_0_q : select_4047;
-      box_shown_columns_values_1_q <= select_4051;
-      box_shown_columns_values_2_q <= select_4054;
-      box_shown_columns_values_3_q <= select_4057;
-      box_shown_columns_values_4_q <= select_4060;
-      box_shown_sum_sums_values_0_q <= equal_574_s3_q ? box_shown_sum_sums_values_0_q : select_4062;
-      box_nearer_columns_values_0_q <= equal_574_s3_q ? box_nearer_columns_values_0_q : select_4065;
-      box_nearer_columns_values_1_q <= select_4069;
-      box_nearer_columns_values_2_q <= select_4072;
-      box_nearer_columns_values_3_q <= select_4075;
-      box_nearer_columns_values_4_q <= select_4078;
-      box_nearer_sum_sums_values_0_q <= equal_574_s3_q ? box_nearer_sum_sums_values_0_q : select_4080;
+      sharpness_last_detail_0_q <= and_549_s3_q ? select_2362[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_549_s3_q ? select_2362[27:14] : sharpness_last_detail_1_q;
+      box_textured_columns_values_0_q <= select_4011;
+      box_textured_columns_values_1_q <= select_4014;
+      box_textured_columns_values_2_q <= select_4017;
+      box_textured_columns_values_3_q <= select_4020;
+      box_textured_columns_values_4_q <= select_4023;
+      box_textured_sum_sums_values_0_q <= equal_574_s3_q ? box_textured_sum_sums_values_0_q : select_4025;
+      box_explained_columns_values_0_q <= select_4029;
+      box_explained_columns_values_1_q <= select_4032;
+      box_explained_columns_values_2_q <= select_4035;
+      box_explained_columns_values_3_q <= select_4038;
+      box_explained_columns_values_4_q <= select_4041;
+      box_explained_sum_sums_values_0_q <= equal_574_s3_q ? box_explained_sum_sums_values_0_q : select_4043;
+      box_shown_columns_values_0_q <= equal_574_s3_q ? box_shown_columns_values_0_q : select_4046;
+      box_shown_columns_values_1_q <= select_4050;
+      box_shown_columns_values_2_q <= select_4053;
+      box_shown_columns_values_3_q <= select_4056;
+      box_shown_columns_values_4_q <= select_4059;
+      box_shown_sum_sums_values_0_q <= equal_574_s3_q ? box_shown_sum_sums_values_0_q : select_4061;
+      box_nearer_columns_values_0_q <= equal_574_s3_q ? box_nearer_columns_values_0_q : select_4064;
+      box_nearer_columns_values_1_q <= select_4068;
+      box_nearer_columns_values_2_q <= select_4071;
+      box_nearer_columns_values_3_q <= select_4074;
+      box_nearer_columns_values_4_q <= select_4077;
+      box_nearer_sum_sums_values_0_q <= equal_574_s3_q ? box_nearer_sum_sums_values_0_q : select_4079;
     end
   end
 
@@ -7529,21 +7526,21 @@ module horopter_agreement (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic and_4119_s4_q;
-  logic or_4182_s4_q;
-  logic and_4183_s4_q;
-  logic and_4191_s4_q;
-  logic and_4194_s4_q;
-  logic and_4200_s4_q;
-  logic and_4204_s4_q;
-  logic and_4210_s4_q;
-  logic and_4214_s4_q;
-  logic and_4222_s4_q;
-  logic and_4227_s4_q;
-  logic and_4230_s4_q;
-  logic and_4234_s4_q;
-  logic [5:0] select_4236_s4_q;
-  logic [31:0] select_4253_s4_q;
+  logic and_4118_s4_q;
+  logic or_4181_s4_q;
+  logic and_4182_s4_q;
+  logic and_4190_s4_q;
+  logic and_4193_s4_q;
+  logic and_4199_s4_q;
+  logic and_4203_s4_q;
+  logic and_4209_s4_q;
+  logic and_4213_s4_q;
+  logic and_4221_s4_q;
+  logic and_4226_s4_q;
+  logic and_4229_s4_q;
+  logic and_4233_s4_q;
+  logic [5:0] select_4235_s4_q;
+  logic [31:0] select_4252_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_1_q;
@@ -7551,21 +7548,21 @@ module horopter_agreement (
       mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
-      and_4119_s4_q <= said_q;
-      or_4182_s4_q <= not_2354 | select_4175;
-      and_4183_s4_q <= cfg_prove_i & select_4181;
-      and_4191_s4_q <= equal_574_s3_q & (equal_3947_s3_q & (cfg_prove_i & or_4188));
-      and_4194_s4_q <= equal_574_s3_q & (equal_3947_s3_q & (cfg_prove_i & or_3928));
-      and_4200_s4_q <= and_4200;
-      and_4204_s4_q <= equal_574_s3_q & and_4203;
-      and_4210_s4_q <= equal_574_s3_q & (equal_3947_s3_q & (not_4196 & or_4207));
-      and_4214_s4_q <= and_4214;
-      and_4222_s4_q <= equal_574_s3_q & (equal_3947_s3_q & (cfg_prove_i & and_4219));
-      and_4227_s4_q <= equal_574_s3_q & (equal_3947_s3_q & select_4225);
-      and_4230_s4_q <= and_4230;
-      and_4234_s4_q <= and_4234;
-      select_4236_s4_q <= equal_574_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
-      select_4253_s4_q <= equal_574_s3_q ? (x_s3_q[6] ? select_4251 : 32'h0) : 32'h0;
+      and_4118_s4_q <= said_q;
+      or_4181_s4_q <= not_2353 | select_4174;
+      and_4182_s4_q <= cfg_prove_i & select_4180;
+      and_4190_s4_q <= equal_574_s3_q & (equal_3946_s3_q & (cfg_prove_i & or_4187));
+      and_4193_s4_q <= equal_574_s3_q & (equal_3946_s3_q & (cfg_prove_i & or_3927));
+      and_4199_s4_q <= and_4199;
+      and_4203_s4_q <= equal_574_s3_q & and_4202;
+      and_4209_s4_q <= equal_574_s3_q & (equal_3946_s3_q & (not_4195 & or_4206));
+      and_4213_s4_q <= and_4213;
+      and_4221_s4_q <= equal_574_s3_q & (equal_3946_s3_q & (cfg_prove_i & and_4218));
+      and_4226_s4_q <= equal_574_s3_q & (equal_3946_s3_q & select_4224);
+      and_4229_s4_q <= and_4229;
+      and_4233_s4_q <= and_4233;
+      select_4235_s4_q <= equal_574_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
+      select_4252_s4_q <= equal_574_s3_q ? (x_s3_q[6] ? select_4250 : 32'h0) : 32'h0;
     end
   end
 
@@ -7575,21 +7572,21 @@ module horopter_agreement (
   assign mask_o = mask_s4_q;
   assign marks_first_o = marks_first_s4_q;
   assign marks_last_o = marks_last_s4_q;
-  assign marks_seen_o = or_4182_s4_q;
-  assign marks_nearer_o = and_4183_s4_q;
-  assign verdict_valid_o = and_4119_s4_q;
-  assign verdict_unproven_yet_o = and_4191_s4_q;
-  assign verdict_untextured_o = and_4194_s4_q;
-  assign verdict_disagree_o = and_4200_s4_q;
-  assign verdict_moved_o = and_4204_s4_q;
-  assign verdict_unsharp_left_o = and_4210_s4_q;
-  assign verdict_unsharp_right_o = and_4214_s4_q;
-  assign verdict_hidden_o = and_4222_s4_q;
-  assign verdict_overlooked_o = and_4227_s4_q;
-  assign verdict_out_of_step_o = and_4230_s4_q;
-  assign frame_valid_o = and_4234_s4_q;
-  assign frame_index_o = select_4236_s4_q;
-  assign frame_word_o = select_4253_s4_q;
+  assign marks_seen_o = or_4181_s4_q;
+  assign marks_nearer_o = and_4182_s4_q;
+  assign verdict_valid_o = and_4118_s4_q;
+  assign verdict_unproven_yet_o = and_4190_s4_q;
+  assign verdict_untextured_o = and_4193_s4_q;
+  assign verdict_disagree_o = and_4199_s4_q;
+  assign verdict_moved_o = and_4203_s4_q;
+  assign verdict_unsharp_left_o = and_4209_s4_q;
+  assign verdict_unsharp_right_o = and_4213_s4_q;
+  assign verdict_hidden_o = and_4221_s4_q;
+  assign verdict_overlooked_o = and_4226_s4_q;
+  assign verdict_out_of_step_o = and_4229_s4_q;
+  assign frame_valid_o = and_4233_s4_q;
+  assign frame_index_o = select_4235_s4_q;
+  assign frame_word_o = select_4252_s4_q;
   assign valid_o = valid_s4_q;
 
   always_ff @(posedge clk_i) begin
@@ -7608,6 +7605,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_3843[4:0], sum_3809[1:0], sum_3764[1:0], product_3655[4:0], sum_2748[0], difference_2689[1:0], detail_4[1:0], detail_3[1:0], sum_2287[4:0], sum_1717[0], sum_1713[0], sum_731[4:0], cfg_compete_i, cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], product_3842[4:0], sum_3808[1:0], sum_3763[1:0], product_3654[4:0], sum_2747[0], difference_2688[1:0], detail_4[1:0], detail_3[1:0], sum_2286[4:0], sum_1717[0], sum_1713[0], sum_731[4:0], cfg_compete_i, cfg_width_i[2:0]};
 
 endmodule

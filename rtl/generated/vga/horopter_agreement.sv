@@ -75,20 +75,20 @@ module horopter_agreement (
   assign s3_en = en_i & valid_s3_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2814;
-  assign not_2814 = ~cfg_prove_i;
-  logic [5:0] sum_3024;
-  assign sum_3024 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_4068;
-  assign difference_4068 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_4281;
-  assign not_4281 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_4339;
-  assign difference_4339 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_4555;
-  assign less_4555 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_4556;
-  assign sum_4556 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic not_2813;
+  assign not_2813 = ~cfg_prove_i;
+  logic [5:0] sum_3023;
+  assign sum_3023 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_4067;
+  assign difference_4067 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_4280;
+  assign not_4280 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [6:0] difference_4338;
+  assign difference_4338 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_4554;
+  assign less_4554 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_4555;
+  assign sum_4555 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -254,49 +254,49 @@ module horopter_agreement (
   // hls/stages/patches.hpp:122
   logic and_2142;
   assign and_2142 = (select_502 == 3'h0) & (select_504 == 7'h0);
-  // hls/stages/patches.hpp:392
+  // hls/stages/patches.hpp:393
   logic not_2143;
   assign not_2143 = ~patches_begins_q;
   // hls/stages/census.hpp:32
   logic not_2146;
   assign not_2146 = ~sample_pair_first_q;
-  // hls/stages/patches.hpp:362
+  // hls/stages/patches.hpp:363
   logic and_2147;
   assign and_2147 = patches_capturing_q & not_2146;
-  // hls/stages/patches.hpp:364
+  // hls/stages/patches.hpp:365
   logic equal_2148;
   assign equal_2148 = {or_514, select_521} == 4'hc;
-  // hls/stages/patches.hpp:311
+  // hls/stages/patches.hpp:312
   logic equal_2150;
   assign equal_2150 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/patches.hpp:125
   logic and_2155;
   assign and_2155 = (not_2143 & (patches_work_q == 3'h0)) & (~(and_2147 | ((~equal_2148) | (~equal_2150))));
-  // hls/stages/patches.hpp:534
+  // hls/stages/patches.hpp:535
   logic equal_2246;
   assign equal_2246 = patches_work_q == 3'h4;
-  // hls/stages/patches.hpp:512
+  // hls/stages/patches.hpp:513
   logic not_2247;
   assign not_2247 = ~equal_2246;
-  // hls/stages/patches.hpp:505
+  // hls/stages/patches.hpp:506
   logic equal_2248;
   assign equal_2248 = patches_work_q == 3'h3;
-  // hls/stages/patches.hpp:458
+  // hls/stages/patches.hpp:459
   logic not_2249;
   assign not_2249 = ~equal_2248;
-  // hls/stages/patches.hpp:499
+  // hls/stages/patches.hpp:500
   logic equal_2250;
   assign equal_2250 = patches_work_q == 3'h2;
-  // hls/stages/patches.hpp:167
+  // hls/stages/patches.hpp:168
   logic equal_2251;
   assign equal_2251 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:534
+  // hls/stages/patches.hpp:535
   logic or_2252;
   assign or_2252 = equal_2250 | equal_2251;
-  // hls/stages/patches.hpp:460
+  // hls/stages/patches.hpp:461
   logic not_2253;
   assign not_2253 = ~patches_second_q;
-  // hls/stages/patches.hpp:373
+  // hls/stages/patches.hpp:374
   logic [4:0] select_2275;
   assign select_2275 = and_2155 ? 5'h0 : (patches_row_q + 5'h1);
   // hls/stages/patches.hpp:126
@@ -308,250 +308,250 @@ module horopter_agreement (
   // hls/stages/patches.hpp:126
   logic select_2282;
   assign select_2282 = and_2142 ? (and_2155 | (and_2147 & (~and_2278))) : patches_capturing_q;
-  // hls/stages/patches.hpp:184
+  // hls/stages/patches.hpp:185
   logic and_2290;
   assign and_2290 = not_2247 & (not_2249 & (or_2252 & (patches_second_q & equal_2251)));
-  // hls/stages/patches.hpp:167
-  logic not_2307;
-  assign not_2307 = ~equal_2251;
+  // hls/stages/patches.hpp:168
+  logic not_2306;
+  assign not_2306 = ~equal_2251;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2323;
-  assign select_2323 = and_2142 ? {select_2275[4], select_2275[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
-  // hls/stages/patches.hpp:458
-  logic and_2333;
-  assign and_2333 = not_2247 & (or_2252 & not_2249);
+  logic [3:0] select_2322;
+  assign select_2322 = and_2142 ? {select_2275[4], select_2275[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  // hls/stages/patches.hpp:459
+  logic and_2332;
+  assign and_2332 = not_2247 & (or_2252 & not_2249);
   // hls/stages/agreement.hpp:276
-  logic [2:0] select_2608;
-  assign select_2608 = sample_pair_whole_q ? (sample_last_q ? (select_521 + 3'h1) : select_521) : raster_at_y_q;
-  logic [6:0] select_2610;
-  assign select_2610 = sample_pair_whole_q ? (select_504 + {6'h0, equal_538}) : raster_at_column_q;
-  logic [5:0] select_2613;
-  assign select_2613 = sample_pair_whole_q ? (sample_last_q ? (select_670 + {5'h0, equal_539}) : select_670) : raster_at_row_q;
-  logic select_2617;
-  assign select_2617 = sample_pair_whole_q ? (sample_last_q ? (or_514 & (~raster_final_row_q)) : or_514) : raster_at_live_q;
+  logic [2:0] select_2607;
+  assign select_2607 = sample_pair_whole_q ? (sample_last_q ? (select_521 + 3'h1) : select_521) : raster_at_y_q;
+  logic [6:0] select_2609;
+  assign select_2609 = sample_pair_whole_q ? (select_504 + {6'h0, equal_538}) : raster_at_column_q;
+  logic [5:0] select_2612;
+  assign select_2612 = sample_pair_whole_q ? (sample_last_q ? (select_670 + {5'h0, equal_539}) : select_670) : raster_at_row_q;
+  logic select_2616;
+  assign select_2616 = sample_pair_whole_q ? (sample_last_q ? (or_514 & (~raster_final_row_q)) : or_514) : raster_at_live_q;
   // hls/stages/census.hpp:50
-  logic [8:0] select_2619;
-  assign select_2619 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [8:0] select_2618;
+  assign select_2618 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:276
-  logic select_2623;
-  assign select_2623 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  logic select_2622;
+  assign select_2622 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:459
-  logic [7:0] sum_2932;
-  assign sum_2932 = {1'b0, last} + 8'h1;
-  logic equal_2933;
-  assign equal_2933 = {sum_2932[7], cfg_width_i[9:3]} == {1'b0, sum_2932[6:0]};
+  logic [7:0] sum_2931;
+  assign sum_2931 = {1'b0, last} + 8'h1;
+  logic equal_2932;
+  assign equal_2932 = {sum_2931[7], cfg_width_i[9:3]} == {1'b0, sum_2931[6:0]};
   // hls/stages/agreement.hpp:464
-  logic and_2934;
-  assign and_2934 = and_542 & equal_2933;
+  logic and_2933;
+  assign and_2933 = and_542 & equal_2932;
   // hls/stages/agreement.hpp:523
-  logic select_2937;
-  assign select_2937 = (and_2934 | (~ends_cell_q)) ? and_2934 : ends_q;
+  logic select_2936;
+  assign select_2936 = (and_2933 | (~ends_cell_q)) ? and_2933 : ends_q;
   // hls/stages/agreement.hpp:529
   logic [2:0] now;
-  assign now = select_2937 ? (and_2934 ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2936 ? (and_2933 ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:534
-  logic [5:0] select_2941;
-  assign select_2941 = select_2937 ? (and_2934 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2944;
-  assign select_2944 = select_2937 ? (following_last_shift_q & (~and_2934)) : run_last_shift_q;
+  logic [5:0] select_2940;
+  assign select_2940 = select_2936 ? (and_2933 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2943;
+  assign select_2943 = select_2936 ? (following_last_shift_q & (~and_2933)) : run_last_shift_q;
   // hls/stages/agreement.hpp:607
-  logic and_2947;
-  assign and_2947 = run_last_shift_q & equal_586;
+  logic and_2946;
+  assign and_2946 = run_last_shift_q & equal_586;
   // hls/stages/agreement.hpp:616
-  logic select_2949;
-  assign select_2949 = equal_586 ? (~run_last_shift_q) : equal_587;
+  logic select_2948;
+  assign select_2948 = equal_586 ? (~run_last_shift_q) : equal_587;
   // hls/stages/agreement.hpp:620
-  logic equal_2950;
-  assign equal_2950 = run_phase_q == 3'h1;
-  logic not_2953;
-  assign not_2953 = ~select_2949;
+  logic equal_2949;
+  assign equal_2949 = run_phase_q == 3'h1;
+  logic not_2952;
+  assign not_2952 = ~select_2948;
   // hls/stages/agreement.hpp:623
-  logic equal_2955;
-  assign equal_2955 = run_phase_q == 3'h4;
+  logic equal_2954;
+  assign equal_2954 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:607
-  logic and_2956;
-  assign and_2956 = final_row_q & so;
+  logic and_2955;
+  assign and_2955 = final_row_q & so;
   // hls/stages/agreement.hpp:620
-  logic [1:0] select_2957;
-  assign select_2957 = equal_2955 ? 2'h1 : {2{and_2956}};
-  logic [2:0] select_2959;
-  assign select_2959 = (and_2947 | (select_2949 | equal_2950)) ? (equal_2950 ? 3'h2 : {not_2953, {2{select_2949}}}) : (equal_571 ? 3'h6 : {select_2957[0], select_2957});
+  logic [1:0] select_2956;
+  assign select_2956 = equal_2954 ? 2'h1 : {2{and_2955}};
+  logic [2:0] select_2958;
+  assign select_2958 = (and_2946 | (select_2948 | equal_2949)) ? (equal_2949 ? 3'h2 : {not_2952, {2{select_2948}}}) : (equal_571 ? 3'h6 : {select_2956[0], select_2956});
   // hls/stages/agreement.hpp:607
-  logic and_2962;
-  assign and_2962 = select_2949 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  logic and_2961;
+  assign and_2961 = select_2948 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:630
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2965;
-  assign select_2965 = (plan_shift_q[5] & select_2949) ? value : 7'h0;
-  logic [1:0] or_2966;
-  assign or_2966 = {2{so}} | select_2965[5:4];
+  logic [6:0] select_2964;
+  assign select_2964 = (plan_shift_q[5] & select_2948) ? value : 7'h0;
+  logic [1:0] or_2965;
+  assign or_2965 = {2{so}} | select_2964[5:4];
   // hls/stages/agreement.hpp:633
-  logic [7:0] or_2970;
-  assign or_2970 = (select_2949 ? plan_columns_q : 8'h0) | ((equal_2950 | equal_2955) ? whole_q : 8'h0);
-  logic [1:0] or_2971;
-  assign or_2971 = {2{and_2947}} | or_2970[3:2];
+  logic [7:0] or_2969;
+  assign or_2969 = (select_2948 ? plan_columns_q : 8'h0) | ((equal_2949 | equal_2954) ? whole_q : 8'h0);
+  logic [1:0] or_2970;
+  assign or_2970 = {2{and_2946}} | or_2969[3:2];
   // hls/stages/agreement.hpp:634
-  logic [7:0] or_2973;
-  assign or_2973 = {or_2970[7:4], or_2971, or_2970[1:0]} | (equal_571 ? drawn_q : 8'h0);
-  logic [4:0] or_2974;
-  assign or_2974 = {5{so}} | {or_2973[6], or_2973[3:0]};
+  logic [7:0] or_2972;
+  assign or_2972 = {or_2969[7:4], or_2970, or_2969[1:0]} | (equal_571 ? drawn_q : 8'h0);
+  logic [4:0] or_2973;
+  assign or_2973 = {5{so}} | {or_2972[6], or_2972[3:0]};
   // hls/stages/agreement.hpp:640
-  logic not_2978;
-  assign not_2978 = ~run_shift_q[5];
-  logic [7:0] select_2981;
-  assign select_2981 = equal_586 ? ({{7{not_2978}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  logic not_2977;
+  assign not_2977 = ~run_shift_q[5];
+  logic [7:0] select_2980;
+  assign select_2980 = equal_586 ? ({{7{not_2977}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:523
-  logic [6:0] select_2985;
-  assign select_2985 = and_2934 ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2984;
+  assign select_2984 = and_2933 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:526
-  logic [7:0] select_2987;
-  assign select_2987 = select_2937 ? {select_2985[6], select_2985} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2990;
-  assign select_2990 = select_2937 ? (and_2934 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2986;
+  assign select_2986 = select_2936 ? {select_2984[6], select_2984} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2989;
+  assign select_2989 = select_2936 ? (and_2933 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_2998;
-  assign select_2998 = and_542 ? (equal_2933 ? ((6'he < last[6:1]) ? 7'h1d : last) : least_q) : least_q;
+  logic [6:0] select_2997;
+  assign select_2997 = and_542 ? (equal_2932 ? ((6'he < last[6:1]) ? 7'h1d : last) : least_q) : least_q;
   // hls/stages/agreement.hpp:473
-  logic [5:0] sum_2999;
-  assign sum_2999 = {1'b0, last[6:2]} + 6'h3;
+  logic [5:0] sum_2998;
+  assign sum_2998 = {1'b0, last[6:2]} + 6'h3;
   // hls/stages/agreement.hpp:520
-  logic [7:0] select_3001;
-  assign select_3001 = and_542 ? (equal_2933 ? {sum_2999, last[1:0]} : whole_q) : whole_q;
+  logic [7:0] select_3000;
+  assign select_3000 = and_542 ? (equal_2932 ? {sum_2998, last[1:0]} : whole_q) : whole_q;
   // hls/stages/agreement.hpp:474
-  logic [5:0] sum_3002;
-  assign sum_3002 = {1'b0, last[6:2]} + 6'h1;
+  logic [5:0] sum_3001;
+  assign sum_3001 = {1'b0, last[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:520
-  logic [7:0] select_3004;
-  assign select_3004 = and_542 ? (equal_2933 ? {sum_3002, last[1:0]} : drawn_q) : drawn_q;
+  logic [7:0] select_3003;
+  assign select_3003 = and_542 ? (equal_2932 ? {sum_3001, last[1:0]} : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:531
-  logic select_3015;
-  assign select_3015 = (ends_cell_q | select_2937) ? (~(now == 3'h6)) : (equal_586 | (slot_q == 3'h6));
+  logic select_3014;
+  assign select_3014 = (ends_cell_q | select_2936) ? (~(now == 3'h6)) : (equal_586 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:526
-  logic and_3019;
-  assign and_3019 = (~select_2937) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_3018;
+  assign and_3018 = (~select_2936) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:476
-  logic [6:0] sum_3020;
-  assign sum_3020 = {1'b0, row} + 7'h1;
+  logic [6:0] sum_3019;
+  assign sum_3019 = {1'b0, row} + 7'h1;
   // hls/stages/agreement.hpp:460
-  logic select_3022;
-  assign select_3022 = equal_2933 ? ({sum_3020[6], cfg_height_i[8:3]} == {1'b0, sum_3020[5:0]}) : final_row_q;
-  // hls/stages/patches.hpp:317
+  logic select_3021;
+  assign select_3021 = equal_2932 ? ({sum_3019[6], cfg_height_i[8:3]} == {1'b0, sum_3019[5:0]}) : final_row_q;
+  // hls/stages/patches.hpp:318
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
+  logic [3:0] select_3380;
+  assign select_3380 = and_2142 ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
+  // hls/stages/agreement.hpp:276
   logic [3:0] select_3381;
-  assign select_3381 = and_2142 ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
-  // hls/stages/agreement.hpp:276
-  logic [3:0] select_3382;
-  assign select_3382 = sample_pair_whole_q ? select_3381 : patches_phase_q;
-  // hls/stages/patches.hpp:373
-  logic and_3383;
-  assign and_3383 = not_2146 & equal_2148;
+  assign select_3381 = sample_pair_whole_q ? select_3380 : patches_phase_q;
+  // hls/stages/patches.hpp:374
+  logic and_3382;
+  assign and_3382 = not_2146 & equal_2148;
+  logic [8:0] select_3383;
+  assign select_3383 = and_3382 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
   logic [8:0] select_3384;
-  assign select_3384 = and_3383 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  assign select_3384 = and_3382 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
   logic [8:0] select_3385;
-  assign select_3385 = and_3383 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_3386;
-  assign select_3386 = sample_pair_first_q ? select_3384 : select_3385;
+  assign select_3385 = sample_pair_first_q ? select_3383 : select_3384;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_3388;
-  assign select_3388 = sample_pair_whole_q ? (and_2142 ? select_3386[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_3390;
-  assign select_3390 = sample_pair_whole_q ? (and_2142 ? select_3386[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_3393;
-  assign select_3393 = sample_pair_whole_q ? (equal_2150 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_3395;
-  assign select_3395 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_2150}) : patches_next_band_number_q;
-  // hls/stages/patches.hpp:330
-  logic equal_3396;
-  assign equal_3396 = phase[3:1] == 3'h0;
+  logic [3:0] select_3387;
+  assign select_3387 = sample_pair_whole_q ? (and_2142 ? select_3385[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_3389;
+  assign select_3389 = sample_pair_whole_q ? (and_2142 ? select_3385[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_3392;
+  assign select_3392 = sample_pair_whole_q ? (equal_2150 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_3394;
+  assign select_3394 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_2150}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:331
-  logic not_3397;
-  assign not_3397 = ~equal_3396;
+  logic equal_3395;
+  assign equal_3395 = phase[3:1] == 3'h0;
+  // hls/stages/patches.hpp:332
+  logic not_3396;
+  assign not_3396 = ~equal_3395;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_3399;
-  assign select_3399 = sample_pair_whole_q ? (phase + {not_3397, 1'b1, not_3397, equal_3396}) : patches_first_band_rows_to_next_q;
+  logic [3:0] select_3398;
+  assign select_3398 = sample_pair_whole_q ? (phase + {not_3396, 1'b1, not_3396, equal_3395}) : patches_first_band_rows_to_next_q;
   // hls/stages/agreement.hpp:470
-  logic equal_3401;
-  assign equal_3401 = row == 6'h3;
+  logic equal_3400;
+  assign equal_3400 = row == 6'h3;
   // hls/stages/patches.hpp:87
-  logic [3:0] select_3405;
-  assign select_3405 = equal_3401 ? ((select_3382 == 4'h6) ? 4'h0 : (select_3382 + 4'h1)) : patches_choosing_rows_to_next_q;
-  logic equal_3406;
-  assign equal_3406 = select_3405 == 4'h0;
+  logic [3:0] select_3404;
+  assign select_3404 = equal_3400 ? ((select_3381 == 4'h6) ? 4'h0 : (select_3381 + 4'h1)) : patches_choosing_rows_to_next_q;
+  logic equal_3405;
+  assign equal_3405 = select_3404 == 4'h0;
   // hls/stages/agreement.hpp:460
-  logic [3:0] select_3409;
-  assign select_3409 = equal_2933 ? (equal_3406 ? 4'h6 : (select_3405 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_3408;
+  assign select_3408 = equal_2932 ? (equal_3405 ? 4'h6 : (select_3404 + 4'hf)) : patches_choosing_rows_to_next_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_3411;
-  assign select_3411 = equal_3401 ? 5'h0 : patches_choosing_number_q;
+  logic [4:0] select_3410;
+  assign select_3410 = equal_3400 ? 5'h0 : patches_choosing_number_q;
   // hls/stages/agreement.hpp:460
-  logic [4:0] select_3413;
-  assign select_3413 = equal_2933 ? (select_3411 + {4'h0, equal_3406}) : patches_choosing_number_q;
+  logic [4:0] select_3412;
+  assign select_3412 = equal_2932 ? (select_3410 + {4'h0, equal_3405}) : patches_choosing_number_q;
   // hls/stages/agreement.hpp:520
-  logic select_3418;
-  assign select_3418 = and_542 ? (equal_2933 ? ((6'h2 < row) & equal_3406) : patches_chooses_q) : patches_chooses_q;
-  logic [4:0] select_3420;
-  assign select_3420 = and_542 ? (equal_2933 ? select_3411 : patches_choosing_band_q) : patches_choosing_band_q;
-  // hls/stages/patches.hpp:371
-  logic or_3444;
-  assign or_3444 = select_504[0] | select_670[5];
-  logic [7:0] sum_3445;
-  assign sum_3445 = {1'b0, select_504[2:1], or_3444, select_670[4:1]} + 8'h1;
-  logic less_3446;
-  assign less_3446 = {sum_3445, select_670[0], select_521, 1'b0} < {4'h0, cfg_height_i};
+  logic select_3417;
+  assign select_3417 = and_542 ? (equal_2932 ? ((6'h2 < row) & equal_3405) : patches_chooses_q) : patches_chooses_q;
+  logic [4:0] select_3419;
+  assign select_3419 = and_542 ? (equal_2932 ? select_3410 : patches_choosing_band_q) : patches_choosing_band_q;
+  // hls/stages/patches.hpp:372
+  logic or_3443;
+  assign or_3443 = select_504[0] | select_670[5];
+  logic [7:0] sum_3444;
+  assign sum_3444 = {1'b0, select_504[2:1], or_3443, select_670[4:1]} + 8'h1;
+  logic less_3445;
+  assign less_3445 = {sum_3444, select_670[0], select_521, 1'b0} < {4'h0, cfg_height_i};
   // hls/stages/patches.hpp:126
-  logic select_3449;
-  assign select_3449 = and_2142 ? (and_2155 ? (~less_3446) : patches_lower_q) : patches_lower_q;
-  // hls/stages/patches.hpp:393
-  logic or_3488;
-  assign or_3488 = patches_begins_q | patches_ends_q;
-  // hls/stages/patches.hpp:395
+  logic select_3448;
+  assign select_3448 = and_2142 ? (and_2155 ? (~less_3445) : patches_lower_q) : patches_lower_q;
+  // hls/stages/patches.hpp:394
+  logic or_3487;
+  assign or_3487 = patches_begins_q | patches_ends_q;
+  // hls/stages/patches.hpp:396
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
-  // hls/stages/patches.hpp:187
+  // hls/stages/patches.hpp:188
+  logic and_3493;
+  assign and_3493 = equal_2246 & not_2253;
+  // hls/stages/patches.hpp:400
   logic and_3494;
-  assign and_3494 = equal_2246 & not_2253;
-  // hls/stages/patches.hpp:399
-  logic and_3495;
-  assign and_3495 = not_2307 & and_3494;
-  logic [1:0] select_3497;
-  assign select_3497 = equal_2248 ? 2'h0 : (equal_2250 ? 2'h3 : {equal_2251, and_3495});
-  // hls/stages/patches.hpp:279
-  logic equal_3499;
-  assign equal_3499 = patches_following_q == 3'h4;
-  // hls/stages/patches.hpp:277
-  logic not_3500;
-  assign not_3500 = ~equal_3499;
-  // hls/stages/patches.hpp:279
-  logic equal_3501;
-  assign equal_3501 = patches_following_q == 3'h3;
-  // hls/stages/patches.hpp:275
-  logic not_3502;
-  assign not_3502 = ~equal_3501;
-  // hls/stages/patches.hpp:283
-  logic not_3504;
-  assign not_3504 = ~(patches_following_q == 3'h2);
-  logic and_3507;
-  assign and_3507 = (~(patches_following_q == 3'h1)) & not_3504;
-  // hls/stages/patches.hpp:397
-  logic [1:0] select_3508;
-  assign select_3508 = equal_3501 ? 2'h2 : {and_3507, not_3504};
-  logic [3:0] select_3509;
-  assign select_3509 = equal_3499 ? 4'h2 : {select_3508, {2{not_3502}}};
-  // hls/stages/patches.hpp:405
-  logic not_3512;
-  assign not_3512 = ~or_3488;
-  // hls/stages/patches.hpp:394
+  assign and_3494 = not_2306 & and_3493;
+  logic [1:0] select_3496;
+  assign select_3496 = equal_2248 ? 2'h0 : (equal_2250 ? 2'h3 : {equal_2251, and_3494});
+  // hls/stages/patches.hpp:280
+  logic equal_3498;
+  assign equal_3498 = patches_following_q == 3'h4;
+  // hls/stages/patches.hpp:278
+  logic not_3499;
+  assign not_3499 = ~equal_3498;
+  // hls/stages/patches.hpp:280
+  logic equal_3500;
+  assign equal_3500 = patches_following_q == 3'h3;
+  // hls/stages/patches.hpp:276
+  logic not_3501;
+  assign not_3501 = ~equal_3500;
+  // hls/stages/patches.hpp:284
+  logic not_3503;
+  assign not_3503 = ~(patches_following_q == 3'h2);
+  logic and_3506;
+  assign and_3506 = (~(patches_following_q == 3'h1)) & not_3503;
+  // hls/stages/patches.hpp:398
+  logic [1:0] select_3507;
+  assign select_3507 = equal_3500 ? 2'h2 : {and_3506, not_3503};
+  logic [3:0] select_3508;
+  assign select_3508 = equal_3498 ? 4'h2 : {select_3507, {2{not_3501}}};
+  // hls/stages/patches.hpp:406
+  logic not_3511;
+  assign not_3511 = ~or_3487;
+  // hls/stages/patches.hpp:395
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
-  // hls/stages/patches.hpp:406
-  logic [11:0] select_3517;
-  assign select_3517 = or_3488 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
-  // hls/stages/patches.hpp:187
-  logic [4:0] select_3519;
-  assign select_3519 = or_3488 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  // hls/stages/patches.hpp:407
+  logic [11:0] select_3516;
+  assign select_3516 = or_3487 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  // hls/stages/patches.hpp:188
+  logic [4:0] select_3518;
+  assign select_3518 = or_3487 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
   // Memory fresh, 80 x 33 and parity, DISTANCE 12, hls/stages/agreement.hpp:1372; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -637,7 +637,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) best_left_read_q <= rst_ni & best_left_re;
   assign best_left_error = best_left_read_q & ^best_left_word_q;
 
-  // Memory patches_right_0, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:779; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory patches_right_0, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:780; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] patches_right_0_mem [0:1023];
@@ -658,7 +658,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_right_0_read_q <= rst_ni & patches_right_0_re;
   assign patches_right_0_error = patches_right_0_read_q & ^patches_right_0_word_q;
 
-  // Memory patches_right_1, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:779; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory patches_right_1, 1024 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:780; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] patches_right_1_mem [0:1023];
@@ -679,7 +679,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_right_1_read_q <= rst_ni & patches_right_1_re;
   assign patches_right_1_error = patches_right_1_read_q & ^patches_right_1_word_q;
 
-  // Memory patches_left, 512 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:780; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory patches_left, 512 x 8 and parity, DISTANCE 12, hls/stages/patches.hpp:781; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] patches_left_mem [0:511];
@@ -689,7 +689,7 @@ module horopter_agreement (
   logic [8:0] patches_left_raddr;
   assign patches_left_raddr = {patches_second_q, patches_code_row_q[3:0], patches_column_q[3:0]};
   logic patches_left_re;
-  assign patches_left_re = s0_en & (not_2247 & (not_2249 & (not_2307 & or_2252)));
+  assign patches_left_re = s0_en & (not_2247 & (not_2249 & (not_2306 & or_2252)));
   logic [8:0] patches_left_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_left_word_q <= patches_left_mem[patches_left_raddr];
@@ -700,7 +700,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_left_read_q <= rst_ni & patches_left_re;
   assign patches_left_error = patches_left_read_q & ^patches_left_word_q;
 
-  // Memory patches_columns_above, 32 x 32 and parity, DISTANCE 12, hls/stages/patches.hpp:791; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory patches_columns_above, 32 x 32 and parity, DISTANCE 12, hls/stages/patches.hpp:792; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -711,7 +711,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_raddr;
   assign patches_columns_above_raddr = patches_column_q;
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s0_en & and_2333;
+  assign patches_columns_above_re = s0_en & and_2332;
   logic [32:0] patches_columns_above_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_columns_above_word_q <= patches_columns_above_mem[patches_columns_above_raddr];
@@ -793,64 +793,64 @@ module horopter_agreement (
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
       raster_at_x_q <= sample_pair_whole_q ? (select_502 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_2608;
-      raster_at_column_q <= select_2610;
-      raster_at_row_q <= select_2613;
-      raster_at_live_q <= select_2617;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2619 : raster_rows_left_q;
+      raster_at_y_q <= select_2607;
+      raster_at_column_q <= select_2609;
+      raster_at_row_q <= select_2612;
+      raster_at_live_q <= select_2616;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2618 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2623;
+      raster_final_row_q <= select_2622;
       averager_place_q <= sample_pair_whole_q ? select_508 : averager_place_q;
       averager_inside_q <= sample_pair_whole_q ? select_513 : averager_inside_q;
       run_phase_q <= now;
-      run_shift_q <= select_2941;
-      run_last_shift_q <= select_2944;
-      run_span_q <= select_2937 ? (and_2934 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2959;
-      following_shift_q <= select_2949 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2962;
+      run_shift_q <= select_2940;
+      run_last_shift_q <= select_2943;
+      run_span_q <= select_2936 ? (and_2933 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2958;
+      following_shift_q <= select_2948 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2961;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2965[6], or_2966, select_2965[3:0]};
-      following_columns_q <= {or_2973[7], or_2974[4], or_2973[5:4], or_2974[3:0]};
+      following_lowest_q <= {select_2964[6], or_2965, select_2964[3:0]};
+      following_columns_q <= {or_2972[7], or_2973[4], or_2972[5:4], or_2973[3:0]};
       plan_shift_q <= equal_586 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2981;
+      plan_span_q <= select_2980;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2987;
-      columns_left_q <= select_2990;
-      last_q <= and_542 ? (equal_2933 ? last : last_q) : last_q;
-      least_q <= select_2998;
-      whole_q <= select_3001;
-      drawn_q <= select_3004;
-      age_q <= select_2937 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2937 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_3015;
-      ends_q <= and_3019;
-      final_row_q <= and_542 ? select_3022 : final_row_q;
+      x_q <= select_2986;
+      columns_left_q <= select_2989;
+      last_q <= and_542 ? (equal_2932 ? last : last_q) : last_q;
+      least_q <= select_2997;
+      whole_q <= select_3000;
+      drawn_q <= select_3003;
+      age_q <= select_2936 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2936 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_3014;
+      ends_q <= and_3018;
+      final_row_q <= and_542 ? select_3021 : final_row_q;
       shift_first_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      patches_phase_q <= select_3382;
-      patches_band_rows_rows_to_next_q <= select_3388;
-      patches_band_rows_number_q <= select_3390;
-      patches_next_band_rows_to_next_q <= select_3393;
-      patches_next_band_number_q <= select_3395;
-      patches_first_band_rows_to_next_q <= select_3399;
-      patches_first_band_number_q <= sample_pair_whole_q ? equal_3396 : patches_first_band_number_q;
-      patches_choosing_rows_to_next_q <= and_542 ? select_3409 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_542 ? select_3413 : patches_choosing_number_q;
-      patches_chooses_q <= select_3418;
-      patches_choosing_band_q <= select_3420;
+      patches_phase_q <= select_3381;
+      patches_band_rows_rows_to_next_q <= select_3387;
+      patches_band_rows_number_q <= select_3389;
+      patches_next_band_rows_to_next_q <= select_3392;
+      patches_next_band_number_q <= select_3394;
+      patches_first_band_rows_to_next_q <= select_3398;
+      patches_first_band_number_q <= sample_pair_whole_q ? equal_3395 : patches_first_band_number_q;
+      patches_choosing_rows_to_next_q <= and_542 ? select_3408 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_542 ? select_3412 : patches_choosing_number_q;
+      patches_chooses_q <= select_3417;
+      patches_choosing_band_q <= select_3419;
       patches_capturing_q <= sample_pair_whole_q ? select_2282 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_q ? select_3449 : patches_lower_q;
+      patches_lower_q <= sample_pair_whole_q ? select_3448 : patches_lower_q;
       patches_row_q <= sample_pair_whole_q ? select_2276 : patches_row_q;
-      patches_work_q <= or_3488 ? following : patches_work_q;
+      patches_work_q <= or_3487 ? following : patches_work_q;
       patches_second_q <= not_2143 & (patches_second_q | (patches_ends_q & equal_2246));
-      patches_following_q <= equal_2246 ? {2'h0, and_3494} : {equal_2248, select_3497};
-      patches_following_beats_q <= {select_3509, not_3500};
+      patches_following_q <= equal_2246 ? {2'h0, and_3493} : {equal_2248, select_3496};
+      patches_following_beats_q <= {select_3508, not_3499};
       patches_begins_q <= sample_pair_whole_q & (and_2142 & and_2278);
-      patches_ends_q <= not_3512 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3517;
-      patches_code_row_q <= select_3519;
-      patches_column_q <= or_3488 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3512 & (patches_column_q == 5'h1e);
+      patches_ends_q <= not_3511 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3516;
+      patches_code_row_q <= select_3518;
+      patches_column_q <= or_3487 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3511 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -907,12 +907,12 @@ module horopter_agreement (
   logic or_2252_s1_q;
   logic [4:0] select_2276_s1_q;
   logic select_2282_s1_q;
-  logic [3:0] select_2323_s1_q;
-  logic and_2333_s1_q;
-  logic equal_2933_s1_q;
-  logic and_2934_s1_q;
-  logic or_3488_s1_q;
-  logic not_3512_s1_q;
+  logic [3:0] select_2322_s1_q;
+  logic and_2332_s1_q;
+  logic equal_2932_s1_q;
+  logic and_2933_s1_q;
+  logic or_3487_s1_q;
+  logic not_3511_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -968,12 +968,12 @@ module horopter_agreement (
       or_2252_s1_q <= or_2252;
       select_2276_s1_q <= select_2276;
       select_2282_s1_q <= select_2282;
-      select_2323_s1_q <= select_2323;
-      and_2333_s1_q <= and_2333;
-      equal_2933_s1_q <= equal_2933;
-      and_2934_s1_q <= and_2934;
-      or_3488_s1_q <= or_3488;
-      not_3512_s1_q <= not_3512;
+      select_2322_s1_q <= select_2322;
+      and_2332_s1_q <= and_2332;
+      equal_2932_s1_q <= equal_2932;
+      and_2933_s1_q <= and_2933;
+      or_3487_s1_q <= or_3487;
+      not_3511_s1_q <= not_3511;
     end
   end
 
@@ -2015,221 +2015,221 @@ module horopter_agreement (
   assign select_2174 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
   assign change = ($signed(10'h0) < $signed(select_2174[16:7])) ? 8'h7f : select_2174[7:0];
-  // hls/stages/patches.hpp:172
+  // hls/stages/patches.hpp:173
   logic [7:0] pixel;
   assign pixel = equal_2251_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
   assign pixel_2 = equal_2251_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
-  // hls/stages/patches.hpp:500
-  logic less_2339;
-  assign less_2339 = 5'he < patches_along_q;
   // hls/stages/patches.hpp:501
-  logic or_2340;
-  assign or_2340 = equal_2250_s1_q | less_2339;
-  // hls/stages/patches.hpp:504
+  logic less_2338;
+  assign less_2338 = 5'he < patches_along_q;
+  // hls/stages/patches.hpp:502
+  logic or_2339;
+  assign or_2339 = equal_2250_s1_q | less_2338;
+  // hls/stages/patches.hpp:505
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
-  logic select_2345;
-  assign select_2345 = equal_2250_s1_q ? patches_column_s1_q[0] : (or_2340 ? (patches_along_q == 5'h10) : (~new_row));
-  logic not_2346;
-  assign not_2346 = ~or_2340;
-  // hls/stages/patches.hpp:501
-  logic [4:0] sum_2347;
-  assign sum_2347 = patches_down_by_q + {1'b0, patches_match_row_q};
-  // hls/stages/patches.hpp:503
+  logic select_2344;
+  assign select_2344 = equal_2250_s1_q ? patches_column_s1_q[0] : (or_2339 ? (patches_along_q == 5'h10) : (~new_row));
+  logic not_2345;
+  assign not_2345 = ~or_2339;
+  // hls/stages/patches.hpp:502
+  logic [4:0] sum_2346;
+  assign sum_2346 = patches_down_by_q + {1'b0, patches_match_row_q};
+  // hls/stages/patches.hpp:504
+  logic [4:0] select_2349;
+  assign select_2349 = or_2339 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_2346) + 5'h1) : sum_2346;
+  // hls/stages/patches.hpp:506
   logic [4:0] select_2350;
-  assign select_2350 = or_2340 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_2347) + 5'h1) : sum_2347;
-  // hls/stages/patches.hpp:505
-  logic [4:0] select_2351;
-  assign select_2351 = equal_2250_s1_q ? 5'h0 : select_2350;
-  logic or_2352;
-  assign or_2352 = equal_2250_s1_q | equal_2248_s1_q;
-  // hls/stages/patches.hpp:481
-  logic equal_2354;
-  assign equal_2354 = patches_column_s1_q == 5'h1f;
+  assign select_2350 = equal_2250_s1_q ? 5'h0 : select_2349;
+  logic or_2351;
+  assign or_2351 = equal_2250_s1_q | equal_2248_s1_q;
+  // hls/stages/patches.hpp:482
+  logic equal_2353;
+  assign equal_2353 = patches_column_s1_q == 5'h1f;
   logic of_row;
   assign of_row = patches_column_s1_q == 5'h11;
-  logic equal_2356;
-  assign equal_2356 = patches_column_s1_q == 5'h18;
-  // hls/stages/patches.hpp:483
-  logic and_2358;
-  assign and_2358 = of_row & (~equal_2356);
+  logic equal_2355;
+  assign equal_2355 = patches_column_s1_q == 5'h18;
+  // hls/stages/patches.hpp:484
+  logic and_2357;
+  assign and_2357 = of_row & (~equal_2355);
   logic [1:0] of_row_2;
-  assign of_row_2 = equal_2354 ? 2'h3 : {equal_2356, and_2358};
-  // hls/stages/patches.hpp:469
-  logic [8:0] sum_2361;
-  assign sum_2361 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
-  logic [8:0] sum_2362;
-  assign sum_2362 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
-  logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_2361, pixel_2[0]} - {1'b0, sum_2362, patches_columns_above_rdata_q[24]};
-  // hls/stages/patches.hpp:471
-  logic [11:0] sum_2364;
-  assign sum_2364 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_2365;
-  assign sum_2365 = {{4{down_2[10]}}, down_2[10:2]} + {sum_2364[11], sum_2364};
-  logic [13:0] sum_2366;
-  assign sum_2366 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_2365, down_2[1]};
-  logic [12:0] sum_2367;
-  assign sum_2367 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2366[13:1];
-  logic [14:0] sum_2368;
-  assign sum_2368 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2367, sum_2366[0], down_2[0]};
-  // hls/stages/patches.hpp:453
-  logic or_2375;
-  assign or_2375 = (sum_2368[8] & (~(sum_2368[7:0] == 8'h0))) | (~(sum_2368[13:9] == 5'h0));
-  // hls/stages/patches.hpp:467
-  logic [8:0] sum_2380;
-  assign sum_2380 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
-  logic [9:0] sum_2381;
-  assign sum_2381 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_2380};
-  logic [10:0] sum_2382;
-  assign sum_2382 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2381, patches_columns_above_rdata_q[25]};
-  logic [9:0] sum_2383;
-  assign sum_2383 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2382[10:1];
-  // hls/stages/patches.hpp:468
-  logic [11:0] smooth;
-  assign smooth = {sum_2383, sum_2382[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  assign of_row_2 = equal_2353 ? 2'h3 : {equal_2355, and_2357};
   // hls/stages/patches.hpp:470
+  logic [8:0] sum_2360;
+  assign sum_2360 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
+  logic [8:0] sum_2361;
+  assign sum_2361 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
+  logic [10:0] down_2;
+  assign down_2 = {1'b0, sum_2360, pixel_2[0]} - {1'b0, sum_2361, patches_columns_above_rdata_q[24]};
+  // hls/stages/patches.hpp:472
+  logic [11:0] sum_2363;
+  assign sum_2363 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_2364;
+  assign sum_2364 = {{4{down_2[10]}}, down_2[10:2]} + {sum_2363[11], sum_2363};
+  logic [13:0] sum_2365;
+  assign sum_2365 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_2364, down_2[1]};
+  logic [12:0] sum_2366;
+  assign sum_2366 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2365[13:1];
+  logic [14:0] sum_2367;
+  assign sum_2367 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2366, sum_2365[0], down_2[0]};
+  // hls/stages/patches.hpp:454
+  logic or_2374;
+  assign or_2374 = (sum_2367[8] & (~(sum_2367[7:0] == 8'h0))) | (~(sum_2367[13:9] == 5'h0));
+  // hls/stages/patches.hpp:468
+  logic [8:0] sum_2379;
+  assign sum_2379 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
+  logic [9:0] sum_2380;
+  assign sum_2380 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_2379};
+  logic [10:0] sum_2381;
+  assign sum_2381 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2380, patches_columns_above_rdata_q[25]};
+  logic [9:0] sum_2382;
+  assign sum_2382 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2381[10:1];
+  // hls/stages/patches.hpp:469
+  logic [11:0] smooth;
+  assign smooth = {sum_2382, sum_2381[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  // hls/stages/patches.hpp:471
+  logic [12:0] sum_2384;
+  assign sum_2384 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
   logic [12:0] sum_2385;
-  assign sum_2385 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
-  logic [12:0] sum_2386;
-  assign sum_2386 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_2387;
-  assign difference_2387 = {1'b0, sum_2385, smooth[0]} - {1'b0, sum_2386, patches_smooth_values_3_q[0]};
-  // hls/stages/patches.hpp:453
-  logic or_2394;
-  assign or_2394 = (difference_2387[8] & (~(difference_2387[7:0] == 8'h0))) | (~(difference_2387[13:9] == 5'h0));
-  // hls/stages/patches.hpp:482
-  logic or_2402;
-  assign or_2402 = (((patches_column_s1_q == 5'ha) | of_row) | equal_2356) | equal_2354;
-  // hls/stages/patches.hpp:477
-  logic and_2407;
-  assign and_2407 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
-  // hls/stages/patches.hpp:184
-  logic and_2411;
-  assign and_2411 = not_2249_s1_q & (or_2252_s1_q & (or_2402 & (equal_2251_s1_q & and_2407)));
-  // hls/stages/patches.hpp:172
-  logic and_2421;
-  assign and_2421 = (~(equal_2251_s1_q | (~and_2407))) & (~patches_column_s1_q[4]);
-  // hls/stages/patches.hpp:184
-  logic and_2425;
-  assign and_2425 = not_2249_s1_q & (or_2252_s1_q & (and_2421 & (patches_column_s1_q == 5'hf)));
-  // hls/stages/patches.hpp:546
-  logic less_2427;
-  assign less_2427 = patches_step_q[4:0] < 5'h11;
-  logic equal_2428;
-  assign equal_2428 = patches_step_q[6:5] == 2'h0;
-  logic not_2429;
-  assign not_2429 = ~equal_2428;
-  logic equal_2430;
-  assign equal_2430 = patches_step_q[6:5] == 2'h3;
-  logic not_2431;
-  assign not_2431 = ~equal_2430;
-  // hls/stages/patches.hpp:560
-  logic select_2434;
-  assign select_2434 = equal_2430 ? (less_2427 & (less_2427 & not_2431)) : less_2427;
-  // hls/stages/patches.hpp:184
-  logic and_2437;
-  assign and_2437 = equal_2246_s1_q & (less_2427 ? (not_2429 & select_2434) : select_2434);
+  assign sum_2385 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_2386;
+  assign difference_2386 = {1'b0, sum_2384, smooth[0]} - {1'b0, sum_2385, patches_smooth_values_3_q[0]};
+  // hls/stages/patches.hpp:454
+  logic or_2393;
+  assign or_2393 = (difference_2386[8] & (~(difference_2386[7:0] == 8'h0))) | (~(difference_2386[13:9] == 5'h0));
+  // hls/stages/patches.hpp:483
+  logic or_2401;
+  assign or_2401 = (((patches_column_s1_q == 5'ha) | of_row) | equal_2355) | equal_2353;
+  // hls/stages/patches.hpp:478
+  logic and_2406;
+  assign and_2406 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
+  // hls/stages/patches.hpp:185
+  logic and_2410;
+  assign and_2410 = not_2249_s1_q & (or_2252_s1_q & (or_2401 & (equal_2251_s1_q & and_2406)));
+  // hls/stages/patches.hpp:173
+  logic and_2420;
+  assign and_2420 = (~(equal_2251_s1_q | (~and_2406))) & (~patches_column_s1_q[4]);
+  // hls/stages/patches.hpp:185
+  logic and_2424;
+  assign and_2424 = not_2249_s1_q & (or_2252_s1_q & (and_2420 & (patches_column_s1_q == 5'hf)));
+  // hls/stages/patches.hpp:547
+  logic less_2426;
+  assign less_2426 = patches_step_q[4:0] < 5'h11;
+  logic equal_2427;
+  assign equal_2427 = patches_step_q[6:5] == 2'h0;
+  logic not_2428;
+  assign not_2428 = ~equal_2427;
+  logic equal_2429;
+  assign equal_2429 = patches_step_q[6:5] == 2'h3;
+  logic not_2430;
+  assign not_2430 = ~equal_2429;
+  // hls/stages/patches.hpp:561
+  logic select_2433;
+  assign select_2433 = equal_2429 ? (less_2426 & (less_2426 & not_2430)) : less_2426;
+  // hls/stages/patches.hpp:185
+  logic and_2436;
+  assign and_2436 = equal_2246_s1_q & (less_2426 ? (not_2428 & select_2433) : select_2433);
   // hls/stages/division.hpp:34
-  logic [5:0] sum_2459;
-  assign sum_2459 = region_across_rest_q[8:3] + 6'h1;
+  logic [5:0] sum_2458;
+  assign sum_2458 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:456
-  logic [5:0] or_2743;
-  assign or_2743 = last_s1_2_q[5:0] | row_s1_q;
+  logic [5:0] or_2742;
+  assign or_2742 = last_s1_2_q[5:0] | row_s1_q;
   // hls/stages/agreement.hpp:460
-  logic select_3027;
-  assign select_3027 = equal_2933_s1_q ? (~({row_s1_q, 1'b0} < {sum_3024, cfg_height_i[3]})) : lower_half_q;
+  logic select_3026;
+  assign select_3026 = equal_2932_s1_q ? (~({row_s1_q, 1'b0} < {sum_3023, cfg_height_i[3]})) : lower_half_q;
   // hls/stages/agreement.hpp:520
-  logic and_3271;
-  assign and_3271 = and_542_s1_q & (equal_2933_s1_q & (row_s1_q[5:2] == 4'h0));
+  logic and_3270;
+  assign and_3270 = and_542_s1_q & (equal_2932_s1_q & (row_s1_q[5:2] == 4'h0));
   // hls/stages/registration.hpp:128
-  logic and_3272;
-  assign and_3272 = and_2934_s1_q & and_3271;
+  logic and_3271;
+  assign and_3271 = and_2933_s1_q & and_3270;
   // hls/stages/registration.hpp:127
-  logic and_3274;
-  assign and_3274 = and_2934_s1_q & (~and_3271);
+  logic and_3273;
+  assign and_3273 = and_2933_s1_q & (~and_3270);
   // hls/stages/registration.hpp:129
-  logic [15:0] select_3275;
-  assign select_3275 = and_3274 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_3274;
+  assign select_3274 = and_3273 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_3277;
-  assign select_3277 = and_3272 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3275[15]}}, select_3275});
+  logic [23:0] select_3276;
+  assign select_3276 = and_3271 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3274[15]}}, select_3274});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_3278;
-  assign select_3278 = and_3274 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_3277;
+  assign select_3277 = and_3273 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_3278[15]}}, select_3278};
+  assign both = registration_slope_change_q + {{12{select_3277[15]}}, select_3277};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_3280;
-  assign select_3280 = and_3272 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_3279;
+  assign select_3279 = and_3271 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:149
-  logic and_3281;
-  assign and_3281 = ends_cell_s1_q & so_s1_q;
+  logic and_3280;
+  assign and_3280 = ends_cell_s1_q & so_s1_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_7;
-  assign column_7 = registration_slope_q + (and_3281 ? registration_slope_change_q : 28'h0);
-  // hls/stages/patches.hpp:187
-  logic select_3527;
-  assign select_3527 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
-  // hls/stages/patches.hpp:184
-  logic [11:0] select_3530;
-  assign select_3530 = equal_2248_s1_q ? patches_smooth_values_0_q : (or_2252_s1_q ? smooth : patches_smooth_values_0_q);
-  logic [11:0] select_3532;
-  assign select_3532 = or_2252_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  assign column_7 = registration_slope_q + (and_3280 ? registration_slope_change_q : 28'h0);
+  // hls/stages/patches.hpp:188
+  logic select_3526;
+  assign select_3526 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  // hls/stages/patches.hpp:185
+  logic [11:0] select_3529;
+  assign select_3529 = equal_2248_s1_q ? patches_smooth_values_0_q : (or_2252_s1_q ? smooth : patches_smooth_values_0_q);
+  logic [11:0] select_3531;
+  assign select_3531 = or_2252_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3533;
+  assign select_3533 = equal_2246_s1_q ? patches_smooth_values_1_q : (equal_2248_s1_q ? patches_smooth_values_1_q : select_3531);
   logic [11:0] select_3534;
-  assign select_3534 = equal_2246_s1_q ? patches_smooth_values_1_q : (equal_2248_s1_q ? patches_smooth_values_1_q : select_3532);
-  logic [11:0] select_3535;
-  assign select_3535 = or_2252_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  assign select_3534 = or_2252_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3536;
+  assign select_3536 = equal_2246_s1_q ? patches_smooth_values_2_q : (equal_2248_s1_q ? patches_smooth_values_2_q : select_3534);
   logic [11:0] select_3537;
-  assign select_3537 = equal_2246_s1_q ? patches_smooth_values_2_q : (equal_2248_s1_q ? patches_smooth_values_2_q : select_3535);
-  logic [11:0] select_3538;
-  assign select_3538 = or_2252_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
-  logic [11:0] select_3540;
-  assign select_3540 = equal_2246_s1_q ? patches_smooth_values_3_q : (equal_2248_s1_q ? patches_smooth_values_3_q : select_3538);
-  logic [10:0] select_3542;
-  assign select_3542 = equal_2248_s1_q ? patches_down_values_0_q : (or_2252_s1_q ? down_2 : patches_down_values_0_q);
-  logic [10:0] select_3545;
-  assign select_3545 = equal_2248_s1_q ? patches_down_values_1_q : (or_2252_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
-  logic [10:0] select_3548;
-  assign select_3548 = equal_2248_s1_q ? patches_down_values_2_q : (or_2252_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
-  logic [10:0] select_3551;
-  assign select_3551 = equal_2248_s1_q ? patches_down_values_3_q : (or_2252_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
-  // hls/stages/patches.hpp:175
-  logic and_3588;
-  assign and_3588 = patches_along_ends_q & patches_match_row_ends_q;
-  // hls/stages/patches.hpp:413
-  logic [4:0] select_3593;
-  assign select_3593 = or_3488_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
-  // hls/stages/patches.hpp:415
-  logic [3:0] select_3595;
-  assign select_3595 = and_3588 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
-  // hls/stages/patches.hpp:184
-  logic [4:0] select_3951;
-  assign select_3951 = equal_2246_s1_q ? patches_summed_down_by_q : (equal_2248_s1_q ? patches_down_by_q : patches_summed_down_by_q);
-  // hls/stages/patches.hpp:556
-  logic and_3984;
-  assign and_3984 = less_2427 & (patches_step_q[6:5] == 2'h1);
-  // hls/stages/patches.hpp:560
-  logic select_3987;
-  assign select_3987 = equal_2430 ? (less_2427 ? (not_2431 & and_3984) : and_3984) : and_3984;
-  // hls/stages/patches.hpp:184
-  logic select_3990;
-  assign select_3990 = equal_2246_s1_q ? (less_2427 ? (not_2429 & select_3987) : select_3987) : patches_read_searches_q;
+  assign select_3537 = or_2252_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3539;
+  assign select_3539 = equal_2246_s1_q ? patches_smooth_values_3_q : (equal_2248_s1_q ? patches_smooth_values_3_q : select_3537);
+  logic [10:0] select_3541;
+  assign select_3541 = equal_2248_s1_q ? patches_down_values_0_q : (or_2252_s1_q ? down_2 : patches_down_values_0_q);
+  logic [10:0] select_3544;
+  assign select_3544 = equal_2248_s1_q ? patches_down_values_1_q : (or_2252_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
+  logic [10:0] select_3547;
+  assign select_3547 = equal_2248_s1_q ? patches_down_values_2_q : (or_2252_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
+  logic [10:0] select_3550;
+  assign select_3550 = equal_2248_s1_q ? patches_down_values_3_q : (or_2252_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
+  // hls/stages/patches.hpp:176
+  logic and_3587;
+  assign and_3587 = patches_along_ends_q & patches_match_row_ends_q;
+  // hls/stages/patches.hpp:414
+  logic [4:0] select_3592;
+  assign select_3592 = or_3487_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  // hls/stages/patches.hpp:416
+  logic [3:0] select_3594;
+  assign select_3594 = and_3587 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  // hls/stages/patches.hpp:185
+  logic [4:0] select_3950;
+  assign select_3950 = equal_2246_s1_q ? patches_summed_down_by_q : (equal_2248_s1_q ? patches_down_by_q : patches_summed_down_by_q);
+  // hls/stages/patches.hpp:557
+  logic and_3983;
+  assign and_3983 = less_2426 & (patches_step_q[6:5] == 2'h1);
+  // hls/stages/patches.hpp:561
+  logic select_3986;
+  assign select_3986 = equal_2429 ? (less_2426 ? (not_2430 & and_3983) : and_3983) : and_3983;
+  // hls/stages/patches.hpp:185
+  logic select_3989;
+  assign select_3989 = equal_2246_s1_q ? (less_2426 ? (not_2428 & select_3986) : select_3986) : patches_read_searches_q;
   // hls/stages/agreement.hpp:205
-  logic [8:0] select_4329;
-  assign select_4329 = so_s1_q ? (and_3281 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic [8:0] select_4328;
+  assign select_4328 = so_s1_q ? (and_3280 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4331;
-  assign sum_4331 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_4330;
+  assign sum_4330 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4332;
-  assign select_4332 = sum_2459[5] ? {1'b1, sum_2459[4:0], region_across_rest_q[2:0]} : sum_4331;
+  logic [8:0] select_4331;
+  assign select_4331 = sum_2458[5] ? {1'b1, sum_2458[4:0], region_across_rest_q[2:0]} : sum_4330;
   // hls/stages/agreement.hpp:460
-  logic [8:0] select_4334;
-  assign select_4334 = equal_2933_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_4337;
-  assign select_4337 = equal_2933_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  logic [8:0] select_4333;
+  assign select_4333 = equal_2932_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_4336;
+  assign select_4336 = equal_2932_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
 
   // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:235; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -2378,7 +2378,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) right_turns_read_q <= rst_ni & right_turns_re;
   assign right_turns_error = right_turns_read_q & ^right_turns_word_q;
 
-  // Memory patches_right_codes, 112 x 28 and parity, DISTANCE 12, hls/stages/patches.hpp:796; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory patches_right_codes, 112 x 28 and parity, DISTANCE 12, hls/stages/patches.hpp:797; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] patches_right_codes_mem [0:111];
@@ -2386,9 +2386,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 29'h0;
 `endif
   logic [6:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = {select_2351, not_2346, select_2345};
+  assign patches_right_codes_raddr = {select_2350, not_2345, select_2344};
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s1_en & or_2352;
+  assign patches_right_codes_re = s1_en & or_2351;
   logic [28:0] patches_right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_right_codes_word_q <= patches_right_codes_mem[patches_right_codes_raddr];
@@ -2399,7 +2399,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_right_codes_read_q <= rst_ni & patches_right_codes_re;
   assign patches_right_codes_error = patches_right_codes_read_q & ^patches_right_codes_word_q;
 
-  // Memory patches_left_codes, 12 x 48 and parity, DISTANCE 12, hls/stages/patches.hpp:797; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory patches_left_codes, 12 x 48 and parity, DISTANCE 12, hls/stages/patches.hpp:798; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2421,7 +2421,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_left_codes_read_q <= rst_ni & patches_left_codes_re;
   assign patches_left_codes_error = patches_left_codes_read_q & ^patches_left_codes_word_q;
 
-  // Memory patches_rows, 17 x 15 and parity, DISTANCE 12, hls/stages/patches.hpp:811; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
+  // Memory patches_rows, 17 x 15 and parity, DISTANCE 12, hls/stages/patches.hpp:812; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2432,7 +2432,7 @@ module horopter_agreement (
   logic [4:0] patches_rows_raddr;
   assign patches_rows_raddr = patches_step_q[4:0];
   logic patches_rows_re;
-  assign patches_rows_re = s1_en & and_2437;
+  assign patches_rows_re = s1_en & and_2436;
   logic [15:0] patches_rows_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_rows_word_q <= patches_rows_mem[patches_rows_raddr];
@@ -2512,7 +2512,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_waddr;
   assign patches_columns_above_waddr = patches_column_s1_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s1_en & and_2333_s1_q;
+  assign patches_columns_above_we = s1_en & and_2332_s1_q;
   logic [31:0] patches_columns_above_wdata;
   assign patches_columns_above_wdata = {patches_columns_above_rdata_q[23:0], pixel_2};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -2564,33 +2564,33 @@ module horopter_agreement (
       moments_place_q <= select_565;
       moments_taken_q <= not_568 & (not_570 & (equal_571_s1_q & inside_v));
       moments_starts_q <= not_568 & (not_570 & (equal_571_s1_q & (inside_v & first)));
-      row_q <= and_542_s1_q ? (equal_2933_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_542_s1_q ? select_3027 : lower_half_q;
-      registration_slope_row_q <= select_3277;
-      registration_slope_change_q <= select_3280;
+      row_q <= and_542_s1_q ? (equal_2932_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_542_s1_q ? select_3026 : lower_half_q;
+      registration_slope_row_q <= select_3276;
+      registration_slope_change_q <= select_3279;
       registration_slope_q <= so_s1_q ? column_7 : {registration_slope_row_q, 4'h0};
-      patches_along_ends_q <= not_3512_s1_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3512_s1_q & select_3527;
-      patches_smooth_values_0_q <= equal_2246_s1_q ? patches_smooth_values_0_q : select_3530;
-      patches_smooth_values_1_q <= select_3534;
-      patches_smooth_values_2_q <= select_3537;
-      patches_smooth_values_3_q <= select_3540;
-      patches_down_values_0_q <= equal_2246_s1_q ? patches_down_values_0_q : select_3542;
-      patches_down_values_1_q <= equal_2246_s1_q ? patches_down_values_1_q : select_3545;
-      patches_down_values_2_q <= equal_2246_s1_q ? patches_down_values_2_q : select_3548;
-      patches_down_values_3_q <= equal_2246_s1_q ? patches_down_values_3_q : select_3551;
-      patches_down_by_q <= or_3488_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3588});
-      patches_along_q <= select_3593;
-      patches_match_row_q <= or_3488_s1_q ? 4'h0 : select_3595;
-      patches_summed_last_q <= not_2247_s1_q & (equal_2248_s1_q & and_3588);
-      patches_summed_down_by_q <= select_3951;
-      patches_step_q <= or_3488_s1_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3990;
-      region_across_rest_q <= select_4329;
+      patches_along_ends_q <= not_3511_s1_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3511_s1_q & select_3526;
+      patches_smooth_values_0_q <= equal_2246_s1_q ? patches_smooth_values_0_q : select_3529;
+      patches_smooth_values_1_q <= select_3533;
+      patches_smooth_values_2_q <= select_3536;
+      patches_smooth_values_3_q <= select_3539;
+      patches_down_values_0_q <= equal_2246_s1_q ? patches_down_values_0_q : select_3541;
+      patches_down_values_1_q <= equal_2246_s1_q ? patches_down_values_1_q : select_3544;
+      patches_down_values_2_q <= equal_2246_s1_q ? patches_down_values_2_q : select_3547;
+      patches_down_values_3_q <= equal_2246_s1_q ? patches_down_values_3_q : select_3550;
+      patches_down_by_q <= or_3487_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3587});
+      patches_along_q <= select_3592;
+      patches_match_row_q <= or_3487_s1_q ? 4'h0 : select_3594;
+      patches_summed_last_q <= not_2247_s1_q & (equal_2248_s1_q & and_3587);
+      patches_summed_down_by_q <= select_3950;
+      patches_step_q <= or_3487_s1_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3989;
+      region_across_rest_q <= select_4328;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_4332;
-      columns_begin_rest_q <= and_542_s1_q ? select_4334 : columns_begin_rest_q;
-      columns_begin_back_q <= and_542_s1_q ? select_4337 : columns_begin_back_q;
+      region_across_next_q <= select_4331;
+      columns_begin_rest_q <= and_542_s1_q ? select_4333 : columns_begin_rest_q;
+      columns_begin_back_q <= and_542_s1_q ? select_4336 : columns_begin_back_q;
     end
   end
 
@@ -2760,36 +2760,36 @@ module horopter_agreement (
   logic or_2252_s2_q;
   logic [4:0] select_2276_s2_q;
   logic select_2282_s2_q;
-  logic [3:0] select_2323_s2_q;
-  logic less_2339_s2_q;
+  logic [3:0] select_2322_s2_q;
+  logic less_2338_s2_q;
   logic new_row_s2_q;
-  logic or_2352_s2_q;
+  logic or_2351_s2_q;
   logic [1:0] of_row_2_s2_q;
-  logic not_2369_s2_q;
-  logic or_2375_s2_q;
-  logic and_2379_s2_q;
-  logic and_2395_s2_q;
-  logic and_2398_s2_q;
-  logic and_2412_s2_q;
-  logic and_2421_s2_q;
-  logic and_2426_s2_q;
-  logic less_2427_s2_q;
-  logic equal_2428_s2_q;
-  logic not_2429_s2_q;
-  logic equal_2430_s2_q;
-  logic not_2431_s2_q;
-  logic sum_2459_s2_q;
-  logic and_2480_s2_q;
-  logic and_2597_s2_q;
-  logic equal_2744_s2_q;
-  logic equal_2933_s2_q;
-  logic and_3040_s2_q;
-  logic equal_3125_s2_q;
-  logic less_3564_s2_q;
-  logic equal_3907_s2_q;
-  logic equal_3991_s2_q;
-  logic less_4317_s2_q;
-  logic equal_4536_s2_q;
+  logic not_2368_s2_q;
+  logic or_2374_s2_q;
+  logic and_2378_s2_q;
+  logic and_2394_s2_q;
+  logic and_2397_s2_q;
+  logic and_2411_s2_q;
+  logic and_2420_s2_q;
+  logic and_2425_s2_q;
+  logic less_2426_s2_q;
+  logic equal_2427_s2_q;
+  logic not_2428_s2_q;
+  logic equal_2429_s2_q;
+  logic not_2430_s2_q;
+  logic sum_2458_s2_q;
+  logic and_2479_s2_q;
+  logic and_2596_s2_q;
+  logic equal_2743_s2_q;
+  logic equal_2932_s2_q;
+  logic and_3039_s2_q;
+  logic equal_3124_s2_q;
+  logic less_3563_s2_q;
+  logic equal_3906_s2_q;
+  logic equal_3990_s2_q;
+  logic less_4316_s2_q;
+  logic equal_4535_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -2868,36 +2868,36 @@ module horopter_agreement (
       or_2252_s2_q <= or_2252_s1_q;
       select_2276_s2_q <= select_2276_s1_q;
       select_2282_s2_q <= select_2282_s1_q;
-      select_2323_s2_q <= select_2323_s1_q;
-      less_2339_s2_q <= less_2339;
+      select_2322_s2_q <= select_2322_s1_q;
+      less_2338_s2_q <= less_2338;
       new_row_s2_q <= new_row;
-      or_2352_s2_q <= or_2352;
+      or_2351_s2_q <= or_2351;
       of_row_2_s2_q <= of_row_2;
-      not_2369_s2_q <= ~sum_2368[14];
-      or_2375_s2_q <= or_2375;
-      and_2379_s2_q <= sum_2368[14] & (~(sum_2368[13:8] == 6'h3f));
-      and_2395_s2_q <= (~difference_2387[14]) & or_2394;
-      and_2398_s2_q <= difference_2387[14] & (~(difference_2387[13:8] == 6'h3f));
-      and_2412_s2_q <= not_2247_s1_q & and_2411;
-      and_2421_s2_q <= and_2421;
-      and_2426_s2_q <= not_2247_s1_q & and_2425;
-      less_2427_s2_q <= less_2427;
-      equal_2428_s2_q <= equal_2428;
-      not_2429_s2_q <= not_2429;
-      equal_2430_s2_q <= equal_2430;
-      not_2431_s2_q <= not_2431;
-      sum_2459_s2_q <= sum_2459[5];
-      and_2480_s2_q <= or_572_s1_q & (left_rdata_q[69] & not_576_s1_q);
-      and_2597_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
-      equal_2744_s2_q <= {last_s1_2_q[6], or_2743} == 7'h0;
-      equal_2933_s2_q <= equal_2933_s1_q;
-      and_3040_s2_q <= or_572_s1_q & (not_576_s1_q & and_600);
-      equal_3125_s2_q <= shift == 6'h0;
-      less_3564_s2_q <= 4'he < patches_column_s1_q[4:1];
-      equal_3907_s2_q <= patches_match_row_q == 4'h0;
-      equal_3991_s2_q <= patches_step_q[6:5] == 2'h2;
-      less_4317_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_4536_s2_q <= row_s1_q[5:3] == 3'h0;
+      not_2368_s2_q <= ~sum_2367[14];
+      or_2374_s2_q <= or_2374;
+      and_2378_s2_q <= sum_2367[14] & (~(sum_2367[13:8] == 6'h3f));
+      and_2394_s2_q <= (~difference_2386[14]) & or_2393;
+      and_2397_s2_q <= difference_2386[14] & (~(difference_2386[13:8] == 6'h3f));
+      and_2411_s2_q <= not_2247_s1_q & and_2410;
+      and_2420_s2_q <= and_2420;
+      and_2425_s2_q <= not_2247_s1_q & and_2424;
+      less_2426_s2_q <= less_2426;
+      equal_2427_s2_q <= equal_2427;
+      not_2428_s2_q <= not_2428;
+      equal_2429_s2_q <= equal_2429;
+      not_2430_s2_q <= not_2430;
+      sum_2458_s2_q <= sum_2458[5];
+      and_2479_s2_q <= or_572_s1_q & (left_rdata_q[69] & not_576_s1_q);
+      and_2596_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
+      equal_2743_s2_q <= {last_s1_2_q[6], or_2742} == 7'h0;
+      equal_2932_s2_q <= equal_2932_s1_q;
+      and_3039_s2_q <= or_572_s1_q & (not_576_s1_q & and_600);
+      equal_3124_s2_q <= shift == 6'h0;
+      less_3563_s2_q <= 4'he < patches_column_s1_q[4:1];
+      equal_3906_s2_q <= patches_match_row_q == 4'h0;
+      equal_3990_s2_q <= patches_step_q[6:5] == 2'h2;
+      less_4316_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_4535_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
@@ -3494,7 +3494,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:788
   logic [3:0] select_2081;
   assign select_2081 = equal_567_s2_q ? select_2079 : {sum_2080, lower_half_s2_q, registration_of_right_q};
-  // hls/stages/patches.hpp:210
+  // hls/stages/patches.hpp:211
   logic equal_2082;
   assign equal_2082 = x_s2_q[5:0] == 6'h3f;
   logic equal_2084;
@@ -3549,7 +3549,7 @@ module horopter_agreement (
   assign not_2126 = ~lower_half_s2_q;
   logic [3:0] select_2127;
   assign select_2127 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_2126, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_2126};
-  // hls/stages/patches.hpp:373
+  // hls/stages/patches.hpp:374
   logic [1:0] select_2156;
   assign select_2156 = and_2155_s2_q ? 2'h1 : patches_fetch_q;
   logic [4:0] select_2157;
@@ -3632,22 +3632,22 @@ module horopter_agreement (
   assign and_2213 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2193 & and_2209)));
   logic and_2214;
   assign and_2214 = not_568_s2_q & and_2213;
-  // hls/stages/patches.hpp:156
+  // hls/stages/patches.hpp:157
   logic and_2216;
   assign and_2216 = and_2214 & (~patches_fixed_q);
-  // hls/stages/patches.hpp:344
+  // hls/stages/patches.hpp:345
   logic select_2217;
   assign select_2217 = and_2216 ? and_2214 : patches_choice_valid_q;
   // hls/stages/agreement.hpp:788
   logic [7:0] select_2220;
   assign select_2220 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
-  // hls/stages/patches.hpp:344
+  // hls/stages/patches.hpp:345
   logic [7:0] select_2222;
   assign select_2222 = and_2216 ? (equal_567_s2_q ? 8'h0 : select_2220) : patches_choice_column_q;
   // hls/stages/agreement.hpp:788
   logic [5:0] select_2225;
   assign select_2225 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
-  // hls/stages/patches.hpp:344
+  // hls/stages/patches.hpp:345
   logic [5:0] select_2227;
   assign select_2227 = and_2216 ? (equal_567_s2_q ? 6'h0 : select_2225) : patches_choice_shift_q;
   // hls/stages/registration.hpp:96
@@ -3662,7 +3662,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:788
   logic [7:0] select_2236;
   assign select_2236 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
-  // hls/stages/patches.hpp:344
+  // hls/stages/patches.hpp:345
   logic [7:0] select_2238;
   assign select_2238 = and_2216 ? (equal_567_s2_q ? 8'h0 : select_2236) : patches_choice_slope_q;
   // hls/stages/patches.hpp:113
@@ -3673,431 +3673,431 @@ module horopter_agreement (
   assign and_2243 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2197 | equal_2239)));
   logic and_2244;
   assign and_2244 = not_568_s2_q & and_2243;
-  // hls/stages/patches.hpp:344
+  // hls/stages/patches.hpp:345
   logic and_2245;
   assign and_2245 = patches_chooses_s2_q & and_2244;
   // hls/stages/patches.hpp:126
   logic [4:0] select_2259;
   assign select_2259 = and_2142_s2_q ? select_2157 : patches_band_q;
-  // hls/stages/patches.hpp:353
+  // hls/stages/patches.hpp:354
   logic equal_2260;
   assign equal_2260 = {patches_choosing_band_s2_q, and_2168} == {select_2259, select_2159[1]};
-  // hls/stages/patches.hpp:486
-  logic [2:0] sum_2360;
-  assign sum_2360 = patches_code_row_s2_q[4:2] + 3'h7;
-  // hls/stages/patches.hpp:453
-  logic and_2376;
-  assign and_2376 = not_2369_s2_q & or_2375_s2_q;
-  // hls/stages/patches.hpp:490
-  logic [1:0] sum_2416;
-  assign sum_2416 = patches_code_row_s2_q[3:2] + 2'h3;
+  // hls/stages/patches.hpp:487
+  logic [2:0] sum_2359;
+  assign sum_2359 = patches_code_row_s2_q[4:2] + 3'h7;
+  // hls/stages/patches.hpp:454
+  logic and_2375;
+  assign and_2375 = not_2368_s2_q & or_2374_s2_q;
+  // hls/stages/patches.hpp:491
+  logic [1:0] sum_2415;
+  assign sum_2415 = patches_code_row_s2_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:205
-  logic [7:0] select_2446;
-  assign select_2446 = so_s2_q ? region_columns_q : 8'h1;
+  logic [7:0] select_2445;
+  assign select_2445 = so_s2_q ? region_columns_q : 8'h1;
   // hls/stages/agreement.hpp:1050
-  logic or_2449;
-  assign or_2449 = select_2446[7] | (~({select_2446[5], select_2446[3], select_2446[1]} == 3'h0));
+  logic or_2448;
+  assign or_2448 = select_2445[7] | (~({select_2445[5], select_2445[3], select_2445[1]} == 3'h0));
   // hls/stages/agreement.hpp:1049
-  logic or_2452;
-  assign or_2452 = select_2446[7] | (~({select_2446[6], select_2446[3:2]} == 3'h0));
+  logic or_2451;
+  assign or_2451 = select_2445[7] | (~({select_2445[6], select_2445[3:2]} == 3'h0));
   // hls/stages/agreement.hpp:1048
-  logic or_2455;
-  assign or_2455 = select_2446[7] | (~(select_2446[6:4] == 3'h0));
+  logic or_2454;
+  assign or_2454 = select_2445[7] | (~(select_2445[6:4] == 3'h0));
   // hls/stages/agreement.hpp:788
-  logic [5:0] select_2456;
-  assign select_2456 = equal_567_s2_q ? x_s2_q[5:0] : {region_row_q, or_2455, or_2452, or_2449};
+  logic [5:0] select_2455;
+  assign select_2455 = equal_567_s2_q ? x_s2_q[5:0] : {region_row_q, or_2454, or_2451, or_2448};
   // hls/stages/agreement.hpp:1128
-  logic not_2457;
-  assign not_2457 = ~equal_2074;
+  logic not_2456;
+  assign not_2456 = ~equal_2074;
   // hls/stages/agreement.hpp:1058
-  logic or_2461;
-  assign or_2461 = (~sum_2459_s2_q) | equal_2239;
+  logic or_2460;
+  assign or_2460 = (~sum_2458_s2_q) | equal_2239;
   // hls/stages/agreement.hpp:788
-  logic and_2464;
-  assign and_2464 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_2461));
+  logic and_2463;
+  assign and_2463 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_2460));
   // hls/stages/agreement.hpp:262
   logic textured;
   assign textured = inside_v_s2_q & (or_572_s2_q & (not_576_s2_q & and_601_s2_q));
   logic explained;
   assign explained = inside_v_s2_q & and_629;
   // hls/stages/agreement.hpp:149
-  logic and_2482;
-  assign and_2482 = or_572_s2_q & (not_576_s2_q & and_2480_s2_q);
+  logic and_2481;
+  assign and_2481 = or_572_s2_q & (not_576_s2_q & and_2479_s2_q);
   // hls/stages/agreement.hpp:262
-  logic and_2491;
-  assign and_2491 = inside_v_s2_q & and_2482;
+  logic and_2490;
+  assign and_2490 = inside_v_s2_q & and_2481;
   // hls/stages/agreement.hpp:1014
-  logic select_2492;
-  assign select_2492 = slot_s2_q[2] ? shown_shown_q : and_629;
+  logic select_2491;
+  assign select_2491 = slot_s2_q[2] ? shown_shown_q : and_629;
   // hls/stages/agreement.hpp:262
   logic shown;
-  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2492);
+  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2491);
   // hls/stages/agreement.hpp:1014
-  logic select_2495;
-  assign select_2495 = slot_s2_q[2] ? shown_nearer_q : and_2052;
+  logic select_2494;
+  assign select_2494 = slot_s2_q[2] ? shown_nearer_q : and_2052;
   // hls/stages/agreement.hpp:262
   logic near;
-  assign near = inside_v_s2_q & (select_2492 ? select_2495 : shown_right_rdata_q[1]);
+  assign near = inside_v_s2_q & (select_2491 ? select_2494 : shown_right_rdata_q[1]);
   // hls/stages/agreement.hpp:1275
-  logic or_2498;
-  assign or_2498 = marks_first_s2_q | line_ended_q;
+  logic or_2497;
+  assign or_2497 = marks_first_s2_q | line_ended_q;
   // hls/stages/agreement.hpp:1277
-  logic [16:0] select_2500;
-  assign select_2500 = marks_first_s2_q ? 17'h1 : (or_2498 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
+  logic [16:0] select_2499;
+  assign select_2499 = marks_first_s2_q ? 17'h1 : (or_2497 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
   // hls/stages/agreement.hpp:1276
-  logic [8:0] select_2502;
-  assign select_2502 = or_2498 ? 9'h0 : columns_passed_q;
+  logic [8:0] select_2501;
+  assign select_2501 = or_2497 ? 9'h0 : columns_passed_q;
   // hls/stages/agreement.hpp:1284
-  logic select_2504;
-  assign select_2504 = cfg_compete_i ? (or_2498 & select_2500[16]) : (select_2502[8] & select_2500[9]);
+  logic select_2503;
+  assign select_2503 = cfg_compete_i ? (or_2497 & select_2499[16]) : (select_2501[8] & select_2499[9]);
   // hls/stages/agreement.hpp:436
   logic next_row;
-  assign next_row = select_2504 & (began_q & at_cell_end_q);
+  assign next_row = select_2503 & (began_q & at_cell_end_q);
   // hls/stages/agreement.hpp:1291
-  logic [6:0] select_2507;
-  assign select_2507 = next_row ? cfg_width_i[9:3] : 7'h0;
-  logic [12:0] select_2509;
-  assign select_2509 = marks_first_s2_q ? 13'h0 : (seen_base_q + {6'h0, select_2507});
+  logic [6:0] select_2506;
+  assign select_2506 = next_row ? cfg_width_i[9:3] : 7'h0;
+  logic [12:0] select_2508;
+  assign select_2508 = marks_first_s2_q ? 13'h0 : (seen_base_q + {6'h0, select_2506});
   // hls/stages/agreement.hpp:1301
-  logic equal_2510;
-  assign equal_2510 = seen_x_q == 3'h7;
-  logic [7:0] select_2512;
-  assign select_2512 = select_2504 ? 8'h0 : (seen_column_q + {7'h0, equal_2510});
+  logic equal_2509;
+  assign equal_2509 = seen_x_q == 3'h7;
+  logic [7:0] select_2511;
+  assign select_2511 = select_2503 ? 8'h0 : (seen_column_q + {7'h0, equal_2509});
   // hls/stages/agreement.hpp:1308
   logic [12:0] index;
-  assign index = select_2509 + {5'h0, select_2512};
+  assign index = select_2508 + {5'h0, select_2511};
   // hls/stages/agreement.hpp:1275
-  logic select_2515;
-  assign select_2515 = marks_first_s2_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  logic select_2514;
+  assign select_2514 = marks_first_s2_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
   // hls/stages/agreement.hpp:1261
-  logic [7:0] sum_2516;
-  assign sum_2516 = {1'b0, select_2515, 2'h0, select_2515, 1'b0, {2{select_2515}}} + {1'b0, index[12:6]};
+  logic [7:0] sum_2515;
+  assign sum_2515 = {1'b0, select_2514, 2'h0, select_2514, 1'b0, {2{select_2514}}} + {1'b0, index[12:6]};
   // hls/stages/agreement.hpp:1274
-  logic not_2517;
-  assign not_2517 = ~marks_first_s2_q;
+  logic not_2516;
+  assign not_2516 = ~marks_first_s2_q;
   // hls/stages/agreement.hpp:436
-  logic and_2519;
-  assign and_2519 = not_2517 & (began_q | select_2504);
+  logic and_2518;
+  assign and_2518 = not_2516 & (began_q | select_2503);
   // hls/stages/agreement.hpp:1302
-  logic [2:0] select_2521;
-  assign select_2521 = select_2504 ? 3'h0 : (seen_x_q + 3'h1);
+  logic [2:0] select_2520;
+  assign select_2520 = select_2503 ? 3'h0 : (seen_x_q + 3'h1);
   // hls/stages/agreement.hpp:1307
-  logic and_2523;
-  assign and_2523 = and_2519 & (select_2521 == 3'h0);
-  logic less_2524;
-  assign less_2524 = select_2512 < {1'b0, cfg_width_i[9:3]};
+  logic and_2522;
+  assign and_2522 = and_2518 & (select_2520 == 3'h0);
+  logic less_2523;
+  assign less_2523 = select_2511 < {1'b0, cfg_width_i[9:3]};
   // hls/stages/agreement.hpp:1111
-  logic [7:0] sum_2527;
-  assign sum_2527 = {2'h0, x_s2_q[7:2]} + 8'hff;
+  logic [7:0] sum_2526;
+  assign sum_2526 = {2'h0, x_s2_q[7:2]} + 8'hff;
   logic [12:0] index_2;
-  assign index_2 = {{3{sum_2527[7]}}, sum_2527, x_s2_q[1:0]} + map_row_q;
+  assign index_2 = {{3{sum_2526[7]}}, sum_2526, x_s2_q[1:0]} + map_row_q;
   // hls/stages/agreement.hpp:1261
-  logic [7:0] sum_2529;
-  assign sum_2529 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
+  logic [7:0] sum_2528;
+  assign sum_2528 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
   // hls/stages/agreement.hpp:1030
+  logic and_2529;
+  assign and_2529 = seen_columns_rdata_q[14] & inside_v_s2_q;
   logic and_2530;
-  assign and_2530 = seen_columns_rdata_q[14] & inside_v_s2_q;
+  assign and_2530 = seen_columns_rdata_q[10] & inside_v_s2_q;
   logic and_2531;
-  assign and_2531 = seen_columns_rdata_q[10] & inside_v_s2_q;
+  assign and_2531 = seen_columns_rdata_q[5] & inside_v_s2_q;
   logic and_2532;
-  assign and_2532 = seen_columns_rdata_q[5] & inside_v_s2_q;
-  logic and_2533;
-  assign and_2533 = seen_columns_rdata_q[0] & inside_v_s2_q;
+  assign and_2532 = seen_columns_rdata_q[0] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1087
-  logic [1:0] sum_2535;
-  assign sum_2535 = {1'b0, and_2532} + ({1'b0, textured} + {1'b0, and_2533});
+  logic [1:0] sum_2534;
+  assign sum_2534 = {1'b0, and_2531} + ({1'b0, textured} + {1'b0, and_2532});
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2530} + ({2'h0, and_2531} + {1'b0, sum_2535});
+  assign textured_2 = {2'h0, and_2529} + ({2'h0, and_2530} + {1'b0, sum_2534});
   // hls/stages/agreement.hpp:1030
-  logic [7:0] select_2544;
-  assign select_2544 = inside_v_s2_q ? (sum_2459_s2_q ? select_2446 : {select_2446[6:0], 1'b0}) : select_2446;
+  logic [7:0] select_2543;
+  assign select_2543 = inside_v_s2_q ? (sum_2458_s2_q ? select_2445 : {select_2445[6:0], 1'b0}) : select_2445;
   // hls/stages/agreement.hpp:1050
-  logic or_2547;
-  assign or_2547 = select_2544[7] | (~({select_2544[5], select_2544[3], select_2544[1]} == 3'h0));
+  logic or_2546;
+  assign or_2546 = select_2543[7] | (~({select_2543[5], select_2543[3], select_2543[1]} == 3'h0));
   // hls/stages/agreement.hpp:1030
+  logic and_2563;
+  assign and_2563 = seen_columns_rdata_q[16] & inside_v_s2_q;
   logic and_2564;
-  assign and_2564 = seen_columns_rdata_q[16] & inside_v_s2_q;
+  assign and_2564 = seen_columns_rdata_q[12] & inside_v_s2_q;
   logic and_2565;
-  assign and_2565 = seen_columns_rdata_q[12] & inside_v_s2_q;
+  assign and_2565 = seen_columns_rdata_q[8] & inside_v_s2_q;
   logic and_2566;
-  assign and_2566 = seen_columns_rdata_q[8] & inside_v_s2_q;
-  logic and_2567;
-  assign and_2567 = seen_columns_rdata_q[3] & inside_v_s2_q;
+  assign and_2566 = seen_columns_rdata_q[3] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1089
-  logic [1:0] sum_2569;
-  assign sum_2569 = {1'b0, and_2566} + ({1'b0, shown} + {1'b0, and_2567});
+  logic [1:0] sum_2568;
+  assign sum_2568 = {1'b0, and_2565} + ({1'b0, shown} + {1'b0, and_2566});
   logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2564} + ({2'h0, and_2565} + {1'b0, sum_2569});
+  assign shown_2 = {2'h0, and_2563} + ({2'h0, and_2564} + {1'b0, sum_2568});
   // hls/stages/agreement.hpp:1030
+  logic and_2579;
+  assign and_2579 = seen_columns_rdata_q[17] & inside_v_s2_q;
   logic and_2580;
-  assign and_2580 = seen_columns_rdata_q[17] & inside_v_s2_q;
+  assign and_2580 = seen_columns_rdata_q[13] & inside_v_s2_q;
   logic and_2581;
-  assign and_2581 = seen_columns_rdata_q[13] & inside_v_s2_q;
+  assign and_2581 = seen_columns_rdata_q[9] & inside_v_s2_q;
   logic and_2582;
-  assign and_2582 = seen_columns_rdata_q[9] & inside_v_s2_q;
-  logic and_2583;
-  assign and_2583 = seen_columns_rdata_q[4] & inside_v_s2_q;
+  assign and_2582 = seen_columns_rdata_q[4] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1090
-  logic [1:0] sum_2585;
-  assign sum_2585 = {1'b0, and_2582} + ({1'b0, near} + {1'b0, and_2583});
+  logic [1:0] sum_2584;
+  assign sum_2584 = {1'b0, and_2581} + ({1'b0, near} + {1'b0, and_2582});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2580} + ({2'h0, and_2581} + {1'b0, sum_2585});
+  assign near_2 = {2'h0, and_2579} + ({2'h0, and_2580} + {1'b0, sum_2584});
   // hls/stages/agreement.hpp:788
-  logic and_2601;
-  assign and_2601 = ends_cell_s2_q & (and_2597_s2_q & (~({sum_2114, last_s2_q[1:0]} < x_s2_q)));
-  logic and_2603;
-  assign and_2603 = not_568_s2_q & (so_s2_q & and_2601);
+  logic and_2600;
+  assign and_2600 = ends_cell_s2_q & (and_2596_s2_q & (~({sum_2114, last_s2_q[1:0]} < x_s2_q)));
+  logic and_2602;
+  assign and_2602 = not_568_s2_q & (so_s2_q & and_2600);
   // hls/stages/agreement.hpp:276
-  logic [10:0] select_2635;
-  assign select_2635 = sample_pair_whole_s2_q ? (and_540_s2_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2637;
-  assign select_2637 = sample_pair_whole_s2_q ? (and_540_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2657;
-  assign select_2657 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_2659;
-  assign select_2659 = sample_pair_whole_s2_q ? (and_540_s2_q ? select_555 : averager_mask_q) : averager_mask_q;
-  logic select_2661;
-  assign select_2661 = sample_pair_whole_s2_q ? (and_540_s2_q ? select_559 : averager_of_skin_q) : averager_of_skin_q;
+  logic [10:0] select_2634;
+  assign select_2634 = sample_pair_whole_s2_q ? (and_540_s2_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2636;
+  assign select_2636 = sample_pair_whole_s2_q ? (and_540_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2656;
+  assign select_2656 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2658;
+  assign select_2658 = sample_pair_whole_s2_q ? (and_540_s2_q ? select_555 : averager_mask_q) : averager_mask_q;
+  logic select_2660;
+  assign select_2660 = sample_pair_whole_s2_q ? (and_540_s2_q ? select_559 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/agreement.hpp:520
+  logic [8:0] select_2661;
+  assign select_2661 = and_542_s2_q ? select_548 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2662;
-  assign select_2662 = and_542_s2_q ? select_548 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2663;
-  assign select_2663 = and_542_s2_q ? select_552 : census_columns_values_0_cell_0_right_q;
+  assign select_2662 = and_542_s2_q ? select_552 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2664;
+  assign select_2664 = and_542_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_2665;
-  assign select_2665 = and_542_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2666;
-  assign select_2666 = and_542_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2667;
-  assign select_2667 = and_542_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  assign select_2665 = and_542_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2666;
+  assign select_2666 = and_542_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2667;
+  assign select_2667 = and_542_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
   logic [8:0] select_2668;
-  assign select_2668 = and_542_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2669;
-  assign select_2669 = and_542_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  assign select_2668 = and_542_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2669;
+  assign select_2669 = and_542_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
   logic select_2670;
-  assign select_2670 = and_542_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2671;
-  assign select_2671 = and_542_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  assign select_2670 = and_542_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2671;
+  assign select_2671 = and_542_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_2672;
-  assign select_2672 = and_542_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2673;
-  assign select_2673 = and_542_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2674;
-  assign select_2674 = and_542_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  assign select_2672 = and_542_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2673;
+  assign select_2673 = and_542_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2674;
+  assign select_2674 = and_542_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
   logic [8:0] select_2675;
-  assign select_2675 = and_542_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2676;
-  assign select_2676 = and_542_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2677;
-  assign select_2677 = and_542_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  assign select_2675 = and_542_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2676;
+  assign select_2676 = and_542_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2677;
+  assign select_2677 = and_542_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
   logic [8:0] select_2678;
-  assign select_2678 = and_542_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2679;
-  assign select_2679 = and_542_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_2680;
-  assign select_2680 = and_542_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  assign select_2678 = and_542_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2679;
+  assign select_2679 = and_542_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2680;
+  assign select_2680 = and_542_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
   logic [8:0] select_2681;
-  assign select_2681 = and_542_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2682;
-  assign select_2682 = and_542_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_2683;
-  assign select_2683 = and_542_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  assign select_2681 = and_542_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2682;
+  assign select_2682 = and_542_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2683;
+  assign select_2683 = and_542_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
   logic [8:0] select_2684;
-  assign select_2684 = and_542_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2685;
-  assign select_2685 = and_542_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  assign select_2684 = and_542_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2685;
+  assign select_2685 = and_542_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
   logic select_2686;
-  assign select_2686 = and_542_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2687;
-  assign select_2687 = and_542_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  assign select_2686 = and_542_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2687;
+  assign select_2687 = and_542_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_2688;
-  assign select_2688 = and_542_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2689;
-  assign select_2689 = and_542_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2690;
-  assign select_2690 = and_542_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  assign select_2688 = and_542_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2689;
+  assign select_2689 = and_542_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_2690;
+  assign select_2690 = and_542_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
   logic [8:0] select_2691;
-  assign select_2691 = and_542_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2692;
-  assign select_2692 = and_542_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2693;
-  assign select_2693 = and_542_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  assign select_2691 = and_542_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2692;
+  assign select_2692 = and_542_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  logic [8:0] select_2693;
+  assign select_2693 = and_542_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
   logic [8:0] select_2694;
-  assign select_2694 = and_542_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2695;
-  assign select_2695 = and_542_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_2696;
-  assign select_2696 = and_542_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  assign select_2694 = and_542_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2695;
+  assign select_2695 = and_542_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic [8:0] select_2696;
+  assign select_2696 = and_542_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
   logic [8:0] select_2697;
-  assign select_2697 = and_542_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_2698;
-  assign select_2698 = and_542_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_2699;
-  assign select_2699 = and_542_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  assign select_2697 = and_542_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2698;
+  assign select_2698 = and_542_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2699;
+  assign select_2699 = and_542_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
   logic [8:0] select_2700;
-  assign select_2700 = and_542_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_2701;
-  assign select_2701 = and_542_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_2702;
-  assign select_2702 = and_542_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  assign select_2700 = and_542_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2701;
+  assign select_2701 = and_542_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2702;
+  assign select_2702 = and_542_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
   logic [8:0] select_2703;
-  assign select_2703 = and_542_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2704;
-  assign select_2704 = and_542_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_2705;
-  assign select_2705 = and_542_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  assign select_2703 = and_542_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2704;
+  assign select_2704 = and_542_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_2705;
+  assign select_2705 = and_542_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
   logic [8:0] select_2706;
-  assign select_2706 = and_542_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2707;
-  assign select_2707 = and_542_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  assign select_2706 = and_542_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_2707;
+  assign select_2707 = and_542_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
   logic select_2708;
-  assign select_2708 = and_542_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2709;
-  assign select_2709 = and_542_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  assign select_2708 = and_542_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2709;
+  assign select_2709 = and_542_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
   logic [8:0] select_2710;
-  assign select_2710 = and_542_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2711;
-  assign select_2711 = and_542_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  assign select_2710 = and_542_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2711;
+  assign select_2711 = and_542_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
   logic select_2712;
-  assign select_2712 = and_542_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2713;
-  assign select_2713 = and_542_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  assign select_2712 = and_542_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2713;
+  assign select_2713 = and_542_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
   logic [8:0] select_2714;
-  assign select_2714 = and_542_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2715;
-  assign select_2715 = and_542_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  assign select_2714 = and_542_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2715;
+  assign select_2715 = and_542_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
   logic select_2716;
-  assign select_2716 = and_542_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_2717;
-  assign select_2717 = and_542_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  assign select_2716 = and_542_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:283
-  logic [9:0] difference_2719;
-  assign difference_2719 = {1'b0, select_552} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2720;
-  assign xor_2720 = difference_2719[8:0] ^ {9{difference_2719[9]}};
-  logic [9:0] sum_2721;
-  assign sum_2721 = {9'h0, difference_2719[9]} + {1'b0, xor_2720};
-  logic [9:0] difference_2722;
-  assign difference_2722 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2723;
-  assign xor_2723 = difference_2722[8:0] ^ {9{difference_2722[9]}};
-  logic [9:0] sum_2724;
-  assign sum_2724 = {9'h0, difference_2722[9]} + {1'b0, xor_2723};
-  logic [9:0] difference_2726;
-  assign difference_2726 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2727;
-  assign xor_2727 = difference_2726[8:0] ^ {9{difference_2726[9]}};
-  logic [9:0] sum_2728;
-  assign sum_2728 = {9'h0, difference_2726[9]} + {1'b0, xor_2727};
-  logic [10:0] sum_2729;
-  assign sum_2729 = ({1'b0, sum_2721} + {1'b0, sum_2724}) + {1'b0, sum_2728};
-  logic [9:0] difference_2730;
-  assign difference_2730 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2731;
-  assign xor_2731 = difference_2730[8:0] ^ {9{difference_2730[9]}};
-  logic [9:0] sum_2732;
-  assign sum_2732 = {9'h0, difference_2730[9]} + {1'b0, xor_2731};
-  logic [9:0] difference_2734;
-  assign difference_2734 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2735;
-  assign xor_2735 = difference_2734[8:0] ^ {9{difference_2734[9]}};
+  logic [9:0] difference_2718;
+  assign difference_2718 = {1'b0, select_552} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2719;
+  assign xor_2719 = difference_2718[8:0] ^ {9{difference_2718[9]}};
+  logic [9:0] sum_2720;
+  assign sum_2720 = {9'h0, difference_2718[9]} + {1'b0, xor_2719};
+  logic [9:0] difference_2721;
+  assign difference_2721 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2722;
+  assign xor_2722 = difference_2721[8:0] ^ {9{difference_2721[9]}};
+  logic [9:0] sum_2723;
+  assign sum_2723 = {9'h0, difference_2721[9]} + {1'b0, xor_2722};
+  logic [9:0] difference_2725;
+  assign difference_2725 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2726;
+  assign xor_2726 = difference_2725[8:0] ^ {9{difference_2725[9]}};
+  logic [9:0] sum_2727;
+  assign sum_2727 = {9'h0, difference_2725[9]} + {1'b0, xor_2726};
+  logic [10:0] sum_2728;
+  assign sum_2728 = ({1'b0, sum_2720} + {1'b0, sum_2723}) + {1'b0, sum_2727};
+  logic [9:0] difference_2729;
+  assign difference_2729 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2730;
+  assign xor_2730 = difference_2729[8:0] ^ {9{difference_2729[9]}};
+  logic [9:0] sum_2731;
+  assign sum_2731 = {9'h0, difference_2729[9]} + {1'b0, xor_2730};
+  logic [9:0] difference_2733;
+  assign difference_2733 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2734;
+  assign xor_2734 = difference_2733[8:0] ^ {9{difference_2733[9]}};
   // hls/stages/moments.hpp:54
-  logic [13:0] sum_2756;
-  assign sum_2756 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
-  logic [13:0] sum_2758;
-  assign sum_2758 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
+  logic [13:0] sum_2755;
+  assign sum_2755 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2757;
+  assign sum_2757 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
   // hls/stages/agreement.hpp:1142
-  logic equal_2759;
-  assign equal_2759 = x_s2_q[6:0] == 7'h70;
+  logic equal_2758;
+  assign equal_2758 = x_s2_q[6:0] == 7'h70;
   // hls/stages/moments.hpp:117
-  logic [13:0] select_2760;
-  assign select_2760 = equal_2759 ? sum_2756 : moments_before_0_q;
-  logic [13:0] select_2762;
-  assign select_2762 = equal_2759 ? sum_2758 : moments_before_1_q;
+  logic [13:0] select_2759;
+  assign select_2759 = equal_2758 ? sum_2755 : moments_before_0_q;
+  logic [13:0] select_2761;
+  assign select_2761 = equal_2758 ? sum_2757 : moments_before_1_q;
   // hls/stages/agreement.hpp:788
-  logic select_2765;
-  assign select_2765 = equal_567_s2_q ? (moments_has_before_q | equal_2759) : moments_has_before_q;
-  logic [13:0] select_2768;
-  assign select_2768 = equal_567_s2_q ? ((select_2762 < select_2760) ? select_2760 : select_2762) : moments_most_before_q;
+  logic select_2764;
+  assign select_2764 = equal_567_s2_q ? (moments_has_before_q | equal_2758) : moments_has_before_q;
+  logic [13:0] select_2767;
+  assign select_2767 = equal_567_s2_q ? ((select_2761 < select_2759) ? select_2759 : select_2761) : moments_most_before_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2769;
-  assign sum_2769 = {1'b0, moments_most_before_q} + 15'h3;
+  logic [14:0] sum_2768;
+  assign sum_2768 = {1'b0, moments_most_before_q} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2772;
-  assign select_2772 = equal_567_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2769)) : moments_left_begins_q;
+  logic select_2771;
+  assign select_2771 = equal_567_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2768)) : moments_left_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2773;
-  assign sum_2773 = {1'b0, sum_2758} + 15'h3;
+  logic [14:0] sum_2772;
+  assign sum_2772 = {1'b0, sum_2757} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2776;
-  assign select_2776 = equal_567_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2773)) : moments_left_alone_q;
-  logic select_2779;
-  assign select_2779 = equal_567_s2_q ? (~({3'h0, select_2762[13:2]} < sum_2773)) : moments_left_other_stops_q;
-  logic select_2782;
-  assign select_2782 = equal_567_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2769)) : moments_right_begins_q;
+  logic select_2775;
+  assign select_2775 = equal_567_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2772)) : moments_left_alone_q;
+  logic select_2778;
+  assign select_2778 = equal_567_s2_q ? (~({3'h0, select_2761[13:2]} < sum_2772)) : moments_left_other_stops_q;
+  logic select_2781;
+  assign select_2781 = equal_567_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2768)) : moments_right_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2783;
-  assign sum_2783 = {1'b0, sum_2756} + 15'h3;
+  logic [14:0] sum_2782;
+  assign sum_2782 = {1'b0, sum_2755} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2786;
-  assign select_2786 = equal_567_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2783)) : moments_right_alone_q;
-  logic select_2789;
-  assign select_2789 = equal_567_s2_q ? (~({3'h0, select_2760[13:2]} < sum_2783)) : moments_right_other_stops_q;
+  logic select_2785;
+  assign select_2785 = equal_567_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2782)) : moments_right_alone_q;
+  logic select_2788;
+  assign select_2788 = equal_567_s2_q ? (~({3'h0, select_2759[13:2]} < sum_2782)) : moments_right_other_stops_q;
   // hls/stages/moments.hpp:51
-  logic or_2792;
-  assign or_2792 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
+  logic or_2791;
+  assign or_2791 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
   // hls/stages/agreement.hpp:788
-  logic and_2800;
-  assign and_2800 = not_568_s2_q & (not_570_s2_q & (equal_571_s2_q & (inside_v_s2_q & and_2064)));
-  logic and_2804;
-  assign and_2804 = not_568_s2_q & (not_570_s2_q & (equal_571_s2_q & (inside_v_s2_q & and_2073)));
+  logic and_2799;
+  assign and_2799 = not_568_s2_q & (not_570_s2_q & (equal_571_s2_q & (inside_v_s2_q & and_2064)));
+  logic and_2803;
+  assign and_2803 = not_568_s2_q & (not_570_s2_q & (equal_571_s2_q & (inside_v_s2_q & and_2073)));
   // hls/stages/moments.hpp:94
-  logic and_2806;
-  assign and_2806 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
-  logic select_2809;
-  assign select_2809 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2806)) : and_2806;
+  logic and_2805;
+  assign and_2805 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
+  logic select_2808;
+  assign select_2808 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2805)) : and_2805;
   // hls/stages/agreement.hpp:788
-  logic and_2813;
-  assign and_2813 = equal_567_s2_q & (equal_2759 & (cfg_prove_i & (cfg_same_table_i & select_2809)));
+  logic and_2812;
+  assign and_2812 = equal_567_s2_q & (equal_2758 & (cfg_prove_i & (cfg_same_table_i & select_2808)));
   // hls/stages/moments.hpp:95
-  logic and_2816;
-  assign and_2816 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  logic and_2815;
+  assign and_2815 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
   // hls/stages/census.hpp:368
-  logic [9:0] difference_2830;
-  assign difference_2830 = {1'b0, select_548} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2829;
+  assign difference_2829 = {1'b0, select_548} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2830[9]} + (difference_2830[8:0] ^ {9{difference_2830[9]}});
-  logic [9:0] difference_2842;
-  assign difference_2842 = {1'b0, select_552} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_2829[9]} + (difference_2829[8:0] ^ {9{difference_2829[9]}});
+  logic [9:0] difference_2841;
+  assign difference_2841 = {1'b0, select_552} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2842[9]} + (difference_2842[8:0] ^ {9{difference_2842[9]}});
+  assign contrast_2 = {8'h0, difference_2841[9]} + (difference_2841[8:0] ^ {9{difference_2841[9]}});
   // hls/stages/agreement.hpp:788
-  logic not_3030;
-  assign not_3030 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_3031;
-  assign less_3031 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  logic not_3029;
+  assign not_3029 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_3030;
+  assign less_3030 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
   // hls/stages/agreement.hpp:520
-  logic and_3038;
-  assign and_3038 = and_542_s2_q & (equal_672_s2_q & equal_2933_s2_q);
+  logic and_3037;
+  assign and_3037 = and_542_s2_q & (equal_672_s2_q & equal_2932_s2_q);
   // hls/stages/agreement.hpp:788
-  logic and_3044;
-  assign and_3044 = not_568_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_3040_s2_q)));
+  logic and_3043;
+  assign and_3043 = not_568_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_3039_s2_q)));
   // hls/stages/agreement.hpp:1030
+  logic and_3063;
+  assign and_3063 = seen_columns_rdata_q[15] & inside_v_s2_q;
   logic and_3064;
-  assign and_3064 = seen_columns_rdata_q[15] & inside_v_s2_q;
+  assign and_3064 = seen_columns_rdata_q[11] & inside_v_s2_q;
   logic and_3065;
-  assign and_3065 = seen_columns_rdata_q[11] & inside_v_s2_q;
+  assign and_3065 = seen_columns_rdata_q[7] & inside_v_s2_q;
   logic and_3066;
-  assign and_3066 = seen_columns_rdata_q[7] & inside_v_s2_q;
-  logic and_3067;
-  assign and_3067 = seen_columns_rdata_q[2] & inside_v_s2_q;
+  assign and_3066 = seen_columns_rdata_q[2] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1088
-  logic [1:0] sum_3069;
-  assign sum_3069 = {1'b0, and_3066} + ({1'b0, explained} + {1'b0, and_3067});
+  logic [1:0] sum_3068;
+  assign sum_3068 = {1'b0, and_3065} + ({1'b0, explained} + {1'b0, and_3066});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_3064} + ({2'h0, and_3065} + {1'b0, sum_3069});
+  assign explained_2 = {2'h0, and_3063} + ({2'h0, and_3064} + {1'b0, sum_3068});
   // hls/stages/agreement.hpp:788
-  logic and_3105;
-  assign and_3105 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_3040_s2_q & and_2482)));
+  logic and_3104;
+  assign and_3104 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_3039_s2_q & and_2481)));
   // hls/stages/agreement.hpp:986
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
@@ -4105,157 +4105,157 @@ module horopter_agreement (
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
   // hls/stages/agreement.hpp:988
-  logic [7:0] difference_3129;
-  assign difference_3129 = best_left_rdata_s2_q[16:9] - lower;
-  logic less_3132;
-  assign less_3132 = {2'h0, difference_3129[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
+  logic [7:0] difference_3128;
+  assign difference_3128 = best_left_rdata_s2_q[16:9] - lower;
+  logic less_3131;
+  assign less_3131 = {2'h0, difference_3128[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
   // hls/stages/agreement.hpp:247
-  logic and_3135;
-  assign and_3135 = not_576_s2_q & (((and_2480_s2_q & and_627) & equal_3125_s2_q) & (~less_3132));
+  logic and_3134;
+  assign and_3134 = not_576_s2_q & (((and_2479_s2_q & and_627) & equal_3124_s2_q) & (~less_3131));
   // hls/stages/agreement.hpp:788
-  logic and_3139;
-  assign and_3139 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_572_s2_q & and_3135)));
+  logic and_3138;
+  assign and_3138 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_572_s2_q & and_3134)));
   // hls/stages/agreement.hpp:149
-  logic and_3144;
-  assign and_3144 = not_576_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
+  logic and_3143;
+  assign and_3143 = not_576_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
   // hls/stages/agreement.hpp:247
-  logic and_3146;
-  assign and_3146 = not_576_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
+  logic and_3145;
+  assign and_3145 = not_576_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
   // hls/stages/agreement.hpp:149
-  logic [1:0] select_3147;
-  assign select_3147 = or_572_s2_q ? {and_3146, and_3144} : 2'h0;
+  logic [1:0] select_3146;
+  assign select_3146 = or_572_s2_q ? {and_3145, and_3143} : 2'h0;
   // hls/stages/agreement.hpp:247
+  logic [1:0] select_3148;
+  assign select_3148 = less_575_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
+  // hls/stages/agreement.hpp:149
   logic [1:0] select_3149;
-  assign select_3149 = less_575_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_3150;
-  assign select_3150 = or_572_s2_q ? select_3149 : 2'h0;
+  assign select_3149 = or_572_s2_q ? select_3148 : 2'h0;
   // hls/stages/agreement.hpp:1027
-  logic and_3152;
-  assign and_3152 = and_629 & (select_3147[0] & select_3150[0]);
+  logic and_3151;
+  assign and_3151 = and_629 & (select_3146[0] & select_3149[0]);
   // hls/stages/agreement.hpp:788
+  logic and_3155;
+  assign and_3155 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3146[1] & and_3151)));
   logic and_3156;
-  assign and_3156 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3147[1] & and_3152)));
-  logic and_3157;
-  assign and_3157 = not_568_s2_q & and_3156;
+  assign and_3156 = not_568_s2_q & and_3155;
+  logic and_3162;
+  assign and_3162 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3149[1] & and_3151)));
   logic and_3163;
-  assign and_3163 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3150[1] & and_3152)));
-  logic and_3164;
-  assign and_3164 = not_568_s2_q & and_3163;
+  assign and_3163 = not_568_s2_q & and_3162;
   // hls/stages/registration.hpp:76
-  logic less_3167;
-  assign less_3167 = slot_s2_q < 3'h3;
+  logic less_3166;
+  assign less_3166 = slot_s2_q < 3'h3;
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_3169;
-  assign select_3169 = or_572_s2_q ? (less_575_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
-  logic [7:0] select_3171;
-  assign select_3171 = or_572_s2_q ? (less_575_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
-  logic [7:0] select_3173;
-  assign select_3173 = or_572_s2_q ? (less_575_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  logic [7:0] select_3168;
+  assign select_3168 = or_572_s2_q ? (less_575_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_3170;
+  assign select_3170 = or_572_s2_q ? (less_575_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_3172;
+  assign select_3172 = or_572_s2_q ? (less_575_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_3171} - {1'b0, select_3173};
+  assign rise_2 = {1'b0, select_3170} - {1'b0, select_3172};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_3175;
-  assign select_3175 = rise_2[8] ? select_3171 : select_3173;
+  logic [7:0] select_3174;
+  assign select_3174 = rise_2[8] ? select_3170 : select_3172;
   logic [8:0] fall;
-  assign fall = {1'b0, select_3169} - {1'b0, select_3175};
+  assign fall = {1'b0, select_3168} - {1'b0, select_3174};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:37
-  logic not_3178;
-  assign not_3178 = ~registration_displacement_over_q[9];
+  logic not_3177;
+  assign not_3177 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_3167 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_3178};
+  assign left = less_3166 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_3177};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_3180;
-  assign xor_3180 = rise_2[7:0] ^ {8{rise_2[8]}};
+  logic [7:0] xor_3179;
+  assign xor_3179 = rise_2[7:0] ^ {8{rise_2[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_3180};
+  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_3179};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_3186;
-  assign select_3186 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_3185;
+  assign select_3185 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_3167 ? {taken, 1'b1} : {not_3178, select_3186, not_3178};
+  assign taken_2 = less_3166 ? {taken, 1'b1} : {not_3177, select_3185, not_3177};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_3188;
-  assign sum_3188 = {left, 1'b1} + {taken_2, less_3167};
+  logic [10:0] sum_3187;
+  assign sum_3187 = {left, 1'b1} + {taken_2, less_3166};
   // hls/stages/agreement.hpp:257
-  logic [4:0] select_3190;
-  assign select_3190 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  logic [4:0] select_3189;
+  assign select_3189 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3192;
-  assign select_3192 = equal_567_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
-  logic [10:0] select_3194;
-  assign select_3194 = equal_567_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
+  logic [7:0] select_3191;
+  assign select_3191 = equal_567_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
+  logic [10:0] select_3193;
+  assign select_3193 = equal_567_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_3195;
-  assign equal_3195 = slot_s2_q == 3'h4;
+  logic equal_3194;
+  assign equal_3194 = slot_s2_q == 3'h4;
   // hls/stages/agreement.hpp:262
-  logic and_3199;
-  assign and_3199 = and_629 & less_2169_s2_q;
+  logic and_3198;
+  assign and_3198 = and_629 & less_2169_s2_q;
   // hls/stages/agreement.hpp:149
-  logic [2:0] select_3201;
-  assign select_3201 = or_572_s2_q ? (less_575_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
+  logic [2:0] select_3200;
+  assign select_3200 = or_572_s2_q ? (less_575_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_3205;
-  assign sum_3205 = select_3201[2:1] + 2'h3;
+  logic [1:0] sum_3204;
+  assign sum_3204 = select_3200[2:1] + 2'h3;
   // hls/stages/registration.hpp:102
+  logic [7:0] select_3207;
+  assign select_3207 = (select_3170 < select_3172) ? ({sum_3204, select_3200[0], 5'h0} - {3'h0, select_3189}) : {sum_3204, select_3200[0], select_3189};
   logic [7:0] select_3208;
-  assign select_3208 = (select_3171 < select_3173) ? ({sum_3205, select_3201[0], 5'h0} - {3'h0, select_3190}) : {sum_3205, select_3201[0], select_3190};
-  logic [7:0] select_3209;
-  assign select_3209 = ((select_3201 == 3'h0) | (select_3201 == 3'h4)) ? {sum_3205, select_3201[0], 5'h0} : select_3208;
+  assign select_3208 = ((select_3200 == 3'h0) | (select_3200 == 3'h4)) ? {sum_3204, select_3200[0], 5'h0} : select_3207;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_3209[7]}}, select_3209} - {sum_2188[9], sum_2188, sum_2184[1]};
+  assign value_2 = {{4{select_3208[7]}}, select_3208} - {sum_2188[9], sum_2188, sum_2184[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_3212;
-  assign select_3212 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_3211;
+  assign select_3211 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_3212[11:7])) ? 12'h7f : select_3212;
+  assign residual = ($signed(5'h0) < $signed(select_3211[11:7])) ? 12'h7f : select_3211;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_3233;
-  assign difference_3233 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_3232;
+  assign difference_3232 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_3235;
-  assign and_3235 = and_3199 & ($signed(difference_3233) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_3234;
+  assign and_3234 = and_3198 & ($signed(difference_3232) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_3248;
-  assign less_3248 = $signed(difference_3233) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic less_3247;
+  assign less_3247 = $signed(difference_3232) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/agreement.hpp:788
-  logic select_3256;
-  assign select_3256 = so_s2_q ? (equal_3195 ? right_2 : registration_of_right_q) : registration_of_right_q;
-  logic select_3259;
-  assign select_3259 = so_s2_q ? (equal_2170 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
+  logic select_3255;
+  assign select_3255 = so_s2_q ? (equal_3194 ? right_2 : registration_of_right_q) : registration_of_right_q;
+  logic select_3258;
+  assign select_3258 = so_s2_q ? (equal_2170 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_3264;
-  assign select_3264 = (sum_2080 == 2'h2) ? (registration_fresh_q & (~select_2127)) : registration_fresh_q;
+  logic [3:0] select_3263;
+  assign select_3263 = (sum_2080 == 2'h2) ? (registration_fresh_q & (~select_2127)) : registration_fresh_q;
   // hls/stages/agreement.hpp:788
-  logic [3:0] select_3266;
-  assign select_3266 = so_s2_q ? (and_2122 ? select_3264 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_3265;
+  assign select_3265 = so_s2_q ? (and_2122 ? select_3263 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_3268;
-  assign select_3268 = and_3038 ? 4'hf : (equal_567_s2_q ? registration_fresh_q : select_3266);
+  logic [3:0] select_3267;
+  assign select_3267 = and_3037 ? 4'hf : (equal_567_s2_q ? registration_fresh_q : select_3265);
   // hls/stages/agreement.hpp:1129
   logic [1:0] quarter_2;
   assign quarter_2 = all ? x_s2_q[1:0] : select_2077;
   // hls/stages/registration.hpp:258
-  logic not_3289;
-  assign not_3289 = ~quarter_2[1];
-  logic [3:0] select_3290;
-  assign select_3290 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3289, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3289};
+  logic not_3288;
+  assign not_3288 = ~quarter_2[1];
+  logic [3:0] select_3289;
+  assign select_3289 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3288, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3288};
   // hls/stages/patches.hpp:91
-  logic parity_3424;
-  assign parity_3424 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  logic parity_3423;
+  assign parity_3423 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
   // hls/stages/agreement.hpp:460
-  logic [15:0] select_3425;
-  assign select_3425 = equal_2933_s2_q ? {patches_chance_q[14:0], parity_3424} : patches_chance_q;
-  // hls/stages/patches.hpp:345
-  logic not_3427;
-  assign not_3427 = ~and_2244;
+  logic [15:0] select_3424;
+  assign select_3424 = equal_2932_s2_q ? {patches_chance_q[14:0], parity_3423} : patches_chance_q;
+  // hls/stages/patches.hpp:346
+  logic not_3426;
+  assign not_3426 = ~and_2244;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
@@ -4263,511 +4263,511 @@ module horopter_agreement (
   logic [5:0] further;
   assign further = last_s2_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
   // hls/stages/patches.hpp:110
-  logic [5:0] select_3430;
-  assign select_3430 = right_3 ? last_s2_q[6:1] : 6'h0;
+  logic [5:0] select_3429;
+  assign select_3429 = right_3 ? last_s2_q[6:1] : 6'h0;
   logic [6:0] from;
-  assign from = {1'b0, further} + {1'b0, select_3430};
+  assign from = {1'b0, further} + {1'b0, select_3429};
   // hls/stages/agreement.hpp:788
-  logic and_3436;
-  assign and_3436 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {1'b0, from}))));
-  // hls/stages/patches.hpp:156
-  logic and_3440;
-  assign and_3440 = not_3427 & (patches_fixed_q | ((not_568_s2_q & and_3436) & and_2216));
-  // hls/stages/patches.hpp:354
-  logic not_3453;
-  assign not_3453 = ~select_2159[1];
+  logic and_3435;
+  assign and_3435 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {1'b0, from}))));
+  // hls/stages/patches.hpp:157
+  logic and_3439;
+  assign and_3439 = not_3426 & (patches_fixed_q | ((not_568_s2_q & and_3435) & and_2216));
+  // hls/stages/patches.hpp:355
+  logic not_3452;
+  assign not_3452 = ~select_2159[1];
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3455;
-  assign select_3455 = sample_pair_whole_s2_q ? (equal_2160 ? select_2159 : {not_3453, 1'b0}) : patches_fetch_q;
-  // hls/stages/patches.hpp:522
+  logic [1:0] select_3454;
+  assign select_3454 = sample_pair_whole_s2_q ? (equal_2160 ? select_2159 : {not_3452, 1'b0}) : patches_fetch_q;
+  // hls/stages/patches.hpp:523
   logic [55:0] other;
   assign other = new_row_s2_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
-  // hls/stages/patches.hpp:184
-  logic [51:0] select_3554;
-  assign select_3554 = or_2252_s2_q ? {and_2398_s2_q, and_2395_s2_q, and_2379_s2_q, and_2376, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_3556;
-  assign select_3556 = equal_2246_s2_q ? patches_codes_at_q : (equal_2248_s2_q ? other[55:4] : select_3554);
-  // hls/stages/patches.hpp:505
+  // hls/stages/patches.hpp:185
+  logic [51:0] select_3553;
+  assign select_3553 = or_2252_s2_q ? {and_2397_s2_q, and_2394_s2_q, and_2378_s2_q, and_2375, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3555;
+  assign select_3555 = equal_2246_s2_q ? patches_codes_at_q : (equal_2248_s2_q ? other[55:4] : select_3553);
+  // hls/stages/patches.hpp:506
   logic [27:0] word;
-  assign word = or_2352_s2_q ? patches_right_codes_rdata_q : 28'h0;
-  // hls/stages/patches.hpp:521
-  logic [27:0] select_3559;
-  assign select_3559 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
-  // hls/stages/patches.hpp:184
-  logic [27:0] select_3561;
-  assign select_3561 = equal_2248_s2_q ? (new_row_s2_q ? word : select_3559) : patches_codes_further_q;
-  // hls/stages/patches.hpp:523
-  logic [55:0] select_3563;
-  assign select_3563 = less_2339_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:493
-  logic [55:0] select_3565;
-  assign select_3565 = less_3564_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:184
-  logic [55:0] select_3567;
-  assign select_3567 = or_2252_s2_q ? (equal_2251_s2_q ? patches_next_codes_q : select_3565) : patches_next_codes_q;
-  logic [55:0] select_3569;
-  assign select_3569 = equal_2246_s2_q ? patches_next_codes_q : (equal_2248_s2_q ? select_3563 : select_3567);
-  // hls/stages/count_bits.hpp:24
-  logic parity_3574;
-  assign parity_3574 = ^{and_2398_s2_q, and_2395_s2_q, and_2379_s2_q, and_2376};
-  // hls/stages/count_bits.hpp:25
-  logic or_3578;
-  assign or_3578 = ({and_2379_s2_q, and_2376} == 2'h3) | (and_2395_s2_q & (and_2379_s2_q | and_2376));
-  logic and_3579;
-  assign and_3579 = and_2398_s2_q & (^{and_2395_s2_q, and_2379_s2_q, and_2376});
-  // hls/stages/count_bits.hpp:24
-  logic xor_3580;
-  assign xor_3580 = or_3578 ^ and_3579;
-  // hls/stages/count_bits.hpp:27
-  logic and_3581;
-  assign and_3581 = or_3578 & and_3579;
-  // hls/stages/patches.hpp:184
-  logic [2:0] select_3583;
-  assign select_3583 = or_2252_s2_q ? (and_2421_s2_q ? {and_3581, xor_3580, parity_3574} : 3'h0) : 3'h0;
-  // hls/stages/patches.hpp:167
-  logic [9:0] sum_3587;
-  assign sum_3587 = {7'h0, patches_set_q} + (equal_2251_s2_q ? 10'h0 : patches_size_q);
+  assign word = or_2351_s2_q ? patches_right_codes_rdata_q : 28'h0;
   // hls/stages/patches.hpp:522
-  logic [47:0] select_3597;
-  assign select_3597 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
-  // hls/stages/patches.hpp:184
-  logic [47:0] select_3599;
-  assign select_3599 = equal_2246_s2_q ? patches_left_row_q : (equal_2248_s2_q ? select_3597 : patches_left_row_q);
+  logic [27:0] select_3558;
+  assign select_3558 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
+  // hls/stages/patches.hpp:185
+  logic [27:0] select_3560;
+  assign select_3560 = equal_2248_s2_q ? (new_row_s2_q ? word : select_3558) : patches_codes_further_q;
   // hls/stages/patches.hpp:524
+  logic [55:0] select_3562;
+  assign select_3562 = less_2338_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:494
+  logic [55:0] select_3564;
+  assign select_3564 = less_3563_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:185
+  logic [55:0] select_3566;
+  assign select_3566 = or_2252_s2_q ? (equal_2251_s2_q ? patches_next_codes_q : select_3564) : patches_next_codes_q;
+  logic [55:0] select_3568;
+  assign select_3568 = equal_2246_s2_q ? patches_next_codes_q : (equal_2248_s2_q ? select_3562 : select_3566);
+  // hls/stages/count_bits.hpp:24
+  logic parity_3573;
+  assign parity_3573 = ^{and_2397_s2_q, and_2394_s2_q, and_2378_s2_q, and_2375};
+  // hls/stages/count_bits.hpp:25
+  logic or_3577;
+  assign or_3577 = ({and_2378_s2_q, and_2375} == 2'h3) | (and_2394_s2_q & (and_2378_s2_q | and_2375));
+  logic and_3578;
+  assign and_3578 = and_2397_s2_q & (^{and_2394_s2_q, and_2378_s2_q, and_2375});
+  // hls/stages/count_bits.hpp:24
+  logic xor_3579;
+  assign xor_3579 = or_3577 ^ and_3578;
+  // hls/stages/count_bits.hpp:27
+  logic and_3580;
+  assign and_3580 = or_3577 & and_3578;
+  // hls/stages/patches.hpp:185
+  logic [2:0] select_3582;
+  assign select_3582 = or_2252_s2_q ? (and_2420_s2_q ? {and_3580, xor_3579, parity_3573} : 3'h0) : 3'h0;
+  // hls/stages/patches.hpp:168
+  logic [9:0] sum_3586;
+  assign sum_3586 = {7'h0, patches_set_q} + (equal_2251_s2_q ? 10'h0 : patches_size_q);
+  // hls/stages/patches.hpp:523
+  logic [47:0] select_3596;
+  assign select_3596 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  // hls/stages/patches.hpp:185
+  logic [47:0] select_3598;
+  assign select_3598 = equal_2246_s2_q ? patches_left_row_q : (equal_2248_s2_q ? select_3596 : patches_left_row_q);
+  // hls/stages/patches.hpp:525
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3597;
+  assign bits = other[47:0] ^ select_3596;
   // hls/stages/count_bits.hpp:24
-  logic xor_3603;
-  assign xor_3603 = bits[17] ^ (^{select_3597[16:15], other[16:15]});
-  logic xor_3606;
-  assign xor_3606 = bits[11] ^ (^{select_3597[10:9], other[10:9]});
-  logic xor_3609;
-  assign xor_3609 = bits[14] ^ (^{select_3597[13:12], other[13:12]});
-  logic xor_3612;
-  assign xor_3612 = xor_3603 ^ (^{select_3597[14:9], other[14:9]});
-  logic xor_3615;
-  assign xor_3615 = bits[47] ^ (^{select_3597[46:45], other[46:45]});
-  logic xor_3618;
-  assign xor_3618 = bits[8] ^ (^{select_3597[7:6], other[7:6]});
-  logic xor_3621;
-  assign xor_3621 = bits[2] ^ (^{select_3597[1:0], other[1:0]});
-  logic xor_3624;
-  assign xor_3624 = bits[5] ^ (^{select_3597[4:3], other[4:3]});
-  logic xor_3627;
-  assign xor_3627 = xor_3618 ^ (^{select_3597[5:0], other[5:0]});
-  logic parity_3629;
-  assign parity_3629 = ^{select_3597[47:45], select_3597[8:0], other[47:45], other[8:0]};
-  logic xor_3630;
-  assign xor_3630 = xor_3612 ^ parity_3629;
-  logic xor_3633;
-  assign xor_3633 = bits[44] ^ (^{select_3597[43:42], other[43:42]});
-  logic xor_3636;
-  assign xor_3636 = bits[38] ^ (^{select_3597[37:36], other[37:36]});
-  logic xor_3639;
-  assign xor_3639 = bits[41] ^ (^{select_3597[40:39], other[40:39]});
-  logic xor_3645;
-  assign xor_3645 = bits[26] ^ (^{select_3597[25:24], other[25:24]});
-  logic xor_3648;
-  assign xor_3648 = bits[20] ^ (^{select_3597[19:18], other[19:18]});
-  logic xor_3651;
-  assign xor_3651 = bits[23] ^ (^{select_3597[22:21], other[22:21]});
-  logic xor_3654;
-  assign xor_3654 = xor_3645 ^ (^{select_3597[23:18], other[23:18]});
-  logic xor_3657;
-  assign xor_3657 = bits[35] ^ (^{select_3597[34:33], other[34:33]});
-  logic xor_3660;
-  assign xor_3660 = bits[29] ^ (^{select_3597[28:27], other[28:27]});
-  logic xor_3663;
-  assign xor_3663 = bits[32] ^ (^{select_3597[31:30], other[31:30]});
+  logic xor_3602;
+  assign xor_3602 = bits[17] ^ (^{select_3596[16:15], other[16:15]});
+  logic xor_3605;
+  assign xor_3605 = bits[11] ^ (^{select_3596[10:9], other[10:9]});
+  logic xor_3608;
+  assign xor_3608 = bits[14] ^ (^{select_3596[13:12], other[13:12]});
+  logic xor_3611;
+  assign xor_3611 = xor_3602 ^ (^{select_3596[14:9], other[14:9]});
+  logic xor_3614;
+  assign xor_3614 = bits[47] ^ (^{select_3596[46:45], other[46:45]});
+  logic xor_3617;
+  assign xor_3617 = bits[8] ^ (^{select_3596[7:6], other[7:6]});
+  logic xor_3620;
+  assign xor_3620 = bits[2] ^ (^{select_3596[1:0], other[1:0]});
+  logic xor_3623;
+  assign xor_3623 = bits[5] ^ (^{select_3596[4:3], other[4:3]});
+  logic xor_3626;
+  assign xor_3626 = xor_3617 ^ (^{select_3596[5:0], other[5:0]});
+  logic parity_3628;
+  assign parity_3628 = ^{select_3596[47:45], select_3596[8:0], other[47:45], other[8:0]};
+  logic xor_3629;
+  assign xor_3629 = xor_3611 ^ parity_3628;
+  logic xor_3632;
+  assign xor_3632 = bits[44] ^ (^{select_3596[43:42], other[43:42]});
+  logic xor_3635;
+  assign xor_3635 = bits[38] ^ (^{select_3596[37:36], other[37:36]});
+  logic xor_3638;
+  assign xor_3638 = bits[41] ^ (^{select_3596[40:39], other[40:39]});
+  logic xor_3644;
+  assign xor_3644 = bits[26] ^ (^{select_3596[25:24], other[25:24]});
+  logic xor_3647;
+  assign xor_3647 = bits[20] ^ (^{select_3596[19:18], other[19:18]});
+  logic xor_3650;
+  assign xor_3650 = bits[23] ^ (^{select_3596[22:21], other[22:21]});
+  logic xor_3653;
+  assign xor_3653 = xor_3644 ^ (^{select_3596[23:18], other[23:18]});
+  logic xor_3656;
+  assign xor_3656 = bits[35] ^ (^{select_3596[34:33], other[34:33]});
+  logic xor_3659;
+  assign xor_3659 = bits[29] ^ (^{select_3596[28:27], other[28:27]});
+  logic xor_3662;
+  assign xor_3662 = bits[32] ^ (^{select_3596[31:30], other[31:30]});
+  logic xor_3665;
+  assign xor_3665 = xor_3656 ^ (^{select_3596[32:27], other[32:27]});
   logic xor_3666;
-  assign xor_3666 = xor_3657 ^ (^{select_3597[32:27], other[32:27]});
-  logic xor_3667;
-  assign xor_3667 = xor_3654 ^ xor_3666;
+  assign xor_3666 = xor_3653 ^ xor_3665;
   // hls/stages/count_bits.hpp:25
-  logic or_3675;
-  assign or_3675 = (xor_3606 & xor_3609) | (xor_3603 & (xor_3606 | xor_3609));
-  logic or_3679;
-  assign or_3679 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3683;
-  assign or_3683 = (xor_3621 & xor_3624) | (xor_3618 & (xor_3621 | xor_3624));
+  logic or_3674;
+  assign or_3674 = (xor_3605 & xor_3608) | (xor_3602 & (xor_3605 | xor_3608));
+  logic or_3678;
+  assign or_3678 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+  logic or_3682;
+  assign or_3682 = (xor_3620 & xor_3623) | (xor_3617 & (xor_3620 | xor_3623));
   // hls/stages/count_bits.hpp:23
-  logic or_3690;
-  assign or_3690 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  logic or_3689;
+  assign or_3689 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
   // hls/stages/count_bits.hpp:25
-  logic or_3694;
-  assign or_3694 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-  logic or_3698;
-  assign or_3698 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+  logic or_3693;
+  assign or_3693 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  logic or_3697;
+  assign or_3697 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3701;
-  assign parity_3701 = ^{or_3698, or_3694, or_3690};
+  logic parity_3700;
+  assign parity_3700 = ^{or_3697, or_3693, or_3689};
   // hls/stages/count_bits.hpp:23
-  logic or_3705;
-  assign or_3705 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+  logic or_3704;
+  assign or_3704 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
   // hls/stages/count_bits.hpp:25
-  logic or_3709;
-  assign or_3709 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-  logic or_3713;
-  assign or_3713 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+  logic or_3708;
+  assign or_3708 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3712;
+  assign or_3712 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3716;
-  assign parity_3716 = ^{or_3713, or_3709, or_3705};
-  logic parity_3719;
-  assign parity_3719 = ^{or_3713, or_3709, or_3705, or_3698, or_3694, or_3690, or_3683, or_3679, or_3675};
+  logic parity_3715;
+  assign parity_3715 = ^{or_3712, or_3708, or_3704};
+  logic parity_3718;
+  assign parity_3718 = ^{or_3712, or_3708, or_3704, or_3697, or_3693, or_3689, or_3682, or_3678, or_3674};
   // hls/stages/count_bits.hpp:23
-  logic or_3723;
-  assign or_3723 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  logic or_3722;
+  assign or_3722 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
   // hls/stages/count_bits.hpp:25
-  logic or_3727;
-  assign or_3727 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3731;
-  assign or_3731 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+  logic or_3726;
+  assign or_3726 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3730;
+  assign or_3730 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
   // hls/stages/count_bits.hpp:23
-  logic or_3739;
-  assign or_3739 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+  logic or_3738;
+  assign or_3738 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_3743;
-  assign or_3743 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-  logic or_3747;
-  assign or_3747 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+  logic or_3742;
+  assign or_3742 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  logic or_3746;
+  assign or_3746 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3750;
-  assign parity_3750 = ^{or_3747, or_3743, or_3739};
+  logic parity_3749;
+  assign parity_3749 = ^{or_3746, or_3742, or_3738};
   // hls/stages/count_bits.hpp:23
-  logic or_3754;
-  assign or_3754 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+  logic or_3753;
+  assign or_3753 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
   // hls/stages/count_bits.hpp:25
-  logic or_3758;
-  assign or_3758 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-  logic or_3762;
-  assign or_3762 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  logic or_3757;
+  assign or_3757 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3761;
+  assign or_3761 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3765;
-  assign parity_3765 = ^{or_3762, or_3758, or_3754};
-  logic parity_3768;
-  assign parity_3768 = ^{or_3762, or_3758, or_3754, or_3747, or_3743, or_3739, or_3731, or_3727, or_3723};
+  logic parity_3764;
+  assign parity_3764 = ^{or_3761, or_3757, or_3753};
+  logic parity_3767;
+  assign parity_3767 = ^{or_3761, or_3757, or_3753, or_3746, or_3742, or_3738, or_3730, or_3726, or_3722};
   // hls/stages/count_bits.hpp:25
-  logic or_3772;
-  assign or_3772 = (xor_3636 & xor_3639) | (xor_3633 & (xor_3636 | xor_3639));
-  logic or_3776;
-  assign or_3776 = (xor_3648 & xor_3651) | (xor_3645 & (xor_3648 | xor_3651));
-  logic or_3780;
-  assign or_3780 = (xor_3660 & xor_3663) | (xor_3657 & (xor_3660 | xor_3663));
+  logic or_3771;
+  assign or_3771 = (xor_3635 & xor_3638) | (xor_3632 & (xor_3635 | xor_3638));
+  logic or_3775;
+  assign or_3775 = (xor_3647 & xor_3650) | (xor_3644 & (xor_3647 | xor_3650));
+  logic or_3779;
+  assign or_3779 = (xor_3659 & xor_3662) | (xor_3656 & (xor_3659 | xor_3662));
   // hls/stages/count_bits.hpp:24
-  logic parity_3783;
-  assign parity_3783 = ^{or_3780, or_3776, or_3772};
+  logic parity_3782;
+  assign parity_3782 = ^{or_3779, or_3775, or_3771};
   // hls/stages/count_bits.hpp:25
-  logic and_3784;
-  assign and_3784 = xor_3630 & (^{xor_3667, select_3597[44:36], other[44:36]});
-  logic or_3788;
-  assign or_3788 = (xor_3615 & xor_3627) | (xor_3612 & (xor_3615 | xor_3627));
-  logic and_3791;
-  assign and_3791 = (xor_3633 ^ (^{select_3597[41:36], other[41:36]})) & (xor_3654 | xor_3666);
-  logic or_3792;
-  assign or_3792 = (xor_3654 & xor_3666) | and_3791;
+  logic and_3783;
+  assign and_3783 = xor_3629 & (^{xor_3666, select_3596[44:36], other[44:36]});
+  logic or_3787;
+  assign or_3787 = (xor_3614 & xor_3626) | (xor_3611 & (xor_3614 | xor_3626));
+  logic and_3790;
+  assign and_3790 = (xor_3632 ^ (^{select_3596[41:36], other[41:36]})) & (xor_3653 | xor_3665);
+  logic or_3791;
+  assign or_3791 = (xor_3653 & xor_3665) | and_3790;
   // hls/stages/count_bits.hpp:24
-  logic parity_3795;
-  assign parity_3795 = ^{or_3792, or_3788, and_3784};
-  logic parity_3798;
-  assign parity_3798 = ^{or_3792, or_3788, and_3784, or_3780, or_3776, or_3772, or_3762, or_3758, or_3754, or_3747, or_3743, or_3739, or_3731, or_3727, or_3723};
-  logic parity_3800;
-  assign parity_3800 = ^{or_3792, or_3788, and_3784, or_3780, or_3776, or_3772, or_3762, or_3758, or_3754, or_3747, or_3743, or_3739, or_3731, or_3727, or_3723, or_3713, or_3709, or_3705, or_3698, or_3694, or_3690, or_3683, or_3679, or_3675};
+  logic parity_3794;
+  assign parity_3794 = ^{or_3791, or_3787, and_3783};
+  logic parity_3797;
+  assign parity_3797 = ^{or_3791, or_3787, and_3783, or_3779, or_3775, or_3771, or_3761, or_3757, or_3753, or_3746, or_3742, or_3738, or_3730, or_3726, or_3722};
+  logic parity_3799;
+  assign parity_3799 = ^{or_3791, or_3787, and_3783, or_3779, or_3775, or_3771, or_3761, or_3757, or_3753, or_3746, or_3742, or_3738, or_3730, or_3726, or_3722, or_3712, or_3708, or_3704, or_3697, or_3693, or_3689, or_3682, or_3678, or_3674};
   // hls/stages/count_bits.hpp:25
-  logic and_3801;
-  assign and_3801 = parity_3719 & parity_3798;
-  logic or_3805;
-  assign or_3805 = (parity_3701 & parity_3716) | ((^{or_3683, or_3679, or_3675}) & (parity_3701 | parity_3716));
-  logic or_3809;
-  assign or_3809 = (parity_3783 & parity_3795) | (parity_3768 & (parity_3783 | parity_3795));
-  logic or_3816;
-  assign or_3816 = (parity_3750 & parity_3765) | ((^{or_3731, or_3727, or_3723}) & (parity_3750 | parity_3765));
-  logic or_3820;
-  assign or_3820 = (or_3776 & or_3780) | (or_3772 & (or_3776 | or_3780));
-  logic or_3824;
-  assign or_3824 = (or_3788 & or_3792) | (and_3784 & (or_3788 | or_3792));
+  logic and_3800;
+  assign and_3800 = parity_3718 & parity_3797;
+  logic or_3804;
+  assign or_3804 = (parity_3700 & parity_3715) | ((^{or_3682, or_3678, or_3674}) & (parity_3700 | parity_3715));
+  logic or_3808;
+  assign or_3808 = (parity_3782 & parity_3794) | (parity_3767 & (parity_3782 | parity_3794));
+  logic or_3815;
+  assign or_3815 = (parity_3749 & parity_3764) | ((^{or_3730, or_3726, or_3722}) & (parity_3749 | parity_3764));
+  logic or_3819;
+  assign or_3819 = (or_3775 & or_3779) | (or_3771 & (or_3775 | or_3779));
+  logic or_3823;
+  assign or_3823 = (or_3787 & or_3791) | (and_3783 & (or_3787 | or_3791));
   // hls/stages/count_bits.hpp:23
-  logic or_3831;
-  assign or_3831 = (or_3727 & or_3731) | (or_3723 & (or_3727 | or_3731));
+  logic or_3830;
+  assign or_3830 = (or_3726 & or_3730) | (or_3722 & (or_3726 | or_3730));
   // hls/stages/count_bits.hpp:25
-  logic or_3835;
-  assign or_3835 = (or_3743 & or_3747) | (or_3739 & (or_3743 | or_3747));
-  logic or_3839;
-  assign or_3839 = (or_3758 & or_3762) | (or_3754 & (or_3758 | or_3762));
+  logic or_3834;
+  assign or_3834 = (or_3742 & or_3746) | (or_3738 & (or_3742 | or_3746));
+  logic or_3838;
+  assign or_3838 = (or_3757 & or_3761) | (or_3753 & (or_3757 | or_3761));
   // hls/stages/count_bits.hpp:24
-  logic parity_3842;
-  assign parity_3842 = ^{or_3839, or_3835, or_3831};
+  logic parity_3841;
+  assign parity_3841 = ^{or_3838, or_3834, or_3830};
   // hls/stages/count_bits.hpp:23
-  logic or_3846;
-  assign or_3846 = (or_3679 & or_3683) | (or_3675 & (or_3679 | or_3683));
+  logic or_3845;
+  assign or_3845 = (or_3678 & or_3682) | (or_3674 & (or_3678 | or_3682));
   // hls/stages/count_bits.hpp:25
-  logic or_3850;
-  assign or_3850 = (or_3694 & or_3698) | (or_3690 & (or_3694 | or_3698));
-  logic or_3854;
-  assign or_3854 = (or_3709 & or_3713) | (or_3705 & (or_3709 | or_3713));
+  logic or_3849;
+  assign or_3849 = (or_3693 & or_3697) | (or_3689 & (or_3693 | or_3697));
+  logic or_3853;
+  assign or_3853 = (or_3708 & or_3712) | (or_3704 & (or_3708 | or_3712));
   // hls/stages/count_bits.hpp:24
-  logic parity_3857;
-  assign parity_3857 = ^{or_3854, or_3850, or_3846};
-  logic parity_3860;
-  assign parity_3860 = ^{or_3854, or_3850, or_3846, or_3839, or_3835, or_3831, or_3824, or_3820, or_3816};
-  logic parity_3862;
-  assign parity_3862 = ^{or_3854, or_3850, or_3846, or_3839, or_3835, or_3831, or_3824, or_3820, or_3816, or_3809, or_3805, and_3801};
+  logic parity_3856;
+  assign parity_3856 = ^{or_3853, or_3849, or_3845};
+  logic parity_3859;
+  assign parity_3859 = ^{or_3853, or_3849, or_3845, or_3838, or_3834, or_3830, or_3823, or_3819, or_3815};
+  logic parity_3861;
+  assign parity_3861 = ^{or_3853, or_3849, or_3845, or_3838, or_3834, or_3830, or_3823, or_3819, or_3815, or_3808, or_3804, and_3800};
   // hls/stages/count_bits.hpp:25
-  logic or_3866;
-  assign or_3866 = (or_3820 & or_3824) | (or_3816 & (or_3820 | or_3824));
-  logic or_3870;
-  assign or_3870 = (or_3835 & or_3839) | (or_3831 & (or_3835 | or_3839));
-  logic or_3874;
-  assign or_3874 = (or_3850 & or_3854) | (or_3846 & (or_3850 | or_3854));
+  logic or_3865;
+  assign or_3865 = (or_3819 & or_3823) | (or_3815 & (or_3819 | or_3823));
+  logic or_3869;
+  assign or_3869 = (or_3834 & or_3838) | (or_3830 & (or_3834 | or_3838));
+  logic or_3873;
+  assign or_3873 = (or_3849 & or_3853) | (or_3845 & (or_3849 | or_3853));
   // hls/stages/count_bits.hpp:24
-  logic parity_3877;
-  assign parity_3877 = ^{or_3874, or_3870, or_3866};
+  logic parity_3876;
+  assign parity_3876 = ^{or_3873, or_3869, or_3865};
   // hls/stages/count_bits.hpp:25
-  logic and_3878;
-  assign and_3878 = (^{or_3809, or_3805, and_3801}) & parity_3860;
-  logic or_3882;
-  assign or_3882 = (or_3805 & or_3809) | (and_3801 & (or_3805 | or_3809));
-  logic or_3886;
-  assign or_3886 = (parity_3842 & parity_3857) | ((^{or_3824, or_3820, or_3816}) & (parity_3842 | parity_3857));
+  logic and_3877;
+  assign and_3877 = (^{or_3808, or_3804, and_3800}) & parity_3859;
+  logic or_3881;
+  assign or_3881 = (or_3804 & or_3808) | (and_3800 & (or_3804 | or_3808));
+  logic or_3885;
+  assign or_3885 = (parity_3841 & parity_3856) | ((^{or_3823, or_3819, or_3815}) & (parity_3841 | parity_3856));
   // hls/stages/count_bits.hpp:24
-  logic parity_3889;
-  assign parity_3889 = ^{or_3886, or_3882, and_3878};
+  logic parity_3888;
+  assign parity_3888 = ^{or_3885, or_3881, and_3877};
   // hls/stages/count_bits.hpp:25
-  logic and_3891;
-  assign and_3891 = parity_3877 & parity_3889;
-  logic or_3895;
-  assign or_3895 = (or_3870 & or_3874) | (or_3866 & (or_3870 | or_3874));
-  logic or_3899;
-  assign or_3899 = (or_3882 & or_3886) | (and_3878 & (or_3882 | or_3886));
-  // hls/stages/patches.hpp:184
-  logic [4:0] select_3944;
-  assign select_3944 = equal_2248_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
-  logic select_3947;
-  assign select_3947 = equal_2246_s2_q ? patches_summed_first_q : (equal_2248_s2_q ? new_row_s2_q : patches_summed_first_q);
-  // hls/stages/patches.hpp:556
-  logic [9:0] select_3954;
-  assign select_3954 = less_2427_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
-  // hls/stages/patches.hpp:560
-  logic [9:0] select_3957;
-  assign select_3957 = equal_2430_s2_q ? (less_2427_s2_q ? (equal_2430_s2_q ? 10'h0 : select_3954) : 10'h0) : select_3954;
-  logic [9:0] select_3959;
-  assign select_3959 = less_2427_s2_q ? (equal_2428_s2_q ? 10'h0 : select_3957) : select_3957;
-  // hls/stages/patches.hpp:556
-  logic [4:0] select_3961;
-  assign select_3961 = less_2427_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
-  // hls/stages/patches.hpp:560
-  logic [4:0] select_3964;
-  assign select_3964 = equal_2430_s2_q ? (less_2427_s2_q ? (equal_2430_s2_q ? 5'h0 : select_3961) : 5'h0) : select_3961;
-  logic [4:0] select_3966;
-  assign select_3966 = less_2427_s2_q ? (equal_2428_s2_q ? 5'h0 : select_3964) : select_3964;
-  // hls/stages/patches.hpp:556
-  logic [4:0] select_3968;
-  assign select_3968 = less_2427_s2_q ? patches_step_s2_q : 5'h0;
-  // hls/stages/patches.hpp:560
-  logic [4:0] select_3971;
-  assign select_3971 = equal_2430_s2_q ? (less_2427_s2_q ? (equal_2430_s2_q ? 5'h0 : select_3968) : 5'h0) : select_3968;
-  logic [4:0] select_3973;
-  assign select_3973 = less_2427_s2_q ? (equal_2428_s2_q ? 5'h0 : select_3971) : select_3971;
-  // hls/stages/patches.hpp:556
-  logic and_3976;
-  assign and_3976 = less_2427_s2_q & (patches_step_s2_q == 5'h0);
-  // hls/stages/patches.hpp:560
-  logic select_3979;
-  assign select_3979 = equal_2430_s2_q ? (less_2427_s2_q ? (not_2431_s2_q & and_3976) : and_3976) : and_3976;
-  // hls/stages/patches.hpp:184
-  logic select_3982;
-  assign select_3982 = equal_2246_s2_q ? (less_2427_s2_q ? (not_2429_s2_q & select_3979) : select_3979) : patches_read_first_q;
-  // hls/stages/patches.hpp:178
-  logic or_3993;
-  assign or_3993 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3994;
-  assign and_3994 = patches_read_searches_s2_q & or_3993;
-  // hls/stages/patches.hpp:540
-  logic [4:0] select_3995;
-  assign select_3995 = and_3994 ? patches_read_at_q : patches_peak_row_q;
-  // hls/stages/patches.hpp:547
-  logic [5:0] away;
-  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3995};
-  // hls/stages/patches.hpp:556
-  logic and_3999;
-  assign and_3999 = less_2427_s2_q & (equal_3991_s2_q & (away == 6'h3f));
-  // hls/stages/patches.hpp:560
-  logic select_4002;
-  assign select_4002 = equal_2430_s2_q ? (less_2427_s2_q ? (not_2431_s2_q & and_3999) : and_3999) : and_3999;
-  // hls/stages/patches.hpp:184
-  logic select_4005;
-  assign select_4005 = equal_2246_s2_q ? (less_2427_s2_q ? (not_2429_s2_q & select_4002) : select_4002) : patches_read_above_q;
-  // hls/stages/patches.hpp:556
-  logic and_4008;
-  assign and_4008 = less_2427_s2_q & (equal_3991_s2_q & (away == 6'h1));
-  // hls/stages/patches.hpp:560
-  logic select_4011;
-  assign select_4011 = equal_2430_s2_q ? (less_2427_s2_q ? (not_2431_s2_q & and_4008) : and_4008) : and_4008;
-  // hls/stages/patches.hpp:184
-  logic select_4014;
-  assign select_4014 = equal_2246_s2_q ? (less_2427_s2_q ? (not_2429_s2_q & select_4011) : select_4011) : patches_read_below_q;
-  // hls/stages/patches.hpp:553
-  logic [6:0] sum_4015;
-  assign sum_4015 = {away[5], away} + 7'h7d;
-  // hls/stages/patches.hpp:554
-  logic [9:0] select_4018;
-  assign select_4018 = (equal_3991_s2_q & ({sum_4015[6], sum_4015} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
-  // hls/stages/patches.hpp:556
-  logic [9:0] select_4019;
-  assign select_4019 = less_2427_s2_q ? select_4018 : 10'h3ff;
+  logic and_3890;
+  assign and_3890 = parity_3876 & parity_3888;
+  logic or_3894;
+  assign or_3894 = (or_3869 & or_3873) | (or_3865 & (or_3869 | or_3873));
+  logic or_3898;
+  assign or_3898 = (or_3881 & or_3885) | (and_3877 & (or_3881 | or_3885));
+  // hls/stages/patches.hpp:185
+  logic [4:0] select_3943;
+  assign select_3943 = equal_2248_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
+  logic select_3946;
+  assign select_3946 = equal_2246_s2_q ? patches_summed_first_q : (equal_2248_s2_q ? new_row_s2_q : patches_summed_first_q);
   // hls/stages/patches.hpp:557
-  logic [9:0] select_4021;
-  assign select_4021 = less_2427_s2_q ? (equal_2430_s2_q ? 10'h3ff : select_4019) : 10'h3ff;
-  // hls/stages/patches.hpp:560
-  logic [9:0] select_4022;
-  assign select_4022 = equal_2430_s2_q ? select_4021 : select_4019;
-  logic [9:0] select_4024;
-  assign select_4024 = less_2427_s2_q ? (equal_2428_s2_q ? 10'h3ff : select_4022) : select_4022;
-  // hls/stages/patches.hpp:539
-  logic [14:0] select_4026;
-  assign select_4026 = and_3994 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
-  // hls/stages/patches.hpp:184
-  logic [9:0] select_4027;
-  assign select_4027 = equal_2246_s2_q ? select_4026[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_4028;
-  assign select_4028 = equal_2246_s2_q ? select_4026[14:10] : patches_peak_best_column_q;
+  logic [9:0] select_3953;
+  assign select_3953 = less_2426_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
+  // hls/stages/patches.hpp:561
+  logic [9:0] select_3956;
+  assign select_3956 = equal_2429_s2_q ? (less_2426_s2_q ? (equal_2429_s2_q ? 10'h0 : select_3953) : 10'h0) : select_3953;
+  logic [9:0] select_3958;
+  assign select_3958 = less_2426_s2_q ? (equal_2427_s2_q ? 10'h0 : select_3956) : select_3956;
+  // hls/stages/patches.hpp:557
+  logic [4:0] select_3960;
+  assign select_3960 = less_2426_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
+  // hls/stages/patches.hpp:561
+  logic [4:0] select_3963;
+  assign select_3963 = equal_2429_s2_q ? (less_2426_s2_q ? (equal_2429_s2_q ? 5'h0 : select_3960) : 5'h0) : select_3960;
+  logic [4:0] select_3965;
+  assign select_3965 = less_2426_s2_q ? (equal_2427_s2_q ? 5'h0 : select_3963) : select_3963;
+  // hls/stages/patches.hpp:557
+  logic [4:0] select_3967;
+  assign select_3967 = less_2426_s2_q ? patches_step_s2_q : 5'h0;
+  // hls/stages/patches.hpp:561
+  logic [4:0] select_3970;
+  assign select_3970 = equal_2429_s2_q ? (less_2426_s2_q ? (equal_2429_s2_q ? 5'h0 : select_3967) : 5'h0) : select_3967;
+  logic [4:0] select_3972;
+  assign select_3972 = less_2426_s2_q ? (equal_2427_s2_q ? 5'h0 : select_3970) : select_3970;
+  // hls/stages/patches.hpp:557
+  logic and_3975;
+  assign and_3975 = less_2426_s2_q & (patches_step_s2_q == 5'h0);
+  // hls/stages/patches.hpp:561
+  logic select_3978;
+  assign select_3978 = equal_2429_s2_q ? (less_2426_s2_q ? (not_2430_s2_q & and_3975) : and_3975) : and_3975;
+  // hls/stages/patches.hpp:185
+  logic select_3981;
+  assign select_3981 = equal_2246_s2_q ? (less_2426_s2_q ? (not_2428_s2_q & select_3978) : select_3978) : patches_read_first_q;
+  // hls/stages/patches.hpp:179
+  logic or_3992;
+  assign or_3992 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3993;
+  assign and_3993 = patches_read_searches_s2_q & or_3992;
   // hls/stages/patches.hpp:541
-  logic [9:0] select_4030;
-  assign select_4030 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
+  logic [4:0] select_3994;
+  assign select_3994 = and_3993 ? patches_read_at_q : patches_peak_row_q;
+  // hls/stages/patches.hpp:548
+  logic [5:0] away;
+  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3994};
+  // hls/stages/patches.hpp:557
+  logic and_3998;
+  assign and_3998 = less_2426_s2_q & (equal_3990_s2_q & (away == 6'h3f));
+  // hls/stages/patches.hpp:561
+  logic select_4001;
+  assign select_4001 = equal_2429_s2_q ? (less_2426_s2_q ? (not_2430_s2_q & and_3998) : and_3998) : and_3998;
+  // hls/stages/patches.hpp:185
+  logic select_4004;
+  assign select_4004 = equal_2246_s2_q ? (less_2426_s2_q ? (not_2428_s2_q & select_4001) : select_4001) : patches_read_above_q;
+  // hls/stages/patches.hpp:557
+  logic and_4007;
+  assign and_4007 = less_2426_s2_q & (equal_3990_s2_q & (away == 6'h1));
+  // hls/stages/patches.hpp:561
+  logic select_4010;
+  assign select_4010 = equal_2429_s2_q ? (less_2426_s2_q ? (not_2430_s2_q & and_4007) : and_4007) : and_4007;
+  // hls/stages/patches.hpp:185
+  logic select_4013;
+  assign select_4013 = equal_2246_s2_q ? (less_2426_s2_q ? (not_2428_s2_q & select_4010) : select_4010) : patches_read_below_q;
+  // hls/stages/patches.hpp:554
+  logic [6:0] sum_4014;
+  assign sum_4014 = {away[5], away} + 7'h7d;
+  // hls/stages/patches.hpp:555
+  logic [9:0] select_4017;
+  assign select_4017 = (equal_3990_s2_q & ({sum_4014[6], sum_4014} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  // hls/stages/patches.hpp:557
+  logic [9:0] select_4018;
+  assign select_4018 = less_2426_s2_q ? select_4017 : 10'h3ff;
+  // hls/stages/patches.hpp:558
+  logic [9:0] select_4020;
+  assign select_4020 = less_2426_s2_q ? (equal_2429_s2_q ? 10'h3ff : select_4018) : 10'h3ff;
+  // hls/stages/patches.hpp:561
+  logic [9:0] select_4021;
+  assign select_4021 = equal_2429_s2_q ? select_4020 : select_4018;
+  logic [9:0] select_4023;
+  assign select_4023 = less_2426_s2_q ? (equal_2427_s2_q ? 10'h3ff : select_4021) : select_4021;
+  // hls/stages/patches.hpp:540
+  logic [14:0] select_4025;
+  assign select_4025 = and_3993 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  // hls/stages/patches.hpp:185
+  logic [9:0] select_4026;
+  assign select_4026 = equal_2246_s2_q ? select_4025[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_4027;
+  assign select_4027 = equal_2246_s2_q ? select_4025[14:10] : patches_peak_best_column_q;
   // hls/stages/patches.hpp:542
-  logic [9:0] select_4032;
-  assign select_4032 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  logic [9:0] select_4029;
+  assign select_4029 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
   // hls/stages/patches.hpp:543
+  logic [9:0] select_4031;
+  assign select_4031 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  // hls/stages/patches.hpp:544
+  logic [9:0] select_4034;
+  assign select_4034 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
   logic [9:0] select_4035;
-  assign select_4035 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
-  logic [9:0] select_4036;
-  assign select_4036 = patches_read_first_q ? patches_read_far_q : select_4035;
-  // hls/stages/patches.hpp:594
-  logic [9:0] difference_4039;
-  assign difference_4039 = select_4036 - select_4026[9:0];
-  // hls/stages/patches.hpp:579
-  logic less_4069;
-  assign less_4069 = select_4030 < select_4032;
-  // hls/stages/patches.hpp:585
-  logic [1:0] sum_4070;
-  assign sum_4070 = select_3995[4:3] + 2'h3;
+  assign select_4035 = patches_read_first_q ? patches_read_far_q : select_4034;
+  // hls/stages/patches.hpp:595
+  logic [9:0] difference_4038;
+  assign difference_4038 = select_4035 - select_4025[9:0];
   // hls/stages/patches.hpp:580
-  logic [9:0] high;
-  assign high = less_4069 ? select_4032 : select_4030;
-  logic [9:0] low;
-  assign low = (select_4032 < select_4030) ? select_4032 : select_4030;
+  logic less_4068;
+  assign less_4068 = select_4029 < select_4031;
+  // hls/stages/patches.hpp:586
+  logic [1:0] sum_4069;
+  assign sum_4069 = select_3994[4:3] + 2'h3;
   // hls/stages/patches.hpp:581
+  logic [9:0] high;
+  assign high = less_4068 ? select_4031 : select_4029;
+  logic [9:0] low;
+  assign low = (select_4031 < select_4029) ? select_4031 : select_4029;
+  // hls/stages/patches.hpp:582
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall_2;
-  assign fall_2 = high - select_4026[9:0];
-  // hls/stages/patches.hpp:583
-  logic not_4077;
-  assign not_4077 = ~({eight, 3'h0} < {3'h0, fall_2});
-  logic [10:0] sum_4078;
-  assign sum_4078 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
-  logic not_4080;
-  assign not_4080 = ~({eight, 3'h0} < {1'b0, sum_4078, fall_2[0]});
-  logic [1:0] sum_4081;
-  assign sum_4081 = {1'b0, not_4077} + {1'b0, not_4080};
+  assign fall_2 = high - select_4025[9:0];
   // hls/stages/patches.hpp:584
-  logic [10:0] sum_4082;
-  assign sum_4082 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
-  logic not_4084;
-  assign not_4084 = ~({eight, 3'h0} < {sum_4082, fall_2[1:0]});
-  logic not_4087;
-  assign not_4087 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
-  logic [1:0] sum_4088;
-  assign sum_4088 = {1'b0, not_4084} + {1'b0, not_4087};
-  // hls/stages/patches.hpp:583
+  logic not_4076;
+  assign not_4076 = ~({eight, 3'h0} < {3'h0, fall_2});
+  logic [10:0] sum_4077;
+  assign sum_4077 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
+  logic not_4079;
+  assign not_4079 = ~({eight, 3'h0} < {1'b0, sum_4077, fall_2[0]});
+  logic [1:0] sum_4080;
+  assign sum_4080 = {1'b0, not_4076} + {1'b0, not_4079};
+  // hls/stages/patches.hpp:585
+  logic [10:0] sum_4081;
+  assign sum_4081 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
+  logic not_4083;
+  assign not_4083 = ~({eight, 3'h0} < {sum_4081, fall_2[1:0]});
+  logic not_4086;
+  assign not_4086 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
+  logic [1:0] sum_4087;
+  assign sum_4087 = {1'b0, not_4083} + {1'b0, not_4086};
+  // hls/stages/patches.hpp:584
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_4081} + {1'b0, sum_4088};
-  // hls/stages/patches.hpp:586
-  logic [7:0] select_4091;
-  assign select_4091 = less_4069 ? ({sum_4070, select_3995[2:0], 3'h0} - {5'h0, fraction}) : {sum_4070, select_3995[2:0], fraction};
+  assign fraction = {1'b0, sum_4080} + {1'b0, sum_4087};
+  // hls/stages/patches.hpp:587
+  logic [7:0] select_4090;
+  assign select_4090 = less_4068 ? ({sum_4069, select_3994[2:0], 3'h0} - {5'h0, fraction}) : {sum_4069, select_3994[2:0], fraction};
   // hls/stages/agreement.hpp:788
-  logic select_4314;
-  assign select_4314 = equal_567_s2_q ? shown_shown_q : (so_s2_q ? select_2492 : shown_shown_q);
-  logic select_4316;
-  assign select_4316 = equal_567_s2_q ? shown_nearer_q : (so_s2_q ? select_2495 : shown_nearer_q);
+  logic select_4313;
+  assign select_4313 = equal_567_s2_q ? shown_shown_q : (so_s2_q ? select_2491 : shown_shown_q);
+  logic select_4315;
+  assign select_4315 = equal_567_s2_q ? shown_nearer_q : (so_s2_q ? select_2494 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_4318;
-  assign sum_4318 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_4317;
+  assign sum_4317 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:460
-  logic [2:0] select_4320;
-  assign select_4320 = less_4317_s2_q ? (sum_4318[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_4322;
-  assign select_4322 = equal_2933_s2_q ? (equal_672_s2_q ? 3'h0 : select_4320) : region_row_q;
+  logic [2:0] select_4319;
+  assign select_4319 = less_4316_s2_q ? (sum_4317[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_4321;
+  assign select_4321 = equal_2932_s2_q ? (equal_672_s2_q ? 3'h0 : select_4319) : region_row_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_4327;
-  assign select_4327 = equal_567_s2_q ? select_2446 : (so_s2_q ? (ends_cell_s2_q ? select_2544 : select_2446) : 8'h1);
+  logic [7:0] select_4326;
+  assign select_4326 = equal_567_s2_q ? select_2445 : (so_s2_q ? (ends_cell_s2_q ? select_2543 : select_2445) : 8'h1);
   // hls/stages/agreement.hpp:460
-  logic [8:0] select_4341;
-  assign select_4341 = equal_672_s2_q ? {{2{difference_4339[6]}}, difference_4339} : (less_4317_s2_q ? region_down_next_q : region_down_rest_q);
+  logic [8:0] select_4340;
+  assign select_4340 = equal_672_s2_q ? {{2{difference_4338[6]}}, difference_4338} : (less_4316_s2_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:520
-  logic [8:0] select_4343;
-  assign select_4343 = and_542_s2_q ? (equal_2933_s2_q ? select_4341 : region_down_rest_q) : region_down_rest_q;
+  logic [8:0] select_4342;
+  assign select_4342 = and_542_s2_q ? (equal_2932_s2_q ? select_4340 : region_down_rest_q) : region_down_rest_q;
   // hls/stages/agreement.hpp:460
-  logic [6:0] select_4345;
-  assign select_4345 = equal_672_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  logic [6:0] select_4344;
+  assign select_4344 = equal_672_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_4347;
-  assign select_4347 = and_542_s2_q ? (equal_2933_s2_q ? select_4345 : region_down_back_q) : region_down_back_q;
+  logic [6:0] select_4346;
+  assign select_4346 = and_542_s2_q ? (equal_2932_s2_q ? select_4344 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4348;
-  assign sum_4348 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_4347;
+  assign sum_4347 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4349;
-  assign select_4349 = sum_4318[7] ? {1'b1, sum_4318[6:0], region_down_rest_q[0]} : sum_4348;
+  logic [8:0] select_4348;
+  assign select_4348 = sum_4317[7] ? {1'b1, sum_4317[6:0], region_down_rest_q[0]} : sum_4347;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_4318[7];
+  assign next = ~sum_4317[7];
   // hls/stages/agreement.hpp:460
-  logic select_4353;
-  assign select_4353 = equal_2933_s2_q ? (equal_672_s2_q | (less_4317_s2_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_4352;
+  assign select_4352 = equal_2932_s2_q ? (equal_672_s2_q | (less_4316_s2_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:205
-  logic or_4358;
-  assign or_4358 = segment_starts_q | not_570_s2_q;
+  logic or_4357;
+  assign or_4357 = segment_starts_q | not_570_s2_q;
   // hls/stages/agreement.hpp:1030
-  logic select_4361;
-  assign select_4361 = inside_v_s2_q ? (sum_2459_s2_q ? (equal_2239 & or_2461) : or_2461) : or_4358;
+  logic select_4360;
+  assign select_4360 = inside_v_s2_q ? (sum_2458_s2_q ? (equal_2239 & or_2460) : or_2460) : or_4357;
   // hls/stages/agreement.hpp:788
-  logic select_4364;
-  assign select_4364 = equal_567_s2_q ? or_4358 : (so_s2_q ? (ends_cell_s2_q ? select_4361 : or_4358) : or_4358);
+  logic select_4363;
+  assign select_4363 = equal_567_s2_q ? or_4357 : (so_s2_q ? (ends_cell_s2_q ? select_4360 : or_4357) : or_4357);
   // hls/stages/agreement.hpp:1147
-  logic equal_4388;
-  assign equal_4388 = x_s2_q[6:0] == 7'h7f;
+  logic equal_4387;
+  assign equal_4387 = x_s2_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:788
-  logic select_4524;
-  assign select_4524 = so_s2_q ? (ends_cell_s2_q ? and_2532 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4527;
-  assign select_4527 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4523;
+  assign select_4523 = so_s2_q ? (ends_cell_s2_q ? and_2531 : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_4526;
+  assign select_4526 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4528;
+  assign select_4528 = equal_567_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4526 : centres_values_0_of_skin_q);
   logic select_4529;
-  assign select_4529 = equal_567_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4527 : centres_values_0_of_skin_q);
-  logic select_4530;
-  assign select_4530 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  assign select_4529 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4531;
+  assign select_4531 = equal_567_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4529 : centres_values_1_textured_q);
   logic select_4532;
-  assign select_4532 = equal_567_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4530 : centres_values_1_textured_q);
-  logic select_4533;
-  assign select_4533 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_4535;
-  assign select_4535 = equal_567_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4533 : centres_values_1_of_skin_q);
+  assign select_4532 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4534;
+  assign select_4534 = equal_567_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4532 : centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:460
-  logic [12:0] select_4539;
-  assign select_4539 = equal_2933_s2_q ? (equal_4536_s2_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  logic [12:0] select_4538;
+  assign select_4538 = equal_2932_s2_q ? (equal_4535_s2_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_4542;
-  assign select_4542 = and_542_s2_q ? (equal_2933_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
+  logic [6:0] select_4541;
+  assign select_4541 = and_542_s2_q ? (equal_2932_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
   // hls/stages/agreement.hpp:1300
-  logic [2:0] select_4553;
-  assign select_4553 = select_2504 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
+  logic [2:0] select_4552;
+  assign select_4552 = select_2503 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:436
-  logic [7:0] select_4559;
-  assign select_4559 = marks_first_s2_q ? (less_4555 ? {sum_4556, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic [7:0] select_4558;
+  assign select_4558 = marks_first_s2_q ? (less_4554 ? {sum_4555, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/registration.hpp:258
-  logic not_4629;
-  assign not_4629 = ~quarter[1];
-  logic [3:0] select_4630;
-  assign select_4630 = quarter[0] ? {quarter[1], 1'b0, not_4629, 1'b0} : {1'b0, quarter[1], 1'b0, not_4629};
+  logic not_4628;
+  assign not_4628 = ~quarter[1];
+  logic [3:0] select_4629;
+  assign select_4629 = quarter[0] ? {quarter[1], 1'b0, not_4628, 1'b0} : {1'b0, quarter[1], 1'b0, not_4628};
 
   // Memory registration_sums, 12 x 32 and parity, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4791,7 +4791,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) registration_sums_read_q <= rst_ni & registration_sums_re;
   assign registration_sums_error = registration_sums_read_q & ^registration_sums_word_q;
 
-  // Memory patches_choices, 64 x 23 and parity, DISTANCE 12, hls/stages/patches.hpp:767; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory patches_choices, 64 x 23 and parity, DISTANCE 12, hls/stages/patches.hpp:768; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4822,9 +4822,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 31'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_2456;
+  assign regions_raddr = select_2455;
   logic regions_re;
-  assign regions_re = s2_en & (equal_567_s2_q ? (x_s2_q[6] & not_2457) : and_2464);
+  assign regions_re = s2_en & (equal_567_s2_q ? (x_s2_q[6] & not_2456) : and_2463);
   logic [30:0] regions_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) regions_word_q <= regions_mem[regions_raddr];
@@ -4843,9 +4843,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 9600; i++) map_mem[i] = 3'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_2516, index[5:0]};
+  assign map_raddr = {sum_2515, index[5:0]};
   logic map_re;
-  assign map_re = s2_en & (and_2523 & less_2524);
+  assign map_re = s2_en & (and_2522 & less_2523);
   logic [2:0] map_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) map_word_q <= map_mem[map_raddr];
@@ -5047,11 +5047,11 @@ module horopter_agreement (
 
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_2360, patches_code_row_s2_q[1:0], of_row_2_s2_q};
+  assign patches_right_codes_waddr = {sum_2359, patches_code_row_s2_q[1:0], of_row_2_s2_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s2_en & and_2412_s2_q;
+  assign patches_right_codes_we = s2_en & and_2411_s2_q;
   logic [27:0] patches_right_codes_wdata;
-  assign patches_right_codes_wdata = {and_2398_s2_q, and_2395_s2_q, and_2379_s2_q, and_2376, patches_codes_at_q[51:28]};
+  assign patches_right_codes_wdata = {and_2397_s2_q, and_2394_s2_q, and_2378_s2_q, and_2375, patches_codes_at_q[51:28]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {^patches_right_codes_wdata, patches_right_codes_wdata};
   end
@@ -5069,11 +5069,11 @@ module horopter_agreement (
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_2416, patches_code_row_s2_q[1:0]};
+  assign patches_left_codes_waddr = {sum_2415, patches_code_row_s2_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s2_en & and_2426_s2_q;
+  assign patches_left_codes_we = s2_en & and_2425_s2_q;
   logic [47:0] patches_left_codes_wdata;
-  assign patches_left_codes_wdata = {and_2398_s2_q, and_2395_s2_q, and_2379_s2_q, and_2376, patches_codes_at_q[51:8]};
+  assign patches_left_codes_wdata = {and_2397_s2_q, and_2394_s2_q, and_2378_s2_q, and_2375, patches_codes_at_q[51:8]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {^patches_left_codes_wdata, patches_left_codes_wdata};
   end
@@ -5095,7 +5095,7 @@ module horopter_agreement (
   logic seen_columns_we;
   assign seen_columns_we = s2_en & and_2041_s2_q;
   logic [17:0] seen_columns_wdata;
-  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2491, textured};
+  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2490, textured};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {^seen_columns_wdata, seen_columns_wdata};
   end
@@ -5218,102 +5218,102 @@ module horopter_agreement (
       sample_pair_pixel_1_q <= pixel_1_s2_q;
       sample_of_skin_q <= mask_s2_q;
       averager_running_mask_q <= sample_pair_whole_s2_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2657;
-      averager_mask_q <= select_2659;
-      averager_of_skin_q <= select_2661;
+      averager_running_of_skin_q <= select_2656;
+      averager_mask_q <= select_2658;
+      averager_of_skin_q <= select_2660;
       census_filled_q <= and_542_s2_q ? {select_675[2:0], 1'b1} : census_filled_q;
-      moments_turned_0_q <= sum_2756;
-      moments_turned_1_q <= sum_2758;
-      moments_before_0_q <= equal_567_s2_q ? select_2760 : moments_before_0_q;
-      moments_before_1_q <= equal_567_s2_q ? select_2762 : moments_before_1_q;
-      moments_has_before_q <= select_2765;
-      moments_most_before_q <= select_2768;
-      moments_left_begins_q <= select_2772;
-      moments_left_alone_q <= select_2776;
-      moments_left_other_stops_q <= select_2779;
-      moments_right_begins_q <= select_2782;
-      moments_right_alone_q <= select_2786;
-      moments_right_other_stops_q <= select_2789;
-      moments_out_of_step_q <= or_2792;
-      moments_turns_0_q <= and_2800;
-      moments_turns_1_q <= and_2804;
-      moments_begins_alone_q <= and_2813;
-      moments_ends_q <= equal_567_s2_q & (equal_2759 & (not_2814 | and_2816));
+      moments_turned_0_q <= sum_2755;
+      moments_turned_1_q <= sum_2757;
+      moments_before_0_q <= equal_567_s2_q ? select_2759 : moments_before_0_q;
+      moments_before_1_q <= equal_567_s2_q ? select_2761 : moments_before_1_q;
+      moments_has_before_q <= select_2764;
+      moments_most_before_q <= select_2767;
+      moments_left_begins_q <= select_2771;
+      moments_left_alone_q <= select_2775;
+      moments_left_other_stops_q <= select_2778;
+      moments_right_begins_q <= select_2781;
+      moments_right_alone_q <= select_2785;
+      moments_right_other_stops_q <= select_2788;
+      moments_out_of_step_q <= or_2791;
+      moments_turns_0_q <= and_2799;
+      moments_turns_1_q <= and_2803;
+      moments_begins_alone_q <= and_2812;
+      moments_ends_q <= equal_567_s2_q & (equal_2758 & (not_2813 | and_2815));
       rows_passed_above_q <= and_542_s2_q ? select_674 : rows_passed_above_q;
-      shift_allowed_q <= not_3030 & (~less_3031);
+      shift_allowed_q <= not_3029 & (~less_3030);
       shift_not_right_q <= $signed(run_shift_s2_q) < $signed(6'h1);
-      counts_turned_left_q <= and_3038 ? 14'h0 : (counts_turned_left_q + {13'h0, and_3157});
-      counts_turned_right_q <= and_3038 ? 14'h0 : (counts_turned_right_q + {13'h0, and_3164});
-      registration_displacement_over_q <= so_s2_q ? sum_3188[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_3190;
-      registration_slope_here_q <= select_3192;
-      registration_expected_q <= select_3194;
-      registration_of_right_q <= equal_567_s2_q ? registration_of_right_q : select_3256;
-      registration_was_inside_q <= equal_567_s2_q ? registration_was_inside_q : select_3259;
-      registration_fresh_q <= select_3268;
-      patches_chance_q <= and_542_s2_q ? select_3425 : patches_chance_q;
-      patches_fixed_q <= and_3440;
-      patches_choice_valid_q <= and_2244 ? (select_2217 & not_3427) : select_2217;
+      counts_turned_left_q <= and_3037 ? 14'h0 : (counts_turned_left_q + {13'h0, and_3156});
+      counts_turned_right_q <= and_3037 ? 14'h0 : (counts_turned_right_q + {13'h0, and_3163});
+      registration_displacement_over_q <= so_s2_q ? sum_3187[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_3189;
+      registration_slope_here_q <= select_3191;
+      registration_expected_q <= select_3193;
+      registration_of_right_q <= equal_567_s2_q ? registration_of_right_q : select_3255;
+      registration_was_inside_q <= equal_567_s2_q ? registration_was_inside_q : select_3258;
+      registration_fresh_q <= select_3267;
+      patches_chance_q <= and_542_s2_q ? select_3424 : patches_chance_q;
+      patches_fixed_q <= and_3439;
+      patches_choice_valid_q <= and_2244 ? (select_2217 & not_3426) : select_2217;
       patches_choice_column_q <= select_2222;
       patches_choice_shift_q <= select_2227;
       patches_choice_slope_q <= select_2238;
       patches_band_q <= sample_pair_whole_s2_q ? select_2259 : patches_band_q;
-      patches_fetch_q <= select_3455;
-      patches_codes_at_q <= select_3556;
-      patches_codes_further_q <= equal_2246_s2_q ? patches_codes_further_q : select_3561;
-      patches_next_codes_q <= select_3569;
-      patches_set_q <= equal_2246_s2_q ? 3'h0 : (equal_2248_s2_q ? 3'h0 : select_3583);
-      patches_size_q <= sum_3587;
-      patches_left_row_q <= select_3599;
-      patches_summed_row_column_q <= equal_2246_s2_q ? patches_summed_row_column_q : select_3944;
-      patches_summed_first_q <= select_3947;
-      patches_read_row_differing_q <= equal_2246_s2_q ? select_3959 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_2246_s2_q ? select_3966 : patches_read_row_column_q;
-      patches_read_at_q <= equal_2246_s2_q ? select_3973 : patches_read_at_q;
-      patches_read_first_q <= select_3982;
-      patches_read_above_q <= select_4005;
-      patches_read_below_q <= select_4014;
-      patches_read_far_q <= equal_2246_s2_q ? select_4024 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_4027;
-      patches_peak_best_column_q <= select_4028;
-      patches_peak_row_q <= equal_2246_s2_q ? select_3995 : patches_peak_row_q;
-      patches_peak_above_q <= equal_2246_s2_q ? select_4030 : patches_peak_above_q;
-      patches_peak_below_q <= equal_2246_s2_q ? select_4032 : patches_peak_below_q;
-      patches_peak_far_q <= equal_2246_s2_q ? select_4036 : patches_peak_far_q;
-      patches_frame_ended_q <= equal_567_s2_q & equal_2759;
-      shown_shown_q <= select_4314;
-      shown_nearer_q <= select_4316;
-      region_row_q <= and_542_s2_q ? select_4322 : region_row_q;
+      patches_fetch_q <= select_3454;
+      patches_codes_at_q <= select_3555;
+      patches_codes_further_q <= equal_2246_s2_q ? patches_codes_further_q : select_3560;
+      patches_next_codes_q <= select_3568;
+      patches_set_q <= equal_2246_s2_q ? 3'h0 : (equal_2248_s2_q ? 3'h0 : select_3582);
+      patches_size_q <= sum_3586;
+      patches_left_row_q <= select_3598;
+      patches_summed_row_column_q <= equal_2246_s2_q ? patches_summed_row_column_q : select_3943;
+      patches_summed_first_q <= select_3946;
+      patches_read_row_differing_q <= equal_2246_s2_q ? select_3958 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_2246_s2_q ? select_3965 : patches_read_row_column_q;
+      patches_read_at_q <= equal_2246_s2_q ? select_3972 : patches_read_at_q;
+      patches_read_first_q <= select_3981;
+      patches_read_above_q <= select_4004;
+      patches_read_below_q <= select_4013;
+      patches_read_far_q <= equal_2246_s2_q ? select_4023 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_4026;
+      patches_peak_best_column_q <= select_4027;
+      patches_peak_row_q <= equal_2246_s2_q ? select_3994 : patches_peak_row_q;
+      patches_peak_above_q <= equal_2246_s2_q ? select_4029 : patches_peak_above_q;
+      patches_peak_below_q <= equal_2246_s2_q ? select_4031 : patches_peak_below_q;
+      patches_peak_far_q <= equal_2246_s2_q ? select_4035 : patches_peak_far_q;
+      patches_frame_ended_q <= equal_567_s2_q & equal_2758;
+      shown_shown_q <= select_4313;
+      shown_nearer_q <= select_4315;
+      region_row_q <= and_542_s2_q ? select_4321 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_4327;
-      region_down_rest_q <= select_4343;
-      region_down_back_q <= select_4347;
-      region_down_next_q <= select_4349;
-      region_fresh_q <= and_542_s2_q ? select_4353 : region_fresh_q;
-      segment_starts_q <= select_4364;
-      centres_values_0_textured_q <= equal_567_s2_q ? centres_values_0_textured_q : select_4524;
-      centres_values_0_of_skin_q <= select_4529;
-      centres_values_1_textured_q <= select_4532;
-      centres_values_1_of_skin_q <= select_4535;
-      map_row_q <= and_542_s2_q ? select_4539 : map_row_q;
-      map_width_q <= select_4542;
+      region_columns_q <= select_4326;
+      region_down_rest_q <= select_4342;
+      region_down_back_q <= select_4346;
+      region_down_next_q <= select_4348;
+      region_fresh_q <= and_542_s2_q ? select_4352 : region_fresh_q;
+      segment_starts_q <= select_4363;
+      centres_values_0_textured_q <= equal_567_s2_q ? centres_values_0_textured_q : select_4523;
+      centres_values_0_of_skin_q <= select_4528;
+      centres_values_1_textured_q <= select_4531;
+      centres_values_1_of_skin_q <= select_4534;
+      map_row_q <= and_542_s2_q ? select_4538 : map_row_q;
+      map_width_q <= select_4541;
       write_half_q <= marks_first_s2_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_2515;
-      done_q <= not_2517 & ((~drew_q) & (done_q | said_q));
+      read_half_q <= select_2514;
+      done_q <= not_2516 & ((~drew_q) & (done_q | said_q));
       proven_q <= marks_first_s2_q ? done_q : proven_q;
       drew_q <= so_s2_q;
-      said_q <= equal_567_s2_q & equal_4388;
-      rows_passed_q <= select_2500;
-      columns_passed_q <= {select_2502[7:0], or_2498};
+      said_q <= equal_567_s2_q & equal_4387;
+      rows_passed_q <= select_2499;
+      columns_passed_q <= {select_2501[7:0], or_2497};
       line_ended_q <= marks_last_s2_q;
-      began_q <= and_2519;
-      seen_x_q <= select_2521;
-      seen_y_q <= marks_first_s2_q ? 3'h0 : select_4553;
-      seen_column_q <= select_2512;
-      seen_rows_left_q <= select_4559;
+      began_q <= and_2518;
+      seen_x_q <= select_2520;
+      seen_y_q <= marks_first_s2_q ? 3'h0 : select_4552;
+      seen_column_q <= select_2511;
+      seen_rows_left_q <= select_4558;
       at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= select_2509;
+      seen_base_q <= select_2508;
     end
   end
 
@@ -5388,64 +5388,64 @@ module horopter_agreement (
     if (s2_en) begin
       averager_running_0_q <= sample_pair_whole_s2_q ? select_520 : averager_running_0_q;
       averager_running_1_q <= sample_pair_whole_s2_q ? sum_526 : averager_running_1_q;
-      averager_total_0_q <= select_2635;
-      averager_total_1_q <= select_2637;
-      census_columns_values_0_cell_0_left_q <= select_2662;
-      census_columns_values_0_cell_0_right_q <= select_2663;
+      averager_total_0_q <= select_2634;
+      averager_total_1_q <= select_2636;
+      census_columns_values_0_cell_0_left_q <= select_2661;
+      census_columns_values_0_cell_0_right_q <= select_2662;
       census_columns_values_0_cell_0_mask_q <= and_542_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2665;
-      census_columns_values_0_cell_1_right_q <= select_2666;
-      census_columns_values_0_cell_1_mask_q <= select_2667;
-      census_columns_values_0_cell_2_left_q <= select_2668;
-      census_columns_values_0_cell_2_right_q <= select_2669;
-      census_columns_values_0_cell_2_mask_q <= select_2670;
-      census_columns_values_0_cell_2_of_skin_q <= select_2671;
-      census_columns_values_0_cell_3_left_q <= select_2672;
-      census_columns_values_0_cell_3_right_q <= select_2673;
-      census_columns_values_0_cell_3_mask_q <= select_2674;
-      census_columns_values_0_cell_4_left_q <= select_2675;
-      census_columns_values_0_cell_4_right_q <= select_2676;
-      census_columns_values_0_cell_4_mask_q <= select_2677;
-      census_columns_values_1_cell_0_left_q <= select_2678;
-      census_columns_values_1_cell_0_right_q <= select_2679;
-      census_columns_values_1_cell_0_mask_q <= select_2680;
-      census_columns_values_1_cell_1_left_q <= select_2681;
-      census_columns_values_1_cell_1_right_q <= select_2682;
-      census_columns_values_1_cell_1_mask_q <= select_2683;
-      census_columns_values_1_cell_2_left_q <= select_2684;
-      census_columns_values_1_cell_2_right_q <= select_2685;
-      census_columns_values_1_cell_2_mask_q <= select_2686;
-      census_columns_values_1_cell_2_of_skin_q <= select_2687;
-      census_columns_values_1_cell_3_left_q <= select_2688;
-      census_columns_values_1_cell_3_right_q <= select_2689;
-      census_columns_values_1_cell_3_mask_q <= select_2690;
-      census_columns_values_1_cell_4_left_q <= select_2691;
-      census_columns_values_1_cell_4_right_q <= select_2692;
-      census_columns_values_1_cell_4_mask_q <= select_2693;
-      census_columns_values_2_cell_0_left_q <= select_2694;
-      census_columns_values_2_cell_0_right_q <= select_2695;
-      census_columns_values_2_cell_0_mask_q <= select_2696;
-      census_columns_values_2_cell_1_left_q <= select_2697;
-      census_columns_values_2_cell_1_right_q <= select_2698;
-      census_columns_values_2_cell_1_mask_q <= select_2699;
-      census_columns_values_2_cell_2_left_q <= select_2700;
-      census_columns_values_2_cell_2_right_q <= select_2701;
-      census_columns_values_2_cell_2_mask_q <= select_2702;
-      census_columns_values_2_cell_3_left_q <= select_2703;
-      census_columns_values_2_cell_3_right_q <= select_2704;
-      census_columns_values_2_cell_3_mask_q <= select_2705;
-      census_columns_values_2_cell_4_left_q <= select_2706;
-      census_columns_values_2_cell_4_right_q <= select_2707;
-      census_columns_values_2_cell_4_mask_q <= select_2708;
-      census_columns_values_3_cell_0_mask_q <= select_2709;
-      census_columns_values_3_cell_1_left_q <= select_2710;
-      census_columns_values_3_cell_1_right_q <= select_2711;
-      census_columns_values_3_cell_1_mask_q <= select_2712;
-      census_columns_values_3_cell_2_mask_q <= select_2713;
-      census_columns_values_3_cell_3_left_q <= select_2714;
-      census_columns_values_3_cell_3_right_q <= select_2715;
-      census_columns_values_3_cell_3_mask_q <= select_2716;
-      census_columns_values_3_cell_4_mask_q <= select_2717;
+      census_columns_values_0_cell_1_left_q <= select_2664;
+      census_columns_values_0_cell_1_right_q <= select_2665;
+      census_columns_values_0_cell_1_mask_q <= select_2666;
+      census_columns_values_0_cell_2_left_q <= select_2667;
+      census_columns_values_0_cell_2_right_q <= select_2668;
+      census_columns_values_0_cell_2_mask_q <= select_2669;
+      census_columns_values_0_cell_2_of_skin_q <= select_2670;
+      census_columns_values_0_cell_3_left_q <= select_2671;
+      census_columns_values_0_cell_3_right_q <= select_2672;
+      census_columns_values_0_cell_3_mask_q <= select_2673;
+      census_columns_values_0_cell_4_left_q <= select_2674;
+      census_columns_values_0_cell_4_right_q <= select_2675;
+      census_columns_values_0_cell_4_mask_q <= select_2676;
+      census_columns_values_1_cell_0_left_q <= select_2677;
+      census_columns_values_1_cell_0_right_q <= select_2678;
+      census_columns_values_1_cell_0_mask_q <= select_2679;
+      census_columns_values_1_cell_1_left_q <= select_2680;
+      census_columns_values_1_cell_1_right_q <= select_2681;
+      census_columns_values_1_cell_1_mask_q <= select_2682;
+      census_columns_values_1_cell_2_left_q <= select_2683;
+      census_columns_values_1_cell_2_right_q <= select_2684;
+      census_columns_values_1_cell_2_mask_q <= select_2685;
+      census_columns_values_1_cell_2_of_skin_q <= select_2686;
+      census_columns_values_1_cell_3_left_q <= select_2687;
+      census_columns_values_1_cell_3_right_q <= select_2688;
+      census_columns_values_1_cell_3_mask_q <= select_2689;
+      census_columns_values_1_cell_4_left_q <= select_2690;
+      census_columns_values_1_cell_4_right_q <= select_2691;
+      census_columns_values_1_cell_4_mask_q <= select_2692;
+      census_columns_values_2_cell_0_left_q <= select_2693;
+      census_columns_values_2_cell_0_right_q <= select_2694;
+      census_columns_values_2_cell_0_mask_q <= select_2695;
+      census_columns_values_2_cell_1_left_q <= select_2696;
+      census_columns_values_2_cell_1_right_q <= select_2697;
+      census_columns_values_2_cell_1_mask_q <= select_2698;
+      census_columns_values_2_cell_2_left_q <= select_2699;
+      census_columns_values_2_cell_2_right_q <= select_2700;
+      census_columns_values_2_cell_2_mask_q <= select_2701;
+      census_columns_values_2_cell_3_left_q <= select_2702;
+      census_columns_values_2_cell_3_right_q <= select_2703;
+      census_columns_values_2_cell_3_mask_q <= select_2704;
+      census_columns_values_2_cell_4_left_q <= select_2705;
+      census_columns_values_2_cell_4_right_q <= select_2706;
+      census_columns_values_2_cell_4_mask_q <= select_2707;
+      census_columns_values_3_cell_0_mask_q <= select_2708;
+      census_columns_values_3_cell_1_left_q <= select_2709;
+      census_columns_values_3_cell_1_right_q <= select_2710;
+      census_columns_values_3_cell_1_mask_q <= select_2711;
+      census_columns_values_3_cell_2_mask_q <= select_2712;
+      census_columns_values_3_cell_3_left_q <= select_2713;
+      census_columns_values_3_cell_3_right_q <= select_2714;
+      census_columns_values_3_cell_3_mask_q <= select_2715;
+      census_columns_values_3_cell_4_mask_q <= select_2716;
       sharpness_last_mean_0_q <= and_542_s2_q ? select_548 : sharpness_last_mean_0_q;
       sharpness_last_mean_1_q <= and_542_s2_q ? select_552 : sharpness_last_mean_1_q;
     end
@@ -5549,63 +5549,63 @@ module horopter_agreement (
   logic and_2261_s3_q;
   logic [4:0] select_2276_s3_q;
   logic select_2282_s3_q;
-  logic [3:0] select_2323_s3_q;
-  logic less_2427_s3_q;
-  logic equal_2428_s3_q;
-  logic not_2429_s3_q;
-  logic equal_2430_s3_q;
-  logic or_2449_s3_q;
-  logic or_2452_s3_q;
-  logic or_2455_s3_q;
-  logic not_2457_s3_q;
+  logic [3:0] select_2322_s3_q;
+  logic less_2426_s3_q;
+  logic equal_2427_s3_q;
+  logic not_2428_s3_q;
+  logic equal_2429_s3_q;
+  logic or_2448_s3_q;
+  logic or_2451_s3_q;
+  logic or_2454_s3_q;
+  logic not_2456_s3_q;
   logic textured_s3_q;
   logic explained_s3_q;
-  logic and_2484_s3_q;
-  logic and_2489_s3_q;
-  logic and_2523_s3_q;
-  logic less_2524_s3_q;
+  logic and_2483_s3_q;
+  logic and_2488_s3_q;
+  logic and_2522_s3_q;
+  logic less_2523_s3_q;
   logic [5:0] index_2_s3_q;
-  logic [7:0] sum_2529_s3_q;
+  logic [7:0] sum_2528_s3_q;
   logic [2:0] textured_2_s3_q;
-  logic or_2547_s3_q;
-  logic or_2550_s3_q;
-  logic or_2553_s3_q;
+  logic or_2546_s3_q;
+  logic or_2549_s3_q;
+  logic or_2552_s3_q;
   logic [2:0] shown_2_s3_q;
   logic [2:0] near_2_s3_q;
-  logic and_2603_s3_q;
-  logic [11:0] sum_2733_s3_q;
-  logic [9:0] sum_2736_s3_q;
-  logic equal_2744_s3_q;
+  logic and_2602_s3_q;
+  logic [11:0] sum_2732_s3_q;
+  logic [9:0] sum_2735_s3_q;
+  logic equal_2743_s3_q;
   logic [8:0] contrast_s3_q;
   logic [8:0] contrast_2_s3_q;
-  logic and_3038_s3_q;
-  logic and_3044_s3_q;
+  logic and_3037_s3_q;
+  logic and_3043_s3_q;
   logic [2:0] explained_2_s3_q;
-  logic and_3106_s3_q;
-  logic and_3140_s3_q;
+  logic and_3105_s3_q;
+  logic and_3139_s3_q;
+  logic and_3197_s3_q;
   logic and_3198_s3_q;
-  logic and_3199_s3_q;
   logic [7:0] residual_s3_q;
-  logic and_3235_s3_q;
-  logic and_3249_s3_q;
-  logic equal_3292_s3_q;
-  logic parity_3671_s3_q;
-  logic parity_3800_s3_q;
-  logic parity_3862_s3_q;
-  logic xor_3890_s3_q;
-  logic parity_3902_s3_q;
-  logic or_3906_s3_q;
-  logic equal_3907_s3_q;
-  logic [4:0] select_4026_s3_q;
-  logic equal_4038_s3_q;
+  logic and_3234_s3_q;
+  logic and_3248_s3_q;
+  logic equal_3291_s3_q;
+  logic parity_3670_s3_q;
+  logic parity_3799_s3_q;
+  logic parity_3861_s3_q;
+  logic xor_3889_s3_q;
+  logic parity_3901_s3_q;
+  logic or_3905_s3_q;
+  logic equal_3906_s3_q;
+  logic [4:0] select_4025_s3_q;
+  logic equal_4037_s3_q;
+  logic less_4039_s3_q;
   logic less_4040_s3_q;
-  logic less_4041_s3_q;
-  logic or_4046_s3_q;
-  logic [7:0] select_4091_s3_q;
-  logic equal_4388_s3_q;
-  logic and_4565_s3_q;
-  logic not_4579_s3_q;
-  logic equal_4632_s3_q;
+  logic or_4045_s3_q;
+  logic [7:0] select_4090_s3_q;
+  logic equal_4387_s3_q;
+  logic and_4564_s3_q;
+  logic not_4578_s3_q;
+  logic equal_4631_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       saturated_s3_q <= saturated_s2_q;
@@ -5706,63 +5706,63 @@ module horopter_agreement (
       and_2261_s3_q <= and_2245 & equal_2260;
       select_2276_s3_q <= select_2276_s2_q;
       select_2282_s3_q <= select_2282_s2_q;
-      select_2323_s3_q <= select_2323_s2_q;
-      less_2427_s3_q <= less_2427_s2_q;
-      equal_2428_s3_q <= equal_2428_s2_q;
-      not_2429_s3_q <= not_2429_s2_q;
-      equal_2430_s3_q <= equal_2430_s2_q;
-      or_2449_s3_q <= or_2449;
-      or_2452_s3_q <= or_2452;
-      or_2455_s3_q <= or_2455;
-      not_2457_s3_q <= not_2457;
+      select_2322_s3_q <= select_2322_s2_q;
+      less_2426_s3_q <= less_2426_s2_q;
+      equal_2427_s3_q <= equal_2427_s2_q;
+      not_2428_s3_q <= not_2428_s2_q;
+      equal_2429_s3_q <= equal_2429_s2_q;
+      or_2448_s3_q <= or_2448;
+      or_2451_s3_q <= or_2451;
+      or_2454_s3_q <= or_2454;
+      not_2456_s3_q <= not_2456;
       textured_s3_q <= textured;
       explained_s3_q <= explained;
-      and_2484_s3_q <= inside_v_s2_q & (and_2482 & and_2052);
-      and_2489_s3_q <= not_568_s2_q & and_2464;
-      and_2523_s3_q <= and_2523;
-      less_2524_s3_q <= less_2524;
+      and_2483_s3_q <= inside_v_s2_q & (and_2481 & and_2052);
+      and_2488_s3_q <= not_568_s2_q & and_2463;
+      and_2522_s3_q <= and_2522;
+      less_2523_s3_q <= less_2523;
       index_2_s3_q <= index_2[5:0];
-      sum_2529_s3_q <= sum_2529;
+      sum_2528_s3_q <= sum_2528;
       textured_2_s3_q <= textured_2;
-      or_2547_s3_q <= or_2547;
-      or_2550_s3_q <= select_2544[7] | (~({select_2544[6], select_2544[3:2]} == 3'h0));
-      or_2553_s3_q <= select_2544[7] | (~(select_2544[6:4] == 3'h0));
+      or_2546_s3_q <= or_2546;
+      or_2549_s3_q <= select_2543[7] | (~({select_2543[6], select_2543[3:2]} == 3'h0));
+      or_2552_s3_q <= select_2543[7] | (~(select_2543[6:4] == 3'h0));
       shown_2_s3_q <= shown_2;
       near_2_s3_q <= near_2;
-      and_2603_s3_q <= and_2603;
-      sum_2733_s3_q <= {1'b0, sum_2729} + {2'h0, sum_2732};
-      sum_2736_s3_q <= {9'h0, difference_2734[9]} + {1'b0, xor_2735};
-      equal_2744_s3_q <= equal_2744_s2_q;
+      and_2602_s3_q <= and_2602;
+      sum_2732_s3_q <= {1'b0, sum_2728} + {2'h0, sum_2731};
+      sum_2735_s3_q <= {9'h0, difference_2733[9]} + {1'b0, xor_2734};
+      equal_2743_s3_q <= equal_2743_s2_q;
       contrast_s3_q <= contrast;
       contrast_2_s3_q <= contrast_2;
-      and_3038_s3_q <= and_3038;
-      and_3044_s3_q <= and_3044;
+      and_3037_s3_q <= and_3037;
+      and_3043_s3_q <= and_3043;
       explained_2_s3_q <= explained_2;
-      and_3106_s3_q <= not_568_s2_q & and_3105;
-      and_3140_s3_q <= not_568_s2_q & and_3139;
-      and_3198_s3_q <= not_568_s2_q & (so_s2_q & (half_ends & equal_3195));
-      and_3199_s3_q <= and_3199;
+      and_3105_s3_q <= not_568_s2_q & and_3104;
+      and_3139_s3_q <= not_568_s2_q & and_3138;
+      and_3197_s3_q <= not_568_s2_q & (so_s2_q & (half_ends & equal_3194));
+      and_3198_s3_q <= and_3198;
       residual_s3_q <= residual[7:0];
-      and_3235_s3_q <= and_3235;
-      and_3249_s3_q <= and_3199 & less_3248;
-      equal_3292_s3_q <= (registration_fresh_q & select_3290) == 4'h0;
-      parity_3671_s3_q <= ^{xor_3667, xor_3630, select_3597[44:36], other[44:36]};
-      parity_3800_s3_q <= parity_3800;
-      parity_3862_s3_q <= parity_3862;
-      xor_3890_s3_q <= parity_3877 ^ parity_3889;
-      parity_3902_s3_q <= ^{or_3899, or_3895, and_3891};
-      or_3906_s3_q <= (or_3895 & or_3899) | (and_3891 & (or_3895 | or_3899));
-      equal_3907_s3_q <= equal_3907_s2_q;
-      select_4026_s3_q <= select_4026[14:10];
-      equal_4038_s3_q <= select_3995[3:0] == 4'h0;
-      less_4040_s3_q <= {difference_4039, 3'h0} < {3'h0, sum_3587};
-      less_4041_s3_q <= select_4036 < select_4026[9:0];
-      or_4046_s3_q <= (sum_3587 < 10'h39) | ({1'b0, sum_3587[9:1]} < select_4026[9:0]);
-      select_4091_s3_q <= select_4091;
-      equal_4388_s3_q <= equal_4388;
-      and_4565_s3_q <= and_2603 & ({sum_2529, index_2[5:0]} == {sum_2516, index[5:0]});
-      not_4579_s3_q <= ~proven_q;
-      equal_4632_s3_q <= (registration_fresh_q & select_4630) == 4'h0;
+      and_3234_s3_q <= and_3234;
+      and_3248_s3_q <= and_3198 & less_3247;
+      equal_3291_s3_q <= (registration_fresh_q & select_3289) == 4'h0;
+      parity_3670_s3_q <= ^{xor_3666, xor_3629, select_3596[44:36], other[44:36]};
+      parity_3799_s3_q <= parity_3799;
+      parity_3861_s3_q <= parity_3861;
+      xor_3889_s3_q <= parity_3876 ^ parity_3888;
+      parity_3901_s3_q <= ^{or_3898, or_3894, and_3890};
+      or_3905_s3_q <= (or_3894 & or_3898) | (and_3890 & (or_3894 | or_3898));
+      equal_3906_s3_q <= equal_3906_s2_q;
+      select_4025_s3_q <= select_4025[14:10];
+      equal_4037_s3_q <= select_3994[3:0] == 4'h0;
+      less_4039_s3_q <= {difference_4038, 3'h0} < {3'h0, sum_3586};
+      less_4040_s3_q <= select_4035 < select_4025[9:0];
+      or_4045_s3_q <= (sum_3586 < 10'h39) | ({1'b0, sum_3586[9:1]} < select_4025[9:0]);
+      select_4090_s3_q <= select_4090;
+      equal_4387_s3_q <= equal_4387;
+      and_4564_s3_q <= and_2602 & ({sum_2528, index_2[5:0]} == {sum_2515, index[5:0]});
+      not_4578_s3_q <= ~proven_q;
+      equal_4631_s3_q <= (registration_fresh_q & select_4629) == 4'h0;
     end
   end
 
@@ -5975,45 +5975,45 @@ module horopter_agreement (
   assign select_2137 = equal_2131 ? {1'b0, registration_half_measured_q} : up;
   logic [11:0] sum_2138;
   assign sum_2138 = (equal_2129_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_2137[6]}}, select_2137};
-  // hls/stages/patches.hpp:353
+  // hls/stages/patches.hpp:354
   logic [22:0] select_2262;
   assign select_2262 = and_2261_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2217_s3_q} : patches_choices_rdata_q;
   // hls/stages/patches.hpp:127
   logic select_2264;
   assign select_2264 = equal_2160_s3_q ? patches_place_0_valid_q : (select_2159_s3_q ? patches_place_0_valid_q : select_2262[0]);
-  // hls/stages/patches.hpp:354
-  logic [21:0] select_2265;
-  assign select_2265 = select_2159_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2262[22:1];
+  // hls/stages/patches.hpp:132
+  logic [8:0] sum_2265;
+  assign sum_2265 = {1'b0, select_504_s3_q, select_502_s3_q[2]} + 9'h3;
+  // hls/stages/patches.hpp:355
+  logic [21:0] select_2266;
+  assign select_2266 = select_2159_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2262[22:1];
   // hls/stages/patches.hpp:127
-  logic [7:0] select_2266;
-  assign select_2266 = equal_2160_s3_q ? patches_place_0_column_q : select_2265[7:0];
-  logic [5:0] select_2267;
-  assign select_2267 = equal_2160_s3_q ? patches_place_0_shift_q : select_2265[13:8];
-  // hls/stages/patches.hpp:323
-  logic [7:0] sum_2268;
-  assign sum_2268 = select_2266 + {{2{select_2267[5]}}, select_2267};
+  logic [7:0] select_2267;
+  assign select_2267 = equal_2160_s3_q ? patches_place_0_column_q : select_2266[7:0];
+  logic [5:0] select_2268;
+  assign select_2268 = equal_2160_s3_q ? patches_place_0_shift_q : select_2266[13:8];
   // hls/stages/patches.hpp:324
-  logic [6:0] sum_2269;
-  assign sum_2269 = sum_2268[7:1] + 7'h7f;
-  // hls/stages/patches.hpp:131
+  logic [8:0] sum_2269;
+  assign sum_2269 = {1'b0, select_2267} + {{3{select_2268[5]}}, select_2268};
+  // hls/stages/patches.hpp:132
   logic equal_2270;
-  assign equal_2270 = {sum_2269[6], select_504_s3_q, select_502_s3_q} == {1'b0, sum_2269[5:0], sum_2268[0], 3'h4};
-  // hls/stages/patches.hpp:133
+  assign equal_2270 = {sum_2269, sum_2265[0], select_502_s3_q[1:0]} == {1'b0, sum_2265[8:1], 3'h0};
+  // hls/stages/patches.hpp:134
   logic or_2272;
   assign or_2272 = and_2142_s3_q | (select_2264 & equal_2270);
   // hls/stages/agreement.hpp:276
   logic [4:0] select_2273;
   assign select_2273 = or_2272 ? 5'h0 : patches_right_next_0_q[4:0];
-  // hls/stages/patches.hpp:133
+  // hls/stages/patches.hpp:134
   logic [5:0] select_2283;
   assign select_2283 = or_2272 ? {and_2142_s3_q, 5'h0} : patches_right_next_0_q;
-  // hls/stages/patches.hpp:137
+  // hls/stages/patches.hpp:138
   logic and_2285;
   assign and_2285 = select_2282_s3_q & (~select_2283[5]);
   // hls/stages/patches.hpp:127
   logic select_2293;
   assign select_2293 = equal_2160_s3_q ? patches_place_1_valid_q : (select_2159_s3_q ? select_2262[0] : patches_place_1_valid_q);
-  // hls/stages/patches.hpp:354
+  // hls/stages/patches.hpp:355
   logic [21:0] select_2294;
   assign select_2294 = select_2159_s3_q ? select_2262[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:127
@@ -6021,1179 +6021,1176 @@ module horopter_agreement (
   assign select_2295 = equal_2160_s3_q ? patches_place_1_column_q : select_2294[7:0];
   logic [5:0] select_2296;
   assign select_2296 = equal_2160_s3_q ? patches_place_1_shift_q : select_2294[13:8];
-  // hls/stages/patches.hpp:323
-  logic [7:0] sum_2297;
-  assign sum_2297 = select_2295 + {{2{select_2296[5]}}, select_2296};
   // hls/stages/patches.hpp:324
-  logic [6:0] sum_2298;
-  assign sum_2298 = sum_2297[7:1] + 7'h7f;
-  // hls/stages/patches.hpp:131
-  logic equal_2299;
-  assign equal_2299 = {sum_2298[6], select_504_s3_q, select_502_s3_q} == {1'b0, sum_2298[5:0], sum_2297[0], 3'h4};
-  // hls/stages/patches.hpp:133
-  logic or_2301;
-  assign or_2301 = and_2142_s3_q | (select_2293 & equal_2299);
+  logic [8:0] sum_2297;
+  assign sum_2297 = {1'b0, select_2295} + {{3{select_2296[5]}}, select_2296};
+  // hls/stages/patches.hpp:132
+  logic equal_2298;
+  assign equal_2298 = {sum_2297[8], sum_2265, select_502_s3_q[1:0]} == {1'b0, sum_2297[7:0], 3'h0};
+  // hls/stages/patches.hpp:134
+  logic or_2300;
+  assign or_2300 = and_2142_s3_q | (select_2293 & equal_2298);
   // hls/stages/agreement.hpp:276
-  logic [4:0] select_2302;
-  assign select_2302 = or_2301 ? 5'h0 : patches_right_next_1_q[4:0];
+  logic [4:0] select_2301;
+  assign select_2301 = or_2300 ? 5'h0 : patches_right_next_1_q[4:0];
+  // hls/stages/patches.hpp:134
+  logic [5:0] select_2302;
+  assign select_2302 = or_2300 ? {and_2142_s3_q, 5'h0} : patches_right_next_1_q;
+  // hls/stages/patches.hpp:138
+  logic and_2304;
+  assign and_2304 = select_2282_s3_q & (~select_2302[5]);
+  // hls/stages/patches.hpp:320
+  logic [7:0] sum_2311;
+  assign sum_2311 = select_2267 + 8'hff;
   // hls/stages/patches.hpp:133
-  logic [5:0] select_2303;
-  assign select_2303 = or_2301 ? {and_2142_s3_q, 5'h0} : patches_right_next_1_q;
-  // hls/stages/patches.hpp:137
-  logic and_2305;
-  assign and_2305 = select_2282_s3_q & (~select_2303[5]);
-  // hls/stages/patches.hpp:319
-  logic [7:0] sum_2312;
-  assign sum_2312 = select_2266 + 8'hff;
-  // hls/stages/patches.hpp:132
-  logic equal_2313;
-  assign equal_2313 = {sum_2312[7], select_504_s3_q, select_502_s3_q} == {1'b0, sum_2312[6:0], 3'h4};
-  // hls/stages/patches.hpp:134
-  logic or_2315;
-  assign or_2315 = and_2142_s3_q | (select_2264 & equal_2313);
-  logic [4:0] select_2316;
-  assign select_2316 = or_2315 ? {and_2142_s3_q, 4'h0} : patches_left_next_0_q;
-  // hls/stages/patches.hpp:319
-  logic [7:0] sum_2317;
-  assign sum_2317 = select_2295 + 8'hff;
-  // hls/stages/patches.hpp:132
-  logic equal_2318;
-  assign equal_2318 = {sum_2317[7], select_504_s3_q, select_502_s3_q} == {1'b0, sum_2317[6:0], 3'h4};
-  // hls/stages/patches.hpp:134
-  logic [4:0] select_2321;
-  assign select_2321 = (and_2142_s3_q | (select_2293 & equal_2318)) ? {and_2142_s3_q, 4'h0} : patches_left_next_1_q;
-  // hls/stages/patches.hpp:142
+  logic equal_2312;
+  assign equal_2312 = {sum_2311[7], select_504_s3_q, select_502_s3_q} == {1'b0, sum_2311[6:0], 3'h4};
+  // hls/stages/patches.hpp:135
+  logic or_2314;
+  assign or_2314 = and_2142_s3_q | (select_2264 & equal_2312);
+  logic [4:0] select_2315;
+  assign select_2315 = or_2314 ? {and_2142_s3_q, 4'h0} : patches_left_next_0_q;
+  // hls/stages/patches.hpp:320
+  logic [7:0] sum_2316;
+  assign sum_2316 = select_2295 + 8'hff;
+  // hls/stages/patches.hpp:133
+  logic equal_2317;
+  assign equal_2317 = {sum_2316[7], select_504_s3_q, select_502_s3_q} == {1'b0, sum_2316[6:0], 3'h4};
+  // hls/stages/patches.hpp:135
+  logic [4:0] select_2320;
+  assign select_2320 = (and_2142_s3_q | (select_2293 & equal_2317)) ? {and_2142_s3_q, 4'h0} : patches_left_next_1_q;
+  // hls/stages/patches.hpp:143
   logic [3:0] column_6;
-  assign column_6 = select_2316[4] ? select_2321[3:0] : select_2316[3:0];
+  assign column_6 = select_2315[4] ? select_2320[3:0] : select_2315[3:0];
   // hls/stages/agreement.hpp:276
-  logic select_2324;
-  assign select_2324 = or_2315 ? and_2142_s3_q : patches_left_next_0_q[4];
-  // hls/stages/patches.hpp:142
-  logic and_2330;
-  assign and_2330 = (select_2282_s3_q & (select_2276_s3_q[3] ^ select_2276_s3_q[4])) & ((~select_2316[4]) | (~select_2321[4]));
-  // hls/stages/patches.hpp:184
-  logic less_2439;
-  assign less_2439 = patches_sums_values_0_q < patches_best_differing_q;
+  logic select_2323;
+  assign select_2323 = or_2314 ? and_2142_s3_q : patches_left_next_0_q[4];
+  // hls/stages/patches.hpp:143
+  logic and_2329;
+  assign and_2329 = (select_2282_s3_q & (select_2276_s3_q[3] ^ select_2276_s3_q[4])) & ((~select_2315[4]) | (~select_2320[4]));
   // hls/stages/patches.hpp:185
-  logic not_2440;
-  assign not_2440 = ~less_2439;
-  logic [1:0] select_2441;
-  assign select_2441 = patches_summed_first_s3_q ? 2'h2 : {less_2439, not_2440};
-  logic [12:0] select_2443;
-  assign select_2443 = select_2441[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
+  logic less_2438;
+  assign less_2438 = patches_sums_values_0_q < patches_best_differing_q;
+  // hls/stages/patches.hpp:186
+  logic not_2439;
+  assign not_2439 = ~less_2438;
+  logic [1:0] select_2440;
+  assign select_2440 = patches_summed_first_s3_q ? 2'h2 : {less_2438, not_2439};
+  logic [12:0] select_2442;
+  assign select_2442 = select_2440[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
+  logic [14:0] select_2443;
+  assign select_2443 = select_2440[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
   logic [14:0] select_2444;
-  assign select_2444 = select_2441[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
-  logic [14:0] select_2445;
-  assign select_2445 = (select_2441 == 2'h2) ? {select_2443[12:8], patches_sums_values_0_q[9:8], select_2443[7:0]} : select_2444;
+  assign select_2444 = (select_2440 == 2'h2) ? {select_2442[12:8], patches_sums_values_0_q[9:8], select_2442[7:0]} : select_2443;
   // hls/stages/agreement.hpp:900
-  logic [6:0] select_2470;
-  assign select_2470 = segment_started_q ? segment_textured_q : 7'h0;
+  logic [6:0] select_2469;
+  assign select_2469 = segment_started_q ? segment_textured_q : 7'h0;
   // hls/stages/agreement.hpp:901
-  logic [6:0] sum_2471;
-  assign sum_2471 = {6'h0, textured_s3_q} + select_2470;
+  logic [6:0] sum_2470;
+  assign sum_2470 = {6'h0, textured_s3_q} + select_2469;
   // hls/stages/agreement.hpp:1061
-  logic [9:0] sum_2473;
-  assign sum_2473 = {3'h0, sum_2471} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
+  logic [9:0] sum_2472;
+  assign sum_2472 = {3'h0, sum_2470} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
   // hls/stages/agreement.hpp:900
-  logic [6:0] select_2475;
-  assign select_2475 = segment_started_q ? segment_explained_q : 7'h0;
+  logic [6:0] select_2474;
+  assign select_2474 = segment_started_q ? segment_explained_q : 7'h0;
   // hls/stages/agreement.hpp:901
-  logic [6:0] sum_2476;
-  assign sum_2476 = {6'h0, explained_s3_q} + select_2475;
+  logic [6:0] sum_2475;
+  assign sum_2475 = {6'h0, explained_s3_q} + select_2474;
   // hls/stages/agreement.hpp:1062
-  logic [9:0] sum_2478;
-  assign sum_2478 = {3'h0, sum_2476} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
+  logic [9:0] sum_2477;
+  assign sum_2477 = {3'h0, sum_2475} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
   // hls/stages/agreement.hpp:900
-  logic [6:0] select_2485;
-  assign select_2485 = segment_started_q ? segment_nearer_q : 7'h0;
+  logic [6:0] select_2484;
+  assign select_2484 = segment_started_q ? segment_nearer_q : 7'h0;
   // hls/stages/agreement.hpp:902
-  logic [6:0] sum_2486;
-  assign sum_2486 = {6'h0, and_2484_s3_q} + select_2485;
+  logic [6:0] sum_2485;
+  assign sum_2485 = {6'h0, and_2483_s3_q} + select_2484;
   // hls/stages/agreement.hpp:1063
-  logic [9:0] sum_2488;
-  assign sum_2488 = {3'h0, sum_2486} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
+  logic [9:0] sum_2487;
+  assign sum_2487 = {3'h0, sum_2485} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
   // hls/stages/agreement.hpp:1094
-  logic [2:0] select_2538;
-  assign select_2538 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2539;
-  assign difference_2539 = {1'b0, textured_2_s3_q} - {1'b0, select_2538};
+  logic [2:0] select_2537;
+  assign select_2537 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2538;
+  assign difference_2538 = {1'b0, textured_2_s3_q} - {1'b0, select_2537};
   logic [4:0] t;
-  assign t = {difference_2539[3], difference_2539} + (equal_562_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  assign t = {difference_2538[3], difference_2538} + (equal_562_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1100
-  logic equal_2542;
-  assign equal_2542 = t[4:1] == 4'h0;
+  logic equal_2541;
+  assign equal_2541 = t[4:1] == 4'h0;
   // hls/stages/agreement.hpp:1101
-  logic not_2554;
-  assign not_2554 = ~region_row_s3_q[2];
-  logic [2:0] select_2555;
-  assign select_2555 = region_row_s3_q[1] ? {1'b0, not_2554, 1'b0} : {region_row_s3_q[2], 1'b0, not_2554};
-  logic [5:0] select_2556;
-  assign select_2556 = region_row_s3_q[0] ? {select_2555[2], 1'b0, select_2555[1], 1'b0, select_2555[0], 1'b0} : {1'b0, select_2555[2], 1'b0, select_2555[1], 1'b0, select_2555[0]};
-  logic [11:0] select_2557;
-  assign select_2557 = or_2553_s3_q ? {select_2556[5], 1'b0, select_2556[4], 1'b0, select_2556[3], 1'b0, select_2556[2], 1'b0, select_2556[1], 1'b0, select_2556[0], 1'b0} : {1'b0, select_2556[5], 1'b0, select_2556[4], 1'b0, select_2556[3], 1'b0, select_2556[2], 1'b0, select_2556[1], 1'b0, select_2556[0]};
-  logic [23:0] select_2558;
-  assign select_2558 = or_2550_s3_q ? {select_2557[11], 1'b0, select_2557[10], 1'b0, select_2557[9], 1'b0, select_2557[8], 1'b0, select_2557[7], 1'b0, select_2557[6], 1'b0, select_2557[5], 1'b0, select_2557[4], 1'b0, select_2557[3], 1'b0, select_2557[2], 1'b0, select_2557[1], 1'b0, select_2557[0], 1'b0} : {1'b0, select_2557[11], 1'b0, select_2557[10], 1'b0, select_2557[9], 1'b0, select_2557[8], 1'b0, select_2557[7], 1'b0, select_2557[6], 1'b0, select_2557[5], 1'b0, select_2557[4], 1'b0, select_2557[3], 1'b0, select_2557[2], 1'b0, select_2557[1], 1'b0, select_2557[0]};
-  logic [47:0] select_2559;
-  assign select_2559 = or_2547_s3_q ? {select_2558[23], 1'b0, select_2558[22], 1'b0, select_2558[21], 1'b0, select_2558[20], 1'b0, select_2558[19], 1'b0, select_2558[18], 1'b0, select_2558[17], 1'b0, select_2558[16], 1'b0, select_2558[15], 1'b0, select_2558[14], 1'b0, select_2558[13], 1'b0, select_2558[12], 1'b0, select_2558[11], 1'b0, select_2558[10], 1'b0, select_2558[9], 1'b0, select_2558[8], 1'b0, select_2558[7], 1'b0, select_2558[6], 1'b0, select_2558[5], 1'b0, select_2558[4], 1'b0, select_2558[3], 1'b0, select_2558[2], 1'b0, select_2558[1], 1'b0, select_2558[0], 1'b0} : {1'b0, select_2558[23], 1'b0, select_2558[22], 1'b0, select_2558[21], 1'b0, select_2558[20], 1'b0, select_2558[19], 1'b0, select_2558[18], 1'b0, select_2558[17], 1'b0, select_2558[16], 1'b0, select_2558[15], 1'b0, select_2558[14], 1'b0, select_2558[13], 1'b0, select_2558[12], 1'b0, select_2558[11], 1'b0, select_2558[10], 1'b0, select_2558[9], 1'b0, select_2558[8], 1'b0, select_2558[7], 1'b0, select_2558[6], 1'b0, select_2558[5], 1'b0, select_2558[4], 1'b0, select_2558[3], 1'b0, select_2558[2], 1'b0, select_2558[1], 1'b0, select_2558[0]};
+  logic not_2553;
+  assign not_2553 = ~region_row_s3_q[2];
+  logic [2:0] select_2554;
+  assign select_2554 = region_row_s3_q[1] ? {1'b0, not_2553, 1'b0} : {region_row_s3_q[2], 1'b0, not_2553};
+  logic [5:0] select_2555;
+  assign select_2555 = region_row_s3_q[0] ? {select_2554[2], 1'b0, select_2554[1], 1'b0, select_2554[0], 1'b0} : {1'b0, select_2554[2], 1'b0, select_2554[1], 1'b0, select_2554[0]};
+  logic [11:0] select_2556;
+  assign select_2556 = or_2552_s3_q ? {select_2555[5], 1'b0, select_2555[4], 1'b0, select_2555[3], 1'b0, select_2555[2], 1'b0, select_2555[1], 1'b0, select_2555[0], 1'b0} : {1'b0, select_2555[5], 1'b0, select_2555[4], 1'b0, select_2555[3], 1'b0, select_2555[2], 1'b0, select_2555[1], 1'b0, select_2555[0]};
+  logic [23:0] select_2557;
+  assign select_2557 = or_2549_s3_q ? {select_2556[11], 1'b0, select_2556[10], 1'b0, select_2556[9], 1'b0, select_2556[8], 1'b0, select_2556[7], 1'b0, select_2556[6], 1'b0, select_2556[5], 1'b0, select_2556[4], 1'b0, select_2556[3], 1'b0, select_2556[2], 1'b0, select_2556[1], 1'b0, select_2556[0], 1'b0} : {1'b0, select_2556[11], 1'b0, select_2556[10], 1'b0, select_2556[9], 1'b0, select_2556[8], 1'b0, select_2556[7], 1'b0, select_2556[6], 1'b0, select_2556[5], 1'b0, select_2556[4], 1'b0, select_2556[3], 1'b0, select_2556[2], 1'b0, select_2556[1], 1'b0, select_2556[0]};
+  logic [47:0] select_2558;
+  assign select_2558 = or_2546_s3_q ? {select_2557[23], 1'b0, select_2557[22], 1'b0, select_2557[21], 1'b0, select_2557[20], 1'b0, select_2557[19], 1'b0, select_2557[18], 1'b0, select_2557[17], 1'b0, select_2557[16], 1'b0, select_2557[15], 1'b0, select_2557[14], 1'b0, select_2557[13], 1'b0, select_2557[12], 1'b0, select_2557[11], 1'b0, select_2557[10], 1'b0, select_2557[9], 1'b0, select_2557[8], 1'b0, select_2557[7], 1'b0, select_2557[6], 1'b0, select_2557[5], 1'b0, select_2557[4], 1'b0, select_2557[3], 1'b0, select_2557[2], 1'b0, select_2557[1], 1'b0, select_2557[0], 1'b0} : {1'b0, select_2557[23], 1'b0, select_2557[22], 1'b0, select_2557[21], 1'b0, select_2557[20], 1'b0, select_2557[19], 1'b0, select_2557[18], 1'b0, select_2557[17], 1'b0, select_2557[16], 1'b0, select_2557[15], 1'b0, select_2557[14], 1'b0, select_2557[13], 1'b0, select_2557[12], 1'b0, select_2557[11], 1'b0, select_2557[10], 1'b0, select_2557[9], 1'b0, select_2557[8], 1'b0, select_2557[7], 1'b0, select_2557[6], 1'b0, select_2557[5], 1'b0, select_2557[4], 1'b0, select_2557[3], 1'b0, select_2557[2], 1'b0, select_2557[1], 1'b0, select_2557[0]};
   // hls/stages/agreement.hpp:1030
-  logic and_2563;
-  assign and_2563 = good_known_q & (~((good_q & select_2559) == 48'h0));
+  logic and_2562;
+  assign and_2562 = good_known_q & (~((good_q & select_2558) == 48'h0));
   // hls/stages/agreement.hpp:1096
-  logic [2:0] select_2572;
-  assign select_2572 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2573;
-  assign difference_2573 = {1'b0, shown_2_s3_q} - {1'b0, select_2572};
+  logic [2:0] select_2571;
+  assign select_2571 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2572;
+  assign difference_2572 = {1'b0, shown_2_s3_q} - {1'b0, select_2571};
   logic [4:0] around;
-  assign around = {difference_2573[3], difference_2573} + (equal_562_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  assign around = {difference_2572[3], difference_2572} + (equal_562_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1103
-  logic [5:0] sum_2576;
-  assign sum_2576 = {1'b0, around} + {2'h0, around[4:1]};
+  logic [5:0] sum_2575;
+  assign sum_2575 = {1'b0, around} + {2'h0, around[4:1]};
   logic is_seen;
-  assign is_seen = equal_2542 ? and_2563 : (~({sum_2576, around[0]} < {2'h0, t}));
+  assign is_seen = equal_2541 ? and_2562 : (~({sum_2575, around[0]} < {2'h0, t}));
   // hls/stages/agreement.hpp:1097
-  logic [2:0] select_2588;
-  assign select_2588 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2589;
-  assign difference_2589 = {1'b0, near_2_s3_q} - {1'b0, select_2588};
+  logic [2:0] select_2587;
+  assign select_2587 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2588;
+  assign difference_2588 = {1'b0, near_2_s3_q} - {1'b0, select_2587};
   logic [4:0] n;
-  assign n = {difference_2589[3], difference_2589} + (equal_562_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  assign n = {difference_2588[3], difference_2588} + (equal_562_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1112
-  logic and_2593;
-  assign and_2593 = is_seen & ({1'b0, around[4:1]} < n);
+  logic and_2592;
+  assign and_2592 = is_seen & ({1'b0, around[4:1]} < n);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_2627;
-  assign select_2627 = sample_pair_whole_s3_q ? (and_540_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2629;
-  assign select_2629 = sample_pair_whole_s3_q ? (and_540_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2631;
-  assign select_2631 = sample_pair_whole_s3_q ? (and_540_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2633;
-  assign select_2633 = sample_pair_whole_s3_q ? (and_540_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  logic [8:0] select_2626;
+  assign select_2626 = sample_pair_whole_s3_q ? (and_540_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2628;
+  assign select_2628 = sample_pair_whole_s3_q ? (and_540_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2630;
+  assign select_2630 = sample_pair_whole_s3_q ? (and_540_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2632;
+  assign select_2632 = sample_pair_whole_s3_q ? (and_540_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:217
-  logic [9:0] sum_2638;
-  assign sum_2638 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
-  logic [9:0] difference_2639;
-  assign difference_2639 = {1'b0, sum_2638[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_2637;
+  assign sum_2637 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
+  logic [9:0] difference_2638;
+  assign difference_2638 = {1'b0, sum_2637[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:218
-  logic [9:0] xor_2640;
-  assign xor_2640 = {difference_2639[8:0], sum_2638[0]} ^ {10{difference_2639[9]}};
+  logic [9:0] xor_2639;
+  assign xor_2639 = {difference_2638[8:0], sum_2637[0]} ^ {10{difference_2638[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2639[9]} + {1'b0, xor_2640};
+  assign size = {10'h0, difference_2638[9]} + {1'b0, xor_2639};
   // hls/stages/census.hpp:219
   logic [13:0] detail;
   assign detail = {3'h0, size} + (equal_545_s3_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2645;
-  assign select_2645 = sample_pair_whole_s3_q ? (and_540_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2644;
+  assign select_2644 = sample_pair_whole_s3_q ? (and_540_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:217
-  logic [9:0] sum_2646;
-  assign sum_2646 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
-  logic [9:0] difference_2647;
-  assign difference_2647 = {1'b0, sum_2646[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_2645;
+  assign sum_2645 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
+  logic [9:0] difference_2646;
+  assign difference_2646 = {1'b0, sum_2645[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:218
-  logic [9:0] xor_2648;
-  assign xor_2648 = {difference_2647[8:0], sum_2646[0]} ^ {10{difference_2647[9]}};
+  logic [9:0] xor_2647;
+  assign xor_2647 = {difference_2646[8:0], sum_2645[0]} ^ {10{difference_2646[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2647[9]} + {1'b0, xor_2648};
+  assign size_2 = {10'h0, difference_2646[9]} + {1'b0, xor_2647};
   // hls/stages/census.hpp:219
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_2} + (equal_545_s3_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2653;
-  assign select_2653 = sample_pair_whole_s3_q ? (and_540_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2652;
+  assign select_2652 = sample_pair_whole_s3_q ? (and_540_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/census.hpp:283
-  logic [11:0] sum_2737;
-  assign sum_2737 = sum_2733_s3_q + {2'h0, sum_2736_s3_q};
+  logic [11:0] sum_2736;
+  assign sum_2736 = sum_2732_s3_q + {2'h0, sum_2735_s3_q};
   // hls/stages/agreement.hpp:520
+  logic [11:0] select_2738;
+  assign select_2738 = and_542_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_2739;
-  assign select_2739 = and_542_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  assign select_2739 = and_542_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
   logic [11:0] select_2740;
-  assign select_2740 = and_542_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  assign select_2740 = and_542_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
   logic [11:0] select_2741;
-  assign select_2741 = and_542_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_2742;
-  assign select_2742 = and_542_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  assign select_2741 = and_542_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:293
-  logic [12:0] sum_2745;
-  assign sum_2745 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2737};
-  logic [13:0] sum_2747;
-  assign sum_2747 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2745});
+  logic [12:0] sum_2744;
+  assign sum_2744 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2736};
+  logic [13:0] sum_2746;
+  assign sum_2746 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2744});
   // hls/stages/census.hpp:320
-  logic and_2749;
-  assign and_2749 = and_701_s3_q & (9'h4 < sum_2747[13:5]);
+  logic and_2748;
+  assign and_2748 = and_701_s3_q & (9'h4 < sum_2746[13:5]);
   // hls/stages/census.hpp:321
-  logic and_2750;
-  assign and_2750 = and_701_s3_q & less_725;
+  logic and_2749;
+  assign and_2749 = and_701_s3_q & less_725;
   // hls/stages/census.hpp:322
-  logic [19:0] sum_2751;
-  assign sum_2751 = census_left_misses_q + {{17{and_2750}}, and_2749, 1'b0, and_2749};
+  logic [19:0] sum_2750;
+  assign sum_2750 = census_left_misses_q + {{17{and_2749}}, and_2748, 1'b0, and_2748};
   // hls/stages/agreement.hpp:520
-  logic [19:0] select_2753;
-  assign select_2753 = and_542_s3_q ? (equal_2744_s3_q ? 20'h0 : sum_2751) : census_left_misses_q;
+  logic [19:0] select_2752;
+  assign select_2752 = and_542_s3_q ? (equal_2743_s3_q ? 20'h0 : sum_2750) : census_left_misses_q;
   // hls/stages/agreement.hpp:276
-  logic [27:0] select_2823;
-  assign select_2823 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
+  logic [27:0] select_2822;
+  assign select_2822 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
   // hls/stages/agreement.hpp:520
-  logic select_2826;
-  assign select_2826 = and_542_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic select_2825;
+  assign select_2825 = and_542_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:370
-  logic and_2829;
-  assign and_2829 = whole_2_s3_q & (~(last_s3_q[6:1] == 6'h0));
+  logic and_2828;
+  assign and_2828 = whole_2_s3_q & (~(last_s3_q[6:1] == 6'h0));
   // hls/stages/agreement.hpp:457
+  logic and_2834;
+  assign and_2834 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
   logic and_2835;
-  assign and_2835 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
-  logic and_2836;
-  assign and_2836 = and_2829 & and_2835;
+  assign and_2835 = and_2828 & and_2834;
   // hls/stages/census.hpp:369
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2823[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2822[13:0]};
   // hls/stages/census.hpp:371
-  logic [12:0] select_2838;
-  assign select_2838 = and_2836 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2837;
+  assign select_2837 = and_2835 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:372
-  logic [23:0] select_2840;
-  assign select_2840 = equal_2744_s3_q ? {11'h0, select_2838} : (sharpness_sums_detail_0_q + {11'h0, select_2838});
+  logic [23:0] select_2839;
+  assign select_2839 = equal_2743_s3_q ? {11'h0, select_2837} : (sharpness_sums_detail_0_q + {11'h0, select_2837});
   // hls/stages/agreement.hpp:457
+  logic and_2846;
+  assign and_2846 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
   logic and_2847;
-  assign and_2847 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
-  logic and_2848;
-  assign and_2848 = and_2829 & and_2847;
+  assign and_2847 = and_2828 & and_2846;
   // hls/stages/census.hpp:369
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2823[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2822[27:14]};
   // hls/stages/census.hpp:371
-  logic [12:0] select_2850;
-  assign select_2850 = and_2848 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2849;
+  assign select_2849 = and_2847 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:372
-  logic [23:0] select_2852;
-  assign select_2852 = equal_2744_s3_q ? {11'h0, select_2850} : (sharpness_sums_detail_1_q + {11'h0, select_2850});
-  logic [8:0] select_2855;
-  assign select_2855 = and_2836 ? contrast_s3_q : 9'h0;
-  logic [23:0] sum_2856;
-  assign sum_2856 = (equal_2744_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2855};
-  logic [8:0] select_2859;
-  assign select_2859 = and_2848 ? contrast_2_s3_q : 9'h0;
-  logic [23:0] sum_2860;
-  assign sum_2860 = (equal_2744_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2859};
+  logic [23:0] select_2851;
+  assign select_2851 = equal_2743_s3_q ? {11'h0, select_2849} : (sharpness_sums_detail_1_q + {11'h0, select_2849});
+  logic [8:0] select_2854;
+  assign select_2854 = and_2835 ? contrast_s3_q : 9'h0;
+  logic [23:0] sum_2855;
+  assign sum_2855 = (equal_2743_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2854};
+  logic [8:0] select_2858;
+  assign select_2858 = and_2847 ? contrast_2_s3_q : 9'h0;
+  logic [23:0] sum_2859;
+  assign sum_2859 = (equal_2743_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2858};
   // hls/stages/agreement.hpp:211
-  logic equal_2862;
-  assign equal_2862 = x_s3_q[7:3] == 5'h0;
+  logic equal_2861;
+  assign equal_2861 = x_s3_q[7:3] == 5'h0;
   // hls/stages/census.hpp:385
-  logic less_2863;
-  assign less_2863 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
+  logic less_2862;
+  assign less_2862 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
   // hls/stages/census.hpp:424
-  logic less_2864;
-  assign less_2864 = x_s3_q[4:0] < 5'h3;
-  logic not_2865;
-  assign not_2865 = ~x_s3_q[1];
-  logic [2:0] select_2866;
-  assign select_2866 = x_s3_q[0] ? {1'b0, not_2865, 1'b0} : {x_s3_q[1], 1'b0, not_2865};
-  logic [5:0] select_2867;
-  assign select_2867 = slot_s3_q[2] ? {select_2866[2], 1'b0, select_2866[1], 1'b0, select_2866[0], 1'b0} : {1'b0, select_2866[2], 1'b0, select_2866[1], 1'b0, select_2866[0]};
-  logic [11:0] select_2868;
-  assign select_2868 = slot_s3_q[1] ? {select_2867[5], 1'b0, select_2867[4], 1'b0, select_2867[3], 1'b0, select_2867[2], 1'b0, select_2867[1], 1'b0, select_2867[0], 1'b0} : {1'b0, select_2867[5], 1'b0, select_2867[4], 1'b0, select_2867[3], 1'b0, select_2867[2], 1'b0, select_2867[1], 1'b0, select_2867[0]};
-  logic [23:0] select_2869;
-  assign select_2869 = slot_s3_q[0] ? {select_2868[11], 1'b0, select_2868[10], 1'b0, select_2868[9], 1'b0, select_2868[8], 1'b0, select_2868[7], 1'b0, select_2868[6], 1'b0, select_2868[5], 1'b0, select_2868[4], 1'b0, select_2868[3], 1'b0, select_2868[2], 1'b0, select_2868[1], 1'b0, select_2868[0], 1'b0} : {1'b0, select_2868[11], 1'b0, select_2868[10], 1'b0, select_2868[9], 1'b0, select_2868[8], 1'b0, select_2868[7], 1'b0, select_2868[6], 1'b0, select_2868[5], 1'b0, select_2868[4], 1'b0, select_2868[3], 1'b0, select_2868[2], 1'b0, select_2868[1], 1'b0, select_2868[0]};
+  logic less_2863;
+  assign less_2863 = x_s3_q[4:0] < 5'h3;
+  logic not_2864;
+  assign not_2864 = ~x_s3_q[1];
+  logic [2:0] select_2865;
+  assign select_2865 = x_s3_q[0] ? {1'b0, not_2864, 1'b0} : {x_s3_q[1], 1'b0, not_2864};
+  logic [5:0] select_2866;
+  assign select_2866 = slot_s3_q[2] ? {select_2865[2], 1'b0, select_2865[1], 1'b0, select_2865[0], 1'b0} : {1'b0, select_2865[2], 1'b0, select_2865[1], 1'b0, select_2865[0]};
+  logic [11:0] select_2867;
+  assign select_2867 = slot_s3_q[1] ? {select_2866[5], 1'b0, select_2866[4], 1'b0, select_2866[3], 1'b0, select_2866[2], 1'b0, select_2866[1], 1'b0, select_2866[0], 1'b0} : {1'b0, select_2866[5], 1'b0, select_2866[4], 1'b0, select_2866[3], 1'b0, select_2866[2], 1'b0, select_2866[1], 1'b0, select_2866[0]};
+  logic [23:0] select_2868;
+  assign select_2868 = slot_s3_q[0] ? {select_2867[11], 1'b0, select_2867[10], 1'b0, select_2867[9], 1'b0, select_2867[8], 1'b0, select_2867[7], 1'b0, select_2867[6], 1'b0, select_2867[5], 1'b0, select_2867[4], 1'b0, select_2867[3], 1'b0, select_2867[2], 1'b0, select_2867[1], 1'b0, select_2867[0], 1'b0} : {1'b0, select_2867[11], 1'b0, select_2867[10], 1'b0, select_2867[9], 1'b0, select_2867[8], 1'b0, select_2867[7], 1'b0, select_2867[6], 1'b0, select_2867[5], 1'b0, select_2867[4], 1'b0, select_2867[3], 1'b0, select_2867[2], 1'b0, select_2867[1], 1'b0, select_2867[0]};
   // hls/stages/census.hpp:387
-  logic and_2873;
-  assign and_2873 = less_2864 & (~((sharpness_sums_contrast_1_q & select_2869) == 24'h0));
+  logic and_2872;
+  assign and_2872 = less_2863 & (~((sharpness_sums_contrast_1_q & select_2868) == 24'h0));
   // hls/stages/census.hpp:392
-  logic [17:0] select_2875;
-  assign select_2875 = (less_2863 & and_2873) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2874;
+  assign select_2874 = (less_2862 & and_2872) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2875};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2874};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2878;
-  assign select_2878 = equal_2862 ? (less_2863 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_2877;
+  assign select_2877 = equal_2861 ? (less_2862 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:387
-  logic and_2883;
-  assign and_2883 = less_2864 & (~((sharpness_sums_contrast_0_q & select_2869) == 24'h0));
+  logic and_2882;
+  assign and_2882 = less_2863 & (~((sharpness_sums_contrast_0_q & select_2868) == 24'h0));
   // hls/stages/census.hpp:392
-  logic [17:0] select_2885;
-  assign select_2885 = (less_2863 & and_2883) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2884;
+  assign select_2884 = (less_2862 & and_2882) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2885};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2884};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2888;
-  assign select_2888 = equal_2862 ? (less_2863 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2890;
-  assign select_2890 = equal_2862 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2892;
-  assign select_2892 = equal_2862 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2894;
-  assign select_2894 = equal_2862 ? {sharpness_comparing_contrast_0_q[0], and_2883} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2896;
-  assign select_2896 = equal_2862 ? {sharpness_comparing_contrast_1_q[0], and_2873} : sharpness_comparing_contrast_1_q;
+  logic [17:0] select_2887;
+  assign select_2887 = equal_2861 ? (less_2862 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2889;
+  assign select_2889 = equal_2861 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2891;
+  assign select_2891 = equal_2861 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2893;
+  assign select_2893 = equal_2861 ? {sharpness_comparing_contrast_0_q[0], and_2882} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2895;
+  assign select_2895 = equal_2861 ? {sharpness_comparing_contrast_1_q[0], and_2872} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:398
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2901;
-  assign select_2901 = drew_q ? (equal_2862 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2900;
+  assign select_2900 = drew_q ? (equal_2861 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:398
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2905;
-  assign select_2905 = drew_q ? (equal_2862 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  logic select_2904;
+  assign select_2904 = drew_q ? (equal_2861 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:384
-  logic equal_2906;
-  assign equal_2906 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
+  logic equal_2905;
+  assign equal_2905 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
   // hls/stages/census.hpp:400
-  logic xor_2907;
-  assign xor_2907 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2910;
-  assign select_2910 = (equal_2906 | xor_2907) ? (five_times[0] & xor_2907) : sharpness_comparing_less_detail_0_q;
+  logic xor_2906;
+  assign xor_2906 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic select_2909;
+  assign select_2909 = (equal_2905 | xor_2906) ? (five_times[0] & xor_2906) : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2912;
-  assign select_2912 = drew_q ? (equal_2862 ? select_2910 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  logic select_2911;
+  assign select_2911 = drew_q ? (equal_2861 ? select_2909 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
   // hls/stages/census.hpp:400
-  logic xor_2913;
-  assign xor_2913 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2916;
-  assign select_2916 = (equal_2906 | xor_2913) ? (five_times_2[0] & xor_2913) : sharpness_comparing_less_detail_1_q;
+  logic xor_2912;
+  assign xor_2912 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2915;
+  assign select_2915 = (equal_2905 | xor_2912) ? (five_times_2[0] & xor_2912) : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2918;
-  assign select_2918 = drew_q ? (equal_2862 ? select_2916 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  logic select_2917;
+  assign select_2917 = drew_q ? (equal_2861 ? select_2915 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
   // hls/stages/census.hpp:401
-  logic xor_2919;
-  assign xor_2919 = sharpness_comparing_contrast_0_q[1] ^ and_2873;
-  logic select_2922;
-  assign select_2922 = (equal_2906 | xor_2919) ? (and_2873 & xor_2919) : sharpness_comparing_less_contrast_0_q;
+  logic xor_2918;
+  assign xor_2918 = sharpness_comparing_contrast_0_q[1] ^ and_2872;
+  logic select_2921;
+  assign select_2921 = (equal_2905 | xor_2918) ? (and_2872 & xor_2918) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2924;
-  assign select_2924 = drew_q ? (equal_2862 ? select_2922 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  logic select_2923;
+  assign select_2923 = drew_q ? (equal_2861 ? select_2921 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/census.hpp:401
-  logic xor_2925;
-  assign xor_2925 = sharpness_comparing_contrast_1_q[1] ^ and_2883;
-  logic select_2928;
-  assign select_2928 = (equal_2906 | xor_2925) ? (and_2883 & xor_2925) : sharpness_comparing_less_contrast_1_q;
+  logic xor_2924;
+  assign xor_2924 = sharpness_comparing_contrast_1_q[1] ^ and_2882;
+  logic select_2927;
+  assign select_2927 = (equal_2905 | xor_2924) ? (and_2882 & xor_2924) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2930;
-  assign select_2930 = drew_q ? (equal_2862 ? select_2928 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  logic select_2929;
+  assign select_2929 = drew_q ? (equal_2861 ? select_2927 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_3046;
-  assign select_3046 = and_3038_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_3044_s3_q});
+  logic [13:0] select_3045;
+  assign select_3045 = and_3037_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_3043_s3_q});
   // hls/stages/agreement.hpp:788
-  logic and_3049;
-  assign and_3049 = not_568_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
-  logic and_3054;
-  assign and_3054 = not_568_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
-  logic and_3059;
-  assign and_3059 = not_568_s3_q & (drew_q & (ends_cell_s3_q & and_2484_s3_q));
+  logic and_3048;
+  assign and_3048 = not_568_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
+  logic and_3053;
+  assign and_3053 = not_568_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
+  logic and_3058;
+  assign and_3058 = not_568_s3_q & (drew_q & (ends_cell_s3_q & and_2483_s3_q));
   // hls/stages/agreement.hpp:1105
-  logic not_3063;
-  assign not_3063 = ~(x_s3_q[7:1] == 7'h0);
+  logic not_3062;
+  assign not_3062 = ~(x_s3_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:1095
-  logic [2:0] select_3072;
-  assign select_3072 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_3073;
-  assign difference_3073 = {1'b0, explained_2_s3_q} - {1'b0, select_3072};
+  logic [2:0] select_3071;
+  assign select_3071 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_3072;
+  assign difference_3072 = {1'b0, explained_2_s3_q} - {1'b0, select_3071};
   logic [4:0] e;
-  assign e = {difference_3073[3], difference_3073} + (equal_562_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  assign e = {difference_3072[3], difference_3072} + (equal_562_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1102
-  logic [5:0] sum_3076;
-  assign sum_3076 = {1'b0, e} + {2'h0, e[4:1]};
+  logic [5:0] sum_3075;
+  assign sum_3075 = {1'b0, e} + {2'h0, e[4:1]};
   // hls/stages/agreement.hpp:1106
-  logic not_3080;
-  assign not_3080 = ~(equal_2542 ? and_2563 : (~({sum_3076, e[0]} < {2'h0, t})));
+  logic not_3079;
+  assign not_3079 = ~(equal_2541 ? and_2562 : (~({sum_3075, e[0]} < {2'h0, t})));
   // hls/stages/agreement.hpp:788
-  logic and_3083;
-  assign and_3083 = ends_cell_s3_q & (not_3063 & (centres_values_1_textured_s3_q & not_3080));
-  logic and_3085;
-  assign and_3085 = not_568_s3_q & (drew_q & and_3083);
+  logic and_3082;
+  assign and_3082 = ends_cell_s3_q & (not_3062 & (centres_values_1_textured_s3_q & not_3079));
+  logic and_3084;
+  assign and_3084 = not_568_s3_q & (drew_q & and_3082);
   // hls/stages/agreement.hpp:1132
-  logic less_3088;
-  assign less_3088 = region_row_s3_q < x_s3_q[5:3];
-  logic [9:0] select_3089;
-  assign select_3089 = less_3088 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_3092;
-  assign select_3092 = less_3088 ? 10'h0 : regions_rdata_q[19:10];
+  logic less_3087;
+  assign less_3087 = region_row_s3_q < x_s3_q[5:3];
+  logic [9:0] select_3088;
+  assign select_3088 = less_3087 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_3091;
+  assign select_3091 = less_3087 ? 10'h0 : regions_rdata_q[19:10];
   // hls/stages/agreement.hpp:1133
-  logic [10:0] sum_3093;
-  assign sum_3093 = {1'b0, select_3092} + {3'h0, select_3092[9:2]};
-  logic and_3095;
-  assign and_3095 = (~(select_3089[9:4] == 6'h0)) & ({sum_3093, select_3092[1:0]} < {3'h0, select_3089});
+  logic [10:0] sum_3092;
+  assign sum_3092 = {1'b0, select_3091} + {3'h0, select_3091[9:2]};
+  logic and_3094;
+  assign and_3094 = (~(select_3088[9:4] == 6'h0)) & ({sum_3092, select_3091[1:0]} < {3'h0, select_3088});
   // hls/stages/agreement.hpp:1142
+  logic [9:0] select_3097;
+  assign select_3097 = x_s3_q[6] ? (equal_2074_s3_q ? 10'h0 : (and_3094 ? select_3088 : 10'h0)) : 10'h0;
+  // hls/stages/agreement.hpp:788
   logic [9:0] select_3098;
-  assign select_3098 = x_s3_q[6] ? (equal_2074_s3_q ? 10'h0 : (and_3095 ? select_3089 : 10'h0)) : 10'h0;
-  // hls/stages/agreement.hpp:788
-  logic [9:0] select_3099;
-  assign select_3099 = equal_567_s3_q ? select_3098 : 10'h0;
+  assign select_3098 = equal_567_s3_q ? select_3097 : 10'h0;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_3101;
-  assign select_3101 = and_3038_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3099});
-  logic [13:0] select_3108;
-  assign select_3108 = and_3038_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3106_s3_q});
+  logic [13:0] select_3100;
+  assign select_3100 = and_3037_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3098});
+  logic [13:0] select_3107;
+  assign select_3107 = and_3037_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3105_s3_q});
   // hls/stages/agreement.hpp:1110
-  logic and_3110;
-  assign and_3110 = not_3063 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
+  logic and_3109;
+  assign and_3109 = not_3062 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
   // hls/stages/agreement.hpp:788
-  logic and_3113;
-  assign and_3113 = not_568_s3_q & (drew_q & (ends_cell_s3_q & and_3110));
+  logic and_3112;
+  assign and_3112 = not_568_s3_q & (drew_q & (ends_cell_s3_q & and_3109));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_3115;
-  assign select_3115 = and_3038_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3113});
+  logic [13:0] select_3114;
+  assign select_3114 = and_3037_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3112});
   // hls/stages/agreement.hpp:1110
-  logic and_3117;
-  assign and_3117 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_3080);
+  logic and_3116;
+  assign and_3116 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_3079);
   // hls/stages/agreement.hpp:788
-  logic and_3121;
-  assign and_3121 = not_568_s3_q & (drew_q & (ends_cell_s3_q & (not_3063 & and_3117)));
+  logic and_3120;
+  assign and_3120 = not_568_s3_q & (drew_q & (ends_cell_s3_q & (not_3062 & and_3116)));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_3123;
-  assign select_3123 = and_3038_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3121});
-  logic [13:0] select_3142;
-  assign select_3142 = and_3038_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_3140_s3_q});
+  logic [13:0] select_3122;
+  assign select_3122 = and_3037_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3120});
+  logic [13:0] select_3141;
+  assign select_3141 = and_3037_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_3139_s3_q});
   // hls/stages/agreement.hpp:788
+  logic [7:0] select_3216;
+  assign select_3216 = drew_q ? (equal_2170_s3_q ? (and_3198_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
   logic [7:0] select_3217;
-  assign select_3217 = drew_q ? (equal_2170_s3_q ? (and_3199_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_3218;
-  assign select_3218 = equal_567_s3_q ? 8'h0 : select_3217;
+  assign select_3217 = equal_567_s3_q ? 8'h0 : select_3216;
   // hls/stages/registration.hpp:134
-  logic [13:0] select_3220;
-  assign select_3220 = and_3198_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3218[7]}}, select_3218});
+  logic [13:0] select_3219;
+  assign select_3219 = and_3197_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3217[7]}}, select_3217});
   // hls/stages/agreement.hpp:788
-  logic and_3223;
-  assign and_3223 = not_568_s3_q & (drew_q & (and_3199_s3_q & equal_2170_s3_q));
+  logic and_3222;
+  assign and_3222 = not_568_s3_q & (drew_q & (and_3198_s3_q & equal_2170_s3_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_3225;
-  assign select_3225 = and_3198_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3223});
+  logic [5:0] select_3224;
+  assign select_3224 = and_3197_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3222});
   // hls/stages/registration.hpp:107
-  logic and_3227;
-  assign and_3227 = and_3199_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
+  logic and_3226;
+  assign and_3226 = and_3198_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:788
+  logic [1:0] select_3228;
+  assign select_3228 = drew_q ? (equal_2170_s3_q ? {and_3226, and_3198_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_3229;
-  assign select_3229 = drew_q ? (equal_2170_s3_q ? {and_3227, and_3199_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3230;
-  assign select_3230 = equal_567_s3_q ? 2'h0 : select_3229;
+  assign select_3229 = equal_567_s3_q ? 2'h0 : select_3228;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_3231;
-  assign sum_3231 = registration_half_votes_down_q + {{5{select_3230[1]}}, select_3230};
+  logic [6:0] sum_3230;
+  assign sum_3230 = registration_half_votes_down_q + {{5{select_3229[1]}}, select_3229};
   // hls/stages/agreement.hpp:788
+  logic [1:0] select_3236;
+  assign select_3236 = drew_q ? (equal_2170_s3_q ? {and_3234_s3_q, and_3198_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_3237;
-  assign select_3237 = drew_q ? (equal_2170_s3_q ? {and_3235_s3_q, and_3199_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3238;
-  assign select_3238 = equal_567_s3_q ? 2'h0 : select_3237;
+  assign select_3237 = equal_567_s3_q ? 2'h0 : select_3236;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_3239;
-  assign sum_3239 = registration_half_votes_up_q + {{5{select_3238[1]}}, select_3238};
+  logic [6:0] sum_3238;
+  assign sum_3238 = registration_half_votes_up_q + {{5{select_3237[1]}}, select_3237};
   // hls/stages/registration.hpp:107
-  logic and_3242;
-  assign and_3242 = and_3199_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
+  logic and_3241;
+  assign and_3241 = and_3198_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
   // hls/stages/agreement.hpp:788
+  logic [1:0] select_3243;
+  assign select_3243 = drew_q ? (equal_2170_s3_q ? {and_3241, and_3198_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_3244;
-  assign select_3244 = drew_q ? (equal_2170_s3_q ? {and_3242, and_3199_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3245;
-  assign select_3245 = equal_567_s3_q ? 2'h0 : select_3244;
+  assign select_3244 = equal_567_s3_q ? 2'h0 : select_3243;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_3246;
-  assign sum_3246 = registration_half_half_votes_down_q + {{5{select_3245[1]}}, select_3245};
+  logic [6:0] sum_3245;
+  assign sum_3245 = registration_half_half_votes_down_q + {{5{select_3244[1]}}, select_3244};
   // hls/stages/agreement.hpp:788
+  logic [1:0] select_3250;
+  assign select_3250 = drew_q ? (equal_2170_s3_q ? {and_3248_s3_q, and_3198_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_3251;
-  assign select_3251 = drew_q ? (equal_2170_s3_q ? {and_3249_s3_q, and_3199_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3252;
-  assign select_3252 = equal_567_s3_q ? 2'h0 : select_3251;
+  assign select_3251 = equal_567_s3_q ? 2'h0 : select_3250;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_3253;
-  assign sum_3253 = registration_half_half_votes_up_q + {{5{select_3252[1]}}, select_3252};
+  logic [6:0] sum_3252;
+  assign sum_3252 = registration_half_half_votes_up_q + {{5{select_3251[1]}}, select_3251};
   // hls/stages/agreement.hpp:788
-  logic and_3287;
-  assign and_3287 = equal_567_s3_q & (x_s3_q[6] & (not_2457_s3_q & less_2105_s3_q));
+  logic and_3286;
+  assign and_3286 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q & less_2105_s3_q));
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_3294;
-  assign select_3294 = or_2109_s3_q ? 12'h0 : (equal_3292_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  logic [11:0] select_3293;
+  assign select_3293 = or_2109_s3_q ? 12'h0 : (equal_3291_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
   // hls/stages/agreement.hpp:1142
+  logic [11:0] select_3296;
+  assign select_3296 = x_s3_q[6] ? (equal_2074_s3_q ? 12'h0 : (less_2105_s3_q ? select_3293 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:788
   logic [11:0] select_3297;
-  assign select_3297 = x_s3_q[6] ? (equal_2074_s3_q ? 12'h0 : (less_2105_s3_q ? select_3294 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:788
-  logic [11:0] select_3298;
-  assign select_3298 = equal_567_s3_q ? select_3297 : 12'h0;
+  assign select_3297 = equal_567_s3_q ? select_3296 : 12'h0;
   // hls/stages/registration.hpp:153
-  logic and_3299;
-  assign and_3299 = x_s3_q[1] & all_s3_q;
+  logic and_3298;
+  assign and_3298 = x_s3_q[1] & all_s3_q;
   // hls/stages/agreement.hpp:1142
-  logic and_3302;
-  assign and_3302 = not_2457_s3_q & (less_2105_s3_q & ({and_3299, x_s3_q[0]} == 2'h0));
+  logic and_3301;
+  assign and_3301 = not_2456_s3_q & (less_2105_s3_q & ({and_3298, x_s3_q[0]} == 2'h0));
   // hls/stages/agreement.hpp:788
-  logic and_3304;
-  assign and_3304 = equal_567_s3_q & (x_s3_q[6] & and_3302);
+  logic and_3303;
+  assign and_3303 = equal_567_s3_q & (x_s3_q[6] & and_3301);
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_3306;
-  assign sum_3306 = {{2{select_3298[11]}}, select_3298} + (and_3304 ? 14'h0 : registration_down_q);
+  logic [13:0] sum_3305;
+  assign sum_3305 = {{2{select_3297[11]}}, select_3297} + (and_3303 ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_3309;
-  assign select_3309 = or_2109_s3_q ? 12'h0 : (equal_3292_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  logic [11:0] select_3308;
+  assign select_3308 = or_2109_s3_q ? 12'h0 : (equal_3291_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
   // hls/stages/agreement.hpp:1142
+  logic [11:0] select_3311;
+  assign select_3311 = x_s3_q[6] ? (equal_2074_s3_q ? 12'h0 : (less_2105_s3_q ? select_3308 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:788
   logic [11:0] select_3312;
-  assign select_3312 = x_s3_q[6] ? (equal_2074_s3_q ? 12'h0 : (less_2105_s3_q ? select_3309 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:788
-  logic [11:0] select_3313;
-  assign select_3313 = equal_567_s3_q ? select_3312 : 12'h0;
+  assign select_3312 = equal_567_s3_q ? select_3311 : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_3315;
-  assign sum_3315 = {{2{select_3313[11]}}, select_3313} + (and_3304 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_3314;
+  assign sum_3314 = {{2{select_3312[11]}}, select_3312} + (and_3303 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:150
-  logic not_3317;
-  assign not_3317 = ~all_s3_q;
+  logic not_3316;
+  assign not_3316 = ~all_s3_q;
   // hls/stages/agreement.hpp:1142
-  logic and_3320;
-  assign and_3320 = not_2457_s3_q & (less_2105_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3317, 1'b0}));
+  logic and_3319;
+  assign and_3319 = not_2456_s3_q & (less_2105_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3316, 1'b0}));
   // hls/stages/agreement.hpp:788
-  logic and_3326;
-  assign and_3326 = equal_567_s3_q & (x_s3_q[6] & (not_2457_s3_q & (less_2105_s3_q & all_s3_q)));
+  logic and_3325;
+  assign and_3325 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q & (less_2105_s3_q & all_s3_q)));
   // hls/stages/registration.hpp:246
-  logic not_3327;
-  assign not_3327 = ~and_3326;
-  logic less_3328;
-  assign less_3328 = $signed({9'h1, {2{not_3327}}, and_3326}) < $signed(registration_up_q[13:2]);
-  logic select_3329;
-  assign select_3329 = (equal_567_s3_q & (x_s3_q[6] & and_3320)) ? less_3328 : registration_enough_q;
+  logic not_3326;
+  assign not_3326 = ~and_3325;
+  logic less_3327;
+  assign less_3327 = $signed({9'h1, {2{not_3326}}, and_3325}) < $signed(registration_up_q[13:2]);
+  logic select_3328;
+  assign select_3328 = (equal_567_s3_q & (x_s3_q[6] & and_3319)) ? less_3327 : registration_enough_q;
   // hls/stages/agreement.hpp:1142
+  logic and_3332;
+  assign and_3332 = x_s3_q[6] & (not_2456_s3_q & (less_2105_s3_q & (x_s3_q[2:0] == 3'h4)));
+  // hls/stages/agreement.hpp:788
   logic and_3333;
-  assign and_3333 = x_s3_q[6] & (not_2457_s3_q & (less_2105_s3_q & (x_s3_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:788
-  logic and_3334;
-  assign and_3334 = equal_567_s3_q & and_3333;
+  assign and_3333 = equal_567_s3_q & and_3332;
   // hls/stages/registration.hpp:242
-  logic less_3335;
-  assign less_3335 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_3337;
-  assign less_3337 = $signed(14'h0) < $signed(registration_up_q);
+  logic less_3334;
+  assign less_3334 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_3336;
+  assign less_3336 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_3339;
-  assign equal_3339 = x_s3_q[2:0] == 3'h7;
+  logic equal_3338;
+  assign equal_3338 = x_s3_q[2:0] == 3'h7;
   // hls/stages/agreement.hpp:788
-  logic and_3343;
-  assign and_3343 = equal_567_s3_q & (x_s3_q[6] & (not_2457_s3_q & (less_2105_s3_q & equal_3339)));
+  logic and_3342;
+  assign and_3342 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q & (less_2105_s3_q & equal_3338)));
   // hls/stages/agreement.hpp:1142
-  logic and_3350;
-  assign and_3350 = x_s3_q[6] & (not_2457_s3_q & (less_2105_s3_q & (x_s3_q[5:0] == 6'h0)));
+  logic and_3349;
+  assign and_3349 = x_s3_q[6] & (not_2456_s3_q & (less_2105_s3_q & (x_s3_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
-  logic equal_3353;
-  assign equal_3353 = x_s3_q[2:0] == 3'h6;
+  logic equal_3352;
+  assign equal_3352 = x_s3_q[2:0] == 3'h6;
   // hls/stages/agreement.hpp:1142
-  logic and_3356;
-  assign and_3356 = not_2457_s3_q & (less_2105_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3353));
+  logic and_3355;
+  assign and_3355 = not_2456_s3_q & (less_2105_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3352));
   // hls/stages/registration.hpp:244
-  logic and_3360;
-  assign and_3360 = (equal_567_s3_q & (x_s3_q[6] & and_3356)) & (less_3337 | less_3335);
+  logic and_3359;
+  assign and_3359 = (equal_567_s3_q & (x_s3_q[6] & and_3355)) & (less_3336 | less_3334);
   // hls/stages/agreement.hpp:1142
-  logic and_3365;
-  assign and_3365 = not_2457_s3_q & (less_2105_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3353)));
+  logic and_3364;
+  assign and_3364 = not_2456_s3_q & (less_2105_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3352)));
   // hls/stages/registration.hpp:244
-  logic and_3368;
-  assign and_3368 = registration_votes_up_q & registration_other_down_q;
-  logic select_3370;
-  assign select_3370 = registration_votes_down_q ? (registration_other_up_q | and_3368) : and_3368;
+  logic and_3367;
+  assign and_3367 = registration_votes_up_q & registration_other_down_q;
+  logic select_3369;
+  assign select_3369 = registration_votes_down_q ? (registration_other_up_q | and_3367) : and_3367;
   // hls/stages/registration.hpp:138
-  logic and_3372;
-  assign and_3372 = (equal_567_s3_q & (x_s3_q[6] & and_3365)) & (registration_other_enough_q & select_3370);
+  logic and_3371;
+  assign and_3371 = (equal_567_s3_q & (x_s3_q[6] & and_3364)) & (registration_other_enough_q & select_3369);
   // hls/stages/registration.hpp:245
-  logic or_3375;
-  assign or_3375 = registration_moved_q | (registration_enough_q & (and_3360 | and_3372));
+  logic or_3374;
+  assign or_3374 = registration_moved_q | (registration_enough_q & (and_3359 | and_3371));
   // hls/stages/agreement.hpp:276
-  logic [7:0] select_3460;
-  assign select_3460 = sample_pair_whole_s3_q ? (equal_2160_s3_q ? patches_place_0_slope_q : select_2265[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3465;
-  assign select_3465 = sample_pair_whole_s3_q ? (equal_2160_s3_q ? patches_place_1_slope_q : select_2294[21:14]) : patches_place_1_slope_q;
+  logic [7:0] select_3459;
+  assign select_3459 = sample_pair_whole_s3_q ? (equal_2160_s3_q ? patches_place_0_slope_q : select_2266[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3464;
+  assign select_3464 = sample_pair_whole_s3_q ? (equal_2160_s3_q ? patches_place_1_slope_q : select_2294[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:127
-  logic select_3467;
-  assign select_3467 = equal_2160_s3_q ? patches_valid_0_q : (select_2159_s3_q ? patches_valid_0_q : select_2262[0]);
+  logic select_3466;
+  assign select_3466 = equal_2160_s3_q ? patches_valid_0_q : (select_2159_s3_q ? patches_valid_0_q : select_2262[0]);
   // hls/stages/agreement.hpp:276
-  logic select_3470;
-  assign select_3470 = sample_pair_whole_s3_q ? (and_2285 ? (sample_present_s3_q & select_3467) : select_3467) : patches_valid_0_q;
+  logic select_3469;
+  assign select_3469 = sample_pair_whole_s3_q ? (and_2285 ? (sample_present_s3_q & select_3466) : select_3466) : patches_valid_0_q;
   // hls/stages/patches.hpp:127
-  logic select_3472;
-  assign select_3472 = equal_2160_s3_q ? patches_valid_1_q : (select_2159_s3_q ? select_2262[0] : patches_valid_1_q);
+  logic select_3471;
+  assign select_3471 = equal_2160_s3_q ? patches_valid_1_q : (select_2159_s3_q ? select_2262[0] : patches_valid_1_q);
   // hls/stages/agreement.hpp:276
-  logic select_3475;
-  assign select_3475 = sample_pair_whole_s3_q ? (and_2305 ? (sample_present_s3_q & select_3472) : select_3472) : patches_valid_1_q;
-  logic [5:0] select_3478;
-  assign select_3478 = sample_pair_whole_s3_q ? (select_2283[5] ? {1'b1, select_2283[4:0]} : (select_2283 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3481;
-  assign select_3481 = sample_pair_whole_s3_q ? (select_2303[5] ? {1'b1, select_2303[4:0]} : (select_2303 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3484;
-  assign select_3484 = sample_pair_whole_s3_q ? (select_2316[4] ? {1'b1, select_2316[3:0]} : (select_2316 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3487;
-  assign select_3487 = sample_pair_whole_s3_q ? (select_2321[4] ? {1'b1, select_2321[3:0]} : (select_2321 + 5'h1)) : patches_left_next_1_q;
-  // hls/stages/patches.hpp:525
+  logic select_3474;
+  assign select_3474 = sample_pair_whole_s3_q ? (and_2304 ? (sample_present_s3_q & select_3471) : select_3471) : patches_valid_1_q;
+  logic [5:0] select_3477;
+  assign select_3477 = sample_pair_whole_s3_q ? (select_2283[5] ? {1'b1, select_2283[4:0]} : (select_2283 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3480;
+  assign select_3480 = sample_pair_whole_s3_q ? (select_2302[5] ? {1'b1, select_2302[4:0]} : (select_2302 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3483;
+  assign select_3483 = sample_pair_whole_s3_q ? (select_2315[4] ? {1'b1, select_2315[3:0]} : (select_2315 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3486;
+  assign select_3486 = sample_pair_whole_s3_q ? (select_2320[4] ? {1'b1, select_2320[3:0]} : (select_2320 + 5'h1)) : patches_left_next_1_q;
+  // hls/stages/patches.hpp:526
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3906_s3_q, parity_3902_s3_q, xor_3890_s3_q, parity_3862_s3_q, parity_3800_s3_q, parity_3671_s3_q} + (equal_3907_s3_q ? 10'h0 : patches_sums_values_16_q);
-  // hls/stages/patches.hpp:184
+  assign sum_3 = {4'h0, or_3905_s3_q, parity_3901_s3_q, xor_3889_s3_q, parity_3861_s3_q, parity_3799_s3_q, parity_3670_s3_q} + (equal_3906_s3_q ? 10'h0 : patches_sums_values_16_q);
+  // hls/stages/patches.hpp:185
+  logic [9:0] select_3910;
+  assign select_3910 = equal_2246_s3_q ? patches_sums_values_0_q : (equal_2248_s3_q ? sum_3 : patches_sums_values_0_q);
   logic [9:0] select_3911;
-  assign select_3911 = equal_2246_s3_q ? patches_sums_values_0_q : (equal_2248_s3_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3912;
-  assign select_3912 = equal_2248_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3914;
-  assign select_3914 = equal_2248_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
-  logic [9:0] select_3916;
-  assign select_3916 = equal_2248_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
-  logic [9:0] select_3918;
-  assign select_3918 = equal_2248_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
-  logic [9:0] select_3920;
-  assign select_3920 = equal_2248_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
-  logic [9:0] select_3922;
-  assign select_3922 = equal_2248_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
-  logic [9:0] select_3924;
-  assign select_3924 = equal_2248_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
-  logic [9:0] select_3926;
-  assign select_3926 = equal_2248_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
-  logic [9:0] select_3928;
-  assign select_3928 = equal_2248_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
-  logic [9:0] select_3930;
-  assign select_3930 = equal_2248_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
-  logic [9:0] select_3932;
-  assign select_3932 = equal_2248_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
-  logic [9:0] select_3934;
-  assign select_3934 = equal_2248_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
-  logic [9:0] select_3936;
-  assign select_3936 = equal_2248_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
-  logic [9:0] select_3938;
-  assign select_3938 = equal_2248_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
-  logic [9:0] select_3940;
-  assign select_3940 = equal_2248_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
-  logic [9:0] select_3942;
-  assign select_3942 = equal_2248_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
-  // hls/stages/patches.hpp:599
-  logic or_4047;
-  assign or_4047 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_4046_s3_q;
-  logic or_4050;
-  assign or_4050 = equal_4038_s3_q | (less_4040_s3_q | (less_4041_s3_q | or_4047));
-  // hls/stages/patches.hpp:579
-  logic not_4051;
-  assign not_4051 = ~or_4050;
-  // hls/stages/patches.hpp:560
-  logic and_4052;
-  assign and_4052 = equal_2430_s3_q & not_4051;
-  // hls/stages/patches.hpp:184
-  logic and_4055;
-  assign and_4055 = equal_2246_s3_q & (less_2427_s3_q ? (not_2429_s3_q & and_4052) : and_4052);
-  // hls/stages/patches.hpp:657
-  logic not_4056;
-  assign not_4056 = ~patches_lower_s3_q;
-  // hls/stages/patches.hpp:560
-  logic and_4058;
-  assign and_4058 = equal_2430_s3_q & (patches_second_s3_q & not_4051);
-  // hls/stages/patches.hpp:184
-  logic and_4061;
-  assign and_4061 = equal_2246_s3_q & (less_2427_s3_q ? (not_2429_s3_q & and_4058) : and_4058);
-  // hls/stages/patches.hpp:657
-  logic not_4062;
-  assign not_4062 = ~and_4061;
-  // hls/stages/patches.hpp:188
-  logic and_4064;
-  assign and_4064 = and_4055 & (not_4056 & not_4062);
-  // hls/stages/patches.hpp:659
-  logic [7:0] sum_4066;
-  assign sum_4066 = {7'h0, and_4064} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
-  // hls/stages/patches.hpp:597
-  logic [7:0] select_4092;
-  assign select_4092 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
-  // hls/stages/patches.hpp:596
-  logic [5:0] select_4093;
-  assign select_4093 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_4094;
-  assign sum_4094 = {2'h0, select_4026_s3_q[4:3]} + 4'hf;
-  logic [6:0] sum_4095;
-  assign sum_4095 = {select_4093[5], select_4093} + {{3{sum_4094[3]}}, sum_4094};
-  // hls/stages/patches.hpp:597
-  logic [17:0] product_4096;
-  assign product_4096 = $signed({{10{select_4092[7]}}, select_4092}) * $signed({{8{sum_4095[6]}}, sum_4095, select_4026_s3_q[2:0]});
+  assign select_3911 = equal_2248_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3913;
+  assign select_3913 = equal_2248_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3915;
+  assign select_3915 = equal_2248_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  logic [9:0] select_3917;
+  assign select_3917 = equal_2248_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  logic [9:0] select_3919;
+  assign select_3919 = equal_2248_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  logic [9:0] select_3921;
+  assign select_3921 = equal_2248_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  logic [9:0] select_3923;
+  assign select_3923 = equal_2248_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  logic [9:0] select_3925;
+  assign select_3925 = equal_2248_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  logic [9:0] select_3927;
+  assign select_3927 = equal_2248_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  logic [9:0] select_3929;
+  assign select_3929 = equal_2248_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3931;
+  assign select_3931 = equal_2248_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3933;
+  assign select_3933 = equal_2248_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3935;
+  assign select_3935 = equal_2248_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3937;
+  assign select_3937 = equal_2248_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3939;
+  assign select_3939 = equal_2248_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3941;
+  assign select_3941 = equal_2248_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  // hls/stages/patches.hpp:600
+  logic or_4046;
+  assign or_4046 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_4045_s3_q;
+  logic or_4049;
+  assign or_4049 = equal_4037_s3_q | (less_4039_s3_q | (less_4040_s3_q | or_4046));
+  // hls/stages/patches.hpp:580
+  logic not_4050;
+  assign not_4050 = ~or_4049;
+  // hls/stages/patches.hpp:561
+  logic and_4051;
+  assign and_4051 = equal_2429_s3_q & not_4050;
+  // hls/stages/patches.hpp:185
+  logic and_4054;
+  assign and_4054 = equal_2246_s3_q & (less_2426_s3_q ? (not_2428_s3_q & and_4051) : and_4051);
+  // hls/stages/patches.hpp:658
+  logic not_4055;
+  assign not_4055 = ~patches_lower_s3_q;
+  // hls/stages/patches.hpp:561
+  logic and_4057;
+  assign and_4057 = equal_2429_s3_q & (patches_second_s3_q & not_4050);
+  // hls/stages/patches.hpp:185
+  logic and_4060;
+  assign and_4060 = equal_2246_s3_q & (less_2426_s3_q ? (not_2428_s3_q & and_4057) : and_4057);
+  // hls/stages/patches.hpp:658
+  logic not_4061;
+  assign not_4061 = ~and_4060;
+  // hls/stages/patches.hpp:189
+  logic and_4063;
+  assign and_4063 = and_4054 & (not_4055 & not_4061);
+  // hls/stages/patches.hpp:660
+  logic [7:0] sum_4065;
+  assign sum_4065 = {7'h0, and_4063} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:598
-  logic [13:0] difference_4097;
-  assign difference_4097 = {{6{select_4091_s3_q[7]}}, select_4091_s3_q} - {product_4096[17], product_4096[17:5]};
-  // hls/stages/patches.hpp:604
-  logic less_4098;
-  assign less_4098 = $signed({{7{difference_4068[6]}}, difference_4068}) < $signed(difference_4097);
-  // hls/stages/patches.hpp:560
-  logic and_4101;
-  assign and_4101 = equal_2430_s3_q & (not_4051 & (~less_4098));
-  // hls/stages/patches.hpp:184
-  logic and_4104;
-  assign and_4104 = equal_2246_s3_q & (less_2427_s3_q ? (not_2429_s3_q & and_4101) : and_4101);
-  // hls/stages/patches.hpp:660
-  logic and_4105;
-  assign and_4105 = and_4104 & and_4064;
-  logic [7:0] sum_4106;
-  assign sum_4106 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_4105};
-  // hls/stages/patches.hpp:560
-  logic and_4110;
-  assign and_4110 = not_4051 & (~($signed(difference_4097) < $signed({8'h0, cfg_patch_limit_i})));
-  logic and_4111;
-  assign and_4111 = equal_2430_s3_q & and_4110;
-  // hls/stages/patches.hpp:184
-  logic and_4114;
-  assign and_4114 = equal_2246_s3_q & (less_2427_s3_q ? (not_2429_s3_q & and_4111) : and_4111);
-  // hls/stages/patches.hpp:661
-  logic and_4115;
-  assign and_4115 = and_4114 & and_4064;
-  logic [7:0] sum_4116;
-  assign sum_4116 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_4115};
-  // hls/stages/patches.hpp:188
-  logic and_4118;
-  assign and_4118 = and_4055 & (and_4061 & not_4056);
-  // hls/stages/patches.hpp:659
-  logic [7:0] sum_4120;
-  assign sum_4120 = {7'h0, and_4118} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:660
-  logic and_4122;
-  assign and_4122 = and_4104 & and_4118;
-  logic [7:0] sum_4123;
-  assign sum_4123 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_4122};
-  // hls/stages/patches.hpp:661
-  logic and_4125;
-  assign and_4125 = and_4114 & and_4118;
-  logic [7:0] sum_4126;
-  assign sum_4126 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_4125};
-  // hls/stages/patches.hpp:188
-  logic and_4128;
-  assign and_4128 = and_4055 & (patches_lower_s3_q & not_4062);
-  // hls/stages/patches.hpp:659
-  logic [7:0] sum_4130;
-  assign sum_4130 = {7'h0, and_4128} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:660
-  logic and_4132;
-  assign and_4132 = and_4104 & and_4128;
-  logic [7:0] sum_4133;
-  assign sum_4133 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_4132};
-  // hls/stages/patches.hpp:661
-  logic and_4135;
-  assign and_4135 = and_4114 & and_4128;
-  logic [7:0] sum_4136;
-  assign sum_4136 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_4135};
-  // hls/stages/patches.hpp:188
-  logic and_4138;
-  assign and_4138 = and_4055 & (patches_lower_s3_q & and_4061);
-  // hls/stages/patches.hpp:659
-  logic [7:0] sum_4140;
-  assign sum_4140 = {7'h0, and_4138} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
-  // hls/stages/patches.hpp:660
-  logic and_4142;
-  assign and_4142 = and_4104 & and_4138;
-  logic [7:0] sum_4143;
-  assign sum_4143 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_4142};
-  // hls/stages/patches.hpp:661
-  logic and_4145;
-  assign and_4145 = and_4114 & and_4138;
-  logic [7:0] sum_4146;
-  assign sum_4146 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_4145};
-  // hls/stages/agreement.hpp:1223
-  logic equal_4147;
-  assign equal_4147 = x_s3_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1130
-  logic less_4148;
-  assign less_4148 = x_s3_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:788
-  logic and_4152;
-  assign and_4152 = equal_567_s3_q & (x_s3_q[6] & (not_2457_s3_q & (equal_4147 & less_4148)));
-  // hls/stages/agreement.hpp:1142
-  logic and_4157;
-  assign and_4157 = x_s3_q[6] & (not_2457_s3_q & (less_4148 & (x_s3_q[2:0] == 3'h1)));
-  // hls/stages/agreement.hpp:788
-  logic and_4158;
-  assign and_4158 = equal_567_s3_q & and_4157;
-  // hls/stages/patches.hpp:623
-  logic [7:0] or_4160;
-  assign or_4160 = (and_4152 ? patches_quarters_0_places_q : 8'h0) | (and_4158 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/agreement.hpp:1142
-  logic and_4164;
-  assign and_4164 = x_s3_q[6] & (not_2457_s3_q & (less_4148 & (x_s3_q[2:0] == 3'h2)));
-  // hls/stages/agreement.hpp:788
-  logic and_4165;
-  assign and_4165 = equal_567_s3_q & and_4164;
-  // hls/stages/agreement.hpp:1142
-  logic and_4171;
-  assign and_4171 = x_s3_q[6] & (not_2457_s3_q & (less_4148 & (x_s3_q[2:0] == 3'h3)));
-  // hls/stages/agreement.hpp:788
-  logic and_4172;
-  assign and_4172 = equal_567_s3_q & and_4171;
-  // hls/stages/patches.hpp:623
-  logic [7:0] or_4174;
-  assign or_4174 = (or_4160 | (and_4165 ? patches_quarters_2_places_q : 8'h0)) | (and_4172 ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/patches.hpp:199
-  logic select_4178;
-  assign select_4178 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
-  // hls/stages/agreement.hpp:788
-  logic and_4182;
-  assign and_4182 = equal_567_s3_q & (x_s3_q[6] & (not_2457_s3_q & (less_4148 & select_4178)));
-  // hls/stages/patches.hpp:624
-  logic [7:0] select_4184;
-  assign select_4184 = and_4152 ? (and_4182 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
-  logic [7:0] select_4186;
-  assign select_4186 = and_4158 ? (and_4182 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_4189;
-  assign select_4189 = and_4165 ? (and_4182 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_4192;
-  assign select_4192 = and_4172 ? (and_4182 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
-  // hls/stages/patches.hpp:625
-  logic [7:0] select_4195;
-  assign select_4195 = and_4152 ? (and_4182 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
-  logic [7:0] select_4197;
-  assign select_4197 = and_4158 ? (and_4182 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_4200;
-  assign select_4200 = and_4165 ? (and_4182 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_4203;
-  assign select_4203 = and_4172 ? (and_4182 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
-  // hls/stages/patches.hpp:202
-  logic [4:0] sum_4205;
-  assign sum_4205 = {2'h0, x_s3_q[2:0]} + 5'h1f;
-  // hls/stages/agreement.hpp:1142
-  logic and_4209;
-  assign and_4209 = x_s3_q[6] & (not_2457_s3_q & (less_4148 & (sum_4205[4:2] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_4210;
-  assign and_4210 = equal_567_s3_q & and_4209;
-  // hls/stages/patches.hpp:620
-  logic [7:0] select_4213;
-  assign select_4213 = and_4210 ? (patches_word_places_q + (and_4158 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_4216;
-  assign select_4216 = and_4210 ? (patches_word_up_q + (and_4158 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] select_4219;
-  assign select_4219 = and_4210 ? (patches_word_down_q + (and_4158 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
-  // hls/stages/patches.hpp:606
-  logic [5:0] select_4223;
-  assign select_4223 = ($signed(difference_4097[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_4097[5:0];
-  logic [5:0] select_4224;
-  assign select_4224 = ($signed(14'h10) < $signed(difference_4097)) ? 6'h10 : select_4223;
-  // hls/stages/patches.hpp:560
-  logic [5:0] select_4226;
-  assign select_4226 = equal_2430_s3_q ? (or_4050 ? 6'h0 : select_4224) : 6'h0;
-  logic [5:0] select_4228;
-  assign select_4228 = less_2427_s3_q ? (equal_2428_s3_q ? 6'h0 : select_4226) : select_4226;
-  // hls/stages/patches.hpp:663
-  logic [5:0] select_4230;
-  assign select_4230 = and_4055 ? (equal_2246_s3_q ? select_4228 : 6'h0) : 6'h0;
-  logic [11:0] sum_4231;
-  assign sum_4231 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_4230[5]}}, select_4230};
-  // hls/stages/agreement.hpp:788
-  logic and_4235;
-  assign and_4235 = equal_567_s3_q & (x_s3_q[6] & (not_2457_s3_q & (equal_3339 & less_4148)));
-  // hls/stages/agreement.hpp:1142
-  logic and_4239;
-  assign and_4239 = x_s3_q[6] & (not_2457_s3_q & (less_4148 & (x_s3_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_4240;
-  assign and_4240 = equal_567_s3_q & and_4239;
-  // hls/stages/patches.hpp:647
-  logic [7:0] select_4242;
-  assign select_4242 = and_4235 ? (and_4240 ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:649
-  logic or_4246;
-  assign or_4246 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:650
-  logic or_4249;
-  assign or_4249 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
-  // hls/stages/patches.hpp:651
-  logic [8:0] sum_4250;
-  assign sum_4250 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
-  // hls/stages/patches.hpp:646
-  logic select_4252;
-  assign select_4252 = and_4235 ? (and_4240 ? patches_enough_q : patches_complete_q) : patches_complete_q;
-  // hls/stages/patches.hpp:188
-  logic and_4255;
-  assign and_4255 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:646
-  logic [2:0] select_4257;
-  assign select_4257 = and_4240 ? {and_4255, patches_found_q[2:1]} : (and_4235 ? {and_4255, patches_found_q[2:1]} : patches_found_q);
-  // hls/stages/patches.hpp:645
-  logic or_4261;
-  assign or_4261 = patches_partly_q | (patches_doubted_q & (~and_4240));
-  // hls/stages/patches.hpp:646
-  logic select_4264;
-  assign select_4264 = and_4235 ? (and_4240 ? or_4261 : (and_4235 ? or_4261 : patches_doubted_q)) : patches_doubted_q;
-  // hls/stages/patches.hpp:644
-  logic select_4265;
-  assign select_4265 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
-  // hls/stages/patches.hpp:633
-  logic [7:0] select_4269;
-  assign select_4269 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  logic [7:0] select_4091;
+  assign select_4091 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  // hls/stages/patches.hpp:597
+  logic [5:0] select_4092;
+  assign select_4092 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_4093;
+  assign sum_4093 = {2'h0, select_4025_s3_q[4:3]} + 4'hf;
+  logic [6:0] sum_4094;
+  assign sum_4094 = {select_4092[5], select_4092} + {{3{sum_4093[3]}}, sum_4093};
+  // hls/stages/patches.hpp:598
+  logic [17:0] product_4095;
+  assign product_4095 = $signed({{10{select_4091[7]}}, select_4091}) * $signed({{8{sum_4094[6]}}, sum_4094, select_4025_s3_q[2:0]});
+  // hls/stages/patches.hpp:599
+  logic [13:0] difference_4096;
+  assign difference_4096 = {{6{select_4090_s3_q[7]}}, select_4090_s3_q} - {product_4095[17], product_4095[17:5]};
   // hls/stages/patches.hpp:605
-  logic [10:0] sum_4271;
-  assign sum_4271 = {sum_4095[6], sum_4095, select_4026_s3_q[2:0]} + 11'h1;
-  // hls/stages/patches.hpp:560
-  logic and_4274;
-  assign and_4274 = equal_2430_s3_q & (not_4051 & ({{5{sum_4271[10]}}, sum_4271} < 16'h3));
-  // hls/stages/patches.hpp:184
-  logic and_4277;
-  assign and_4277 = equal_2246_s3_q & (less_2427_s3_q ? (not_2429_s3_q & and_4274) : and_4274);
-  // hls/stages/patches.hpp:188
-  logic and_4278;
-  assign and_4278 = and_4055 & and_4277;
+  logic less_4097;
+  assign less_4097 = $signed({{7{difference_4067[6]}}, difference_4067}) < $signed(difference_4096);
+  // hls/stages/patches.hpp:561
+  logic and_4100;
+  assign and_4100 = equal_2429_s3_q & (not_4050 & (~less_4097));
+  // hls/stages/patches.hpp:185
+  logic and_4103;
+  assign and_4103 = equal_2246_s3_q & (less_2426_s3_q ? (not_2428_s3_q & and_4100) : and_4100);
+  // hls/stages/patches.hpp:661
+  logic and_4104;
+  assign and_4104 = and_4103 & and_4063;
+  logic [7:0] sum_4105;
+  assign sum_4105 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_4104};
+  // hls/stages/patches.hpp:561
+  logic and_4109;
+  assign and_4109 = not_4050 & (~($signed(difference_4096) < $signed({8'h0, cfg_patch_limit_i})));
+  logic and_4110;
+  assign and_4110 = equal_2429_s3_q & and_4109;
+  // hls/stages/patches.hpp:185
+  logic and_4113;
+  assign and_4113 = equal_2246_s3_q & (less_2426_s3_q ? (not_2428_s3_q & and_4110) : and_4110);
+  // hls/stages/patches.hpp:662
+  logic and_4114;
+  assign and_4114 = and_4113 & and_4063;
+  logic [7:0] sum_4115;
+  assign sum_4115 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_4114};
+  // hls/stages/patches.hpp:189
+  logic and_4117;
+  assign and_4117 = and_4054 & (and_4060 & not_4055);
+  // hls/stages/patches.hpp:660
+  logic [7:0] sum_4119;
+  assign sum_4119 = {7'h0, and_4117} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:661
+  logic and_4121;
+  assign and_4121 = and_4103 & and_4117;
+  logic [7:0] sum_4122;
+  assign sum_4122 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_4121};
+  // hls/stages/patches.hpp:662
+  logic and_4124;
+  assign and_4124 = and_4113 & and_4117;
+  logic [7:0] sum_4125;
+  assign sum_4125 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_4124};
+  // hls/stages/patches.hpp:189
+  logic and_4127;
+  assign and_4127 = and_4054 & (patches_lower_s3_q & not_4061);
+  // hls/stages/patches.hpp:660
+  logic [7:0] sum_4129;
+  assign sum_4129 = {7'h0, and_4127} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:661
+  logic and_4131;
+  assign and_4131 = and_4103 & and_4127;
+  logic [7:0] sum_4132;
+  assign sum_4132 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_4131};
+  // hls/stages/patches.hpp:662
+  logic and_4134;
+  assign and_4134 = and_4113 & and_4127;
+  logic [7:0] sum_4135;
+  assign sum_4135 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_4134};
+  // hls/stages/patches.hpp:189
+  logic and_4137;
+  assign and_4137 = and_4054 & (patches_lower_s3_q & and_4060);
+  // hls/stages/patches.hpp:660
+  logic [7:0] sum_4139;
+  assign sum_4139 = {7'h0, and_4137} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:661
+  logic and_4141;
+  assign and_4141 = and_4103 & and_4137;
+  logic [7:0] sum_4142;
+  assign sum_4142 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_4141};
+  // hls/stages/patches.hpp:662
+  logic and_4144;
+  assign and_4144 = and_4113 & and_4137;
+  logic [7:0] sum_4145;
+  assign sum_4145 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_4144};
+  // hls/stages/agreement.hpp:1223
+  logic equal_4146;
+  assign equal_4146 = x_s3_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:1130
+  logic less_4147;
+  assign less_4147 = x_s3_q[5:3] < 3'h3;
+  // hls/stages/agreement.hpp:788
+  logic and_4151;
+  assign and_4151 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q & (equal_4146 & less_4147)));
+  // hls/stages/agreement.hpp:1142
+  logic and_4156;
+  assign and_4156 = x_s3_q[6] & (not_2456_s3_q & (less_4147 & (x_s3_q[2:0] == 3'h1)));
+  // hls/stages/agreement.hpp:788
+  logic and_4157;
+  assign and_4157 = equal_567_s3_q & and_4156;
+  // hls/stages/patches.hpp:624
+  logic [7:0] or_4159;
+  assign or_4159 = (and_4151 ? patches_quarters_0_places_q : 8'h0) | (and_4157 ? patches_quarters_1_places_q : 8'h0);
+  // hls/stages/agreement.hpp:1142
+  logic and_4163;
+  assign and_4163 = x_s3_q[6] & (not_2456_s3_q & (less_4147 & (x_s3_q[2:0] == 3'h2)));
+  // hls/stages/agreement.hpp:788
+  logic and_4164;
+  assign and_4164 = equal_567_s3_q & and_4163;
+  // hls/stages/agreement.hpp:1142
+  logic and_4170;
+  assign and_4170 = x_s3_q[6] & (not_2456_s3_q & (less_4147 & (x_s3_q[2:0] == 3'h3)));
+  // hls/stages/agreement.hpp:788
+  logic and_4171;
+  assign and_4171 = equal_567_s3_q & and_4170;
+  // hls/stages/patches.hpp:624
+  logic [7:0] or_4173;
+  assign or_4173 = (or_4159 | (and_4164 ? patches_quarters_2_places_q : 8'h0)) | (and_4171 ? patches_quarters_3_places_q : 8'h0);
+  // hls/stages/patches.hpp:200
+  logic select_4177;
+  assign select_4177 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
+  // hls/stages/agreement.hpp:788
+  logic and_4181;
+  assign and_4181 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q & (less_4147 & select_4177)));
+  // hls/stages/patches.hpp:625
+  logic [7:0] select_4183;
+  assign select_4183 = and_4151 ? (and_4181 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_4185;
+  assign select_4185 = and_4157 ? (and_4181 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_4188;
+  assign select_4188 = and_4164 ? (and_4181 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_4191;
+  assign select_4191 = and_4171 ? (and_4181 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  // hls/stages/patches.hpp:626
+  logic [7:0] select_4194;
+  assign select_4194 = and_4151 ? (and_4181 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_4196;
+  assign select_4196 = and_4157 ? (and_4181 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_4199;
+  assign select_4199 = and_4164 ? (and_4181 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_4202;
+  assign select_4202 = and_4171 ? (and_4181 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  // hls/stages/patches.hpp:203
+  logic [4:0] sum_4204;
+  assign sum_4204 = {2'h0, x_s3_q[2:0]} + 5'h1f;
+  // hls/stages/agreement.hpp:1142
+  logic and_4208;
+  assign and_4208 = x_s3_q[6] & (not_2456_s3_q & (less_4147 & (sum_4204[4:2] == 3'h0)));
+  // hls/stages/agreement.hpp:788
+  logic and_4209;
+  assign and_4209 = equal_567_s3_q & and_4208;
+  // hls/stages/patches.hpp:621
+  logic [7:0] select_4212;
+  assign select_4212 = and_4209 ? (patches_word_places_q + (and_4157 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_4215;
+  assign select_4215 = and_4209 ? (patches_word_up_q + (and_4157 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] select_4218;
+  assign select_4218 = and_4209 ? (patches_word_down_q + (and_4157 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  // hls/stages/patches.hpp:607
+  logic [5:0] select_4222;
+  assign select_4222 = ($signed(difference_4096[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_4096[5:0];
+  logic [5:0] select_4223;
+  assign select_4223 = ($signed(14'h10) < $signed(difference_4096)) ? 6'h10 : select_4222;
+  // hls/stages/patches.hpp:561
+  logic [5:0] select_4225;
+  assign select_4225 = equal_2429_s3_q ? (or_4049 ? 6'h0 : select_4223) : 6'h0;
+  logic [5:0] select_4227;
+  assign select_4227 = less_2426_s3_q ? (equal_2427_s3_q ? 6'h0 : select_4225) : select_4225;
   // hls/stages/patches.hpp:664
-  logic [7:0] sum_4279;
-  assign sum_4279 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_4278};
-  // hls/stages/patches.hpp:653
-  logic [12:0] product_4284;
-  assign product_4284 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_4242};
-  // hls/stages/patches.hpp:188
-  logic and_4286;
-  assign and_4286 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_4284[12:5] < patches_on_skin_q);
-  logic select_4291;
-  assign select_4291 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic [5:0] select_4229;
+  assign select_4229 = and_4054 ? (equal_2246_s3_q ? select_4227 : 6'h0) : 6'h0;
+  logic [11:0] sum_4230;
+  assign sum_4230 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_4229[5]}}, select_4229};
+  // hls/stages/agreement.hpp:788
+  logic and_4234;
+  assign and_4234 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q & (equal_3338 & less_4147)));
+  // hls/stages/agreement.hpp:1142
+  logic and_4238;
+  assign and_4238 = x_s3_q[6] & (not_2456_s3_q & (less_4147 & (x_s3_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:788
+  logic and_4239;
+  assign and_4239 = equal_567_s3_q & and_4238;
+  // hls/stages/patches.hpp:648
+  logic [7:0] select_4241;
+  assign select_4241 = and_4234 ? (and_4239 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  // hls/stages/patches.hpp:650
+  logic or_4245;
+  assign or_4245 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  // hls/stages/patches.hpp:651
+  logic or_4248;
+  assign or_4248 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  // hls/stages/patches.hpp:652
+  logic [8:0] sum_4249;
+  assign sum_4249 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  // hls/stages/patches.hpp:647
+  logic select_4251;
+  assign select_4251 = and_4234 ? (and_4239 ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  // hls/stages/patches.hpp:189
+  logic and_4254;
+  assign and_4254 = patches_enough_q & patches_mostly_q;
+  // hls/stages/patches.hpp:647
+  logic [2:0] select_4256;
+  assign select_4256 = and_4239 ? {and_4254, patches_found_q[2:1]} : (and_4234 ? {and_4254, patches_found_q[2:1]} : patches_found_q);
+  // hls/stages/patches.hpp:646
+  logic or_4260;
+  assign or_4260 = patches_partly_q | (patches_doubted_q & (~and_4239));
+  // hls/stages/patches.hpp:647
+  logic select_4263;
+  assign select_4263 = and_4234 ? (and_4239 ? or_4260 : (and_4234 ? or_4260 : patches_doubted_q)) : patches_doubted_q;
+  // hls/stages/patches.hpp:645
+  logic select_4264;
+  assign select_4264 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
   // hls/stages/patches.hpp:634
-  logic or_4295;
-  assign or_4295 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  logic [7:0] select_4268;
+  assign select_4268 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  // hls/stages/patches.hpp:606
+  logic [10:0] sum_4270;
+  assign sum_4270 = {sum_4094[6], sum_4094, select_4025_s3_q[2:0]} + 11'h1;
+  // hls/stages/patches.hpp:561
+  logic and_4273;
+  assign and_4273 = equal_2429_s3_q & (not_4050 & ({{5{sum_4270[10]}}, sum_4270} < 16'h3));
+  // hls/stages/patches.hpp:185
+  logic and_4276;
+  assign and_4276 = equal_2246_s3_q & (less_2426_s3_q ? (not_2428_s3_q & and_4273) : and_4273);
+  // hls/stages/patches.hpp:189
+  logic and_4277;
+  assign and_4277 = and_4054 & and_4276;
+  // hls/stages/patches.hpp:665
+  logic [7:0] sum_4278;
+  assign sum_4278 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_4277};
+  // hls/stages/patches.hpp:654
+  logic [12:0] product_4283;
+  assign product_4283 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_4241};
+  // hls/stages/patches.hpp:189
+  logic and_4285;
+  assign and_4285 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_4283[12:5] < patches_on_skin_q);
+  logic select_4290;
+  assign select_4290 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:635
+  logic or_4294;
+  assign or_4294 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  // hls/stages/patches.hpp:636
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
-  // hls/stages/patches.hpp:636
-  logic select_4302;
-  assign select_4302 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:637
-  logic and_4308;
-  assign and_4308 = patches_frame_ended_s3_q & (~patches_age_q[9]);
-  logic [9:0] sum_4309;
-  assign sum_4309 = patches_age_q + {9'h0, and_4308};
-  logic [9:0] select_4312;
-  assign select_4312 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4309)) : sum_4309;
+  logic select_4301;
+  assign select_4301 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  // hls/stages/patches.hpp:638
+  logic and_4307;
+  assign and_4307 = patches_frame_ended_s3_q & (~patches_age_q[9]);
+  logic [9:0] sum_4308;
+  assign sum_4308 = patches_age_q + {9'h0, and_4307};
+  logic [9:0] select_4311;
+  assign select_4311 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4308)) : sum_4308;
   // hls/stages/agreement.hpp:1188
-  logic or_4369;
-  assign or_4369 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  logic or_4368;
+  assign or_4368 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1217
-  logic equal_4371;
-  assign equal_4371 = x_s3_q[6:3] == 4'h7;
+  logic equal_4370;
+  assign equal_4370 = x_s3_q[6:3] == 4'h7;
   // hls/stages/agreement.hpp:1226
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
   // hls/stages/agreement.hpp:1227
-  logic select_4377;
-  assign select_4377 = (equal_4371 & equal_4147) ? too_little : disagree_q;
+  logic select_4376;
+  assign select_4376 = (equal_4370 & equal_4146) ? too_little : disagree_q;
   // hls/stages/agreement.hpp:1135
-  logic [10:0] sum_4380;
-  assign sum_4380 = {1'b0, select_3092} + {2'h0, select_3092[9:1]};
-  logic select_4383;
-  assign select_4383 = (select_3089[9:3] == 7'h0) ? ((~or_4369) & (~select_4377)) : (~({sum_4380, select_3092[0]} < {2'h0, select_3089}));
+  logic [10:0] sum_4379;
+  assign sum_4379 = {1'b0, select_3091} + {2'h0, select_3091[9:1]};
+  logic select_4382;
+  assign select_4382 = (select_3088[9:3] == 7'h0) ? ((~or_4368) & (~select_4376)) : (~({sum_4379, select_3091[0]} < {2'h0, select_3088}));
   // hls/stages/agreement.hpp:1142
-  logic [47:0] select_4385;
-  assign select_4385 = x_s3_q[6] ? (equal_2074_s3_q ? good_q : {select_4383, good_q[47:1]}) : good_q;
+  logic [47:0] select_4384;
+  assign select_4384 = x_s3_q[6] ? (equal_2074_s3_q ? good_q : {select_4382, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:788
-  logic select_4390;
-  assign select_4390 = equal_567_s3_q ? ((x_s3_q[6] & good_known_q) | equal_4388_s3_q) : good_known_q;
+  logic select_4389;
+  assign select_4389 = equal_567_s3_q ? ((x_s3_q[6] & good_known_q) | equal_4387_s3_q) : good_known_q;
   // hls/stages/agreement.hpp:1217
-  logic equal_4391;
-  assign equal_4391 = x_s3_q[6:3] == 4'ha;
+  logic equal_4390;
+  assign equal_4390 = x_s3_q[6:3] == 4'ha;
+  logic equal_4392;
+  assign equal_4392 = x_s3_q[6:3] == 4'hc;
   logic equal_4393;
-  assign equal_4393 = x_s3_q[6:3] == 4'hc;
+  assign equal_4393 = x_s3_q[6:3] == 4'hb;
   logic equal_4394;
-  assign equal_4394 = x_s3_q[6:3] == 4'hb;
+  assign equal_4394 = x_s3_q[6:3] == 4'h9;
   logic equal_4395;
-  assign equal_4395 = x_s3_q[6:3] == 4'h9;
-  logic equal_4396;
-  assign equal_4396 = x_s3_q[6:3] == 4'h8;
+  assign equal_4395 = x_s3_q[6:3] == 4'h8;
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_4398;
-  assign select_4398 = equal_4395 ? counts_skin_unproven_q : (equal_4396 ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_4400;
-  assign select_4400 = equal_4394 ? counts_regions_bad_q : (equal_4391 ? counts_nearer_q : select_4398);
+  logic [13:0] select_4397;
+  assign select_4397 = equal_4394 ? counts_skin_unproven_q : (equal_4395 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_4399;
+  assign select_4399 = equal_4393 ? counts_regions_bad_q : (equal_4390 ? counts_nearer_q : select_4397);
   logic [13:0] before_v_6;
-  assign before_v_6 = equal_4393 ? counts_on_skin_q : select_4400;
+  assign before_v_6 = equal_4392 ? counts_on_skin_q : select_4399;
   // hls/stages/agreement.hpp:1222
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_6};
   // hls/stages/agreement.hpp:1230
-  logic select_4403;
-  assign select_4403 = (equal_4391 & equal_4147) ? over[14] : hides_q;
+  logic select_4402;
+  assign select_4402 = (equal_4390 & equal_4146) ? over[14] : hides_q;
   // hls/stages/agreement.hpp:1148
-  logic not_4404;
-  assign not_4404 = ~hidden_for_q[7];
-  logic [7:0] select_4406;
-  assign select_4406 = select_4403 ? (hidden_for_q + {7'h0, not_4404}) : 8'h0;
+  logic not_4403;
+  assign not_4403 = ~hidden_for_q[7];
+  logic [7:0] select_4405;
+  assign select_4405 = select_4402 ? (hidden_for_q + {7'h0, not_4403}) : 8'h0;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_4408;
-  assign select_4408 = equal_567_s3_q ? (equal_4388_s3_q ? select_4406 : hidden_for_q) : hidden_for_q;
+  logic [7:0] select_4407;
+  assign select_4407 = equal_567_s3_q ? (equal_4387_s3_q ? select_4405 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1231
-  logic [13:0] select_4409;
-  assign select_4409 = equal_4147 ? 14'h0 : product_q;
+  logic [13:0] select_4408;
+  assign select_4408 = equal_4146 ? 14'h0 : product_q;
   // hls/stages/agreement.hpp:1125
-  logic [7:0] select_4411;
-  assign select_4411 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_4413;
-  assign select_4413 = equal_4396 ? cfg_unproven_skin_limit_i : (equal_4371 ? cfg_unproven_limit_i : select_4411);
-  logic [7:0] select_4415;
-  assign select_4415 = equal_4391 ? cfg_regions_limit_i : (equal_4395 ? cfg_hidden_limit_i : select_4413);
+  logic [7:0] select_4410;
+  assign select_4410 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_4412;
+  assign select_4412 = equal_4395 ? cfg_unproven_skin_limit_i : (equal_4370 ? cfg_unproven_limit_i : select_4410);
+  logic [7:0] select_4414;
+  assign select_4414 = equal_4390 ? cfg_regions_limit_i : (equal_4394 ? cfg_hidden_limit_i : select_4412);
   logic [7:0] limit;
-  assign limit = equal_4393 ? cfg_regions_limit_i : (equal_4394 ? {cfg_on_skin_limit_i, 3'h0} : select_4415);
+  assign limit = equal_4392 ? cfg_regions_limit_i : (equal_4393 ? {cfg_on_skin_limit_i, 3'h0} : select_4414);
   // hls/stages/agreement.hpp:1231
-  logic not_4418;
-  assign not_4418 = ~x_s3_q[2];
-  logic [3:0] select_4419;
-  assign select_4419 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4418, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4418};
-  logic [7:0] select_4420;
-  assign select_4420 = x_s3_q[0] ? {select_4419[3], 1'b0, select_4419[2], 1'b0, select_4419[1], 1'b0, select_4419[0], 1'b0} : {1'b0, select_4419[3], 1'b0, select_4419[2], 1'b0, select_4419[1], 1'b0, select_4419[0]};
+  logic not_4417;
+  assign not_4417 = ~x_s3_q[2];
+  logic [3:0] select_4418;
+  assign select_4418 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4417, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4417};
+  logic [7:0] select_4419;
+  assign select_4419 = x_s3_q[0] ? {select_4418[3], 1'b0, select_4418[2], 1'b0, select_4418[1], 1'b0, select_4418[0], 1'b0} : {1'b0, select_4418[3], 1'b0, select_4418[2], 1'b0, select_4418[1], 1'b0, select_4418[0]};
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_4424;
-  assign select_4424 = equal_4395 ? counts_skin_supervised_q : (equal_4396 ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] select_4426;
-  assign select_4426 = equal_4394 ? counts_skin_textured_q : (equal_4391 ? counts_textured_q : select_4424);
+  logic [13:0] select_4423;
+  assign select_4423 = equal_4394 ? counts_skin_supervised_q : (equal_4395 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_4425;
+  assign select_4425 = equal_4393 ? counts_skin_textured_q : (equal_4390 ? counts_textured_q : select_4423);
   logic [13:0] of;
-  assign of = equal_4393 ? counts_textured_q : select_4426;
+  assign of = equal_4392 ? counts_textured_q : select_4425;
   // hls/stages/agreement.hpp:1231
-  logic [13:0] select_4428;
-  assign select_4428 = ((limit & select_4420) == 8'h0) ? 14'h0 : of;
+  logic [13:0] select_4427;
+  assign select_4427 = ((limit & select_4419) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_4409} + {1'b0, select_4428};
+  assign sum_4 = {1'b0, select_4408} + {1'b0, select_4427};
   // hls/stages/agreement.hpp:788
-  logic select_4433;
-  assign select_4433 = equal_567_s3_q ? (equal_4147 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
+  logic select_4432;
+  assign select_4432 = equal_567_s3_q ? (equal_4146 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
   // hls/stages/agreement.hpp:1228
-  logic and_4438;
-  assign and_4438 = too_much_q & (~(equal_4396 & equal_4147));
+  logic and_4437;
+  assign and_4437 = too_much_q & (~(equal_4395 & equal_4146));
   // hls/stages/agreement.hpp:1229
-  logic select_4443;
-  assign select_4443 = (over[14] & equal_4147) ? (and_4438 | ((equal_4396 | equal_4395) | (x_s3_q[6:3] == 4'hf))) : and_4438;
+  logic select_4442;
+  assign select_4442 = (over[14] & equal_4146) ? (and_4437 | ((equal_4395 | equal_4394) | (x_s3_q[6:3] == 4'hf))) : and_4437;
   // hls/stages/agreement.hpp:1125
-  logic and_4448;
-  assign and_4448 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  logic and_4447;
+  assign and_4447 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
   // hls/stages/agreement.hpp:1231
-  logic select_4449;
-  assign select_4449 = (equal_4393 & equal_4147) ? and_4448 : overlooks_q;
+  logic select_4448;
+  assign select_4448 = (equal_4392 & equal_4146) ? and_4447 : overlooks_q;
   // hls/stages/agreement.hpp:788
-  logic [2:0] select_4451;
-  assign select_4451 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic [2:0] select_4450;
+  assign select_4450 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic [2:0] select_4452;
+  assign select_4452 = equal_567_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4450 : box_textured_columns_values_0_q);
   logic [2:0] select_4453;
-  assign select_4453 = equal_567_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4451 : box_textured_columns_values_0_q);
-  logic [2:0] select_4454;
-  assign select_4454 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  assign select_4453 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_4455;
+  assign select_4455 = equal_567_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4453 : box_textured_columns_values_1_q);
   logic [2:0] select_4456;
-  assign select_4456 = equal_567_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4454 : box_textured_columns_values_1_q);
-  logic [2:0] select_4457;
-  assign select_4457 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  assign select_4456 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_4458;
+  assign select_4458 = equal_567_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4456 : box_textured_columns_values_2_q);
   logic [2:0] select_4459;
-  assign select_4459 = equal_567_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4457 : box_textured_columns_values_2_q);
-  logic [2:0] select_4460;
-  assign select_4460 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  assign select_4459 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_4461;
+  assign select_4461 = equal_567_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4459 : box_textured_columns_values_3_q);
   logic [2:0] select_4462;
-  assign select_4462 = equal_567_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4460 : box_textured_columns_values_3_q);
-  logic [2:0] select_4463;
-  assign select_4463 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_4465;
-  assign select_4465 = equal_567_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4463 : box_textured_columns_values_4_q);
-  logic [4:0] select_4467;
-  assign select_4467 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_4469;
-  assign select_4469 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  assign select_4462 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_4464;
+  assign select_4464 = equal_567_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4462 : box_textured_columns_values_4_q);
+  logic [4:0] select_4466;
+  assign select_4466 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [2:0] select_4468;
+  assign select_4468 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  logic [2:0] select_4470;
+  assign select_4470 = equal_567_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4468 : box_explained_columns_values_0_q);
   logic [2:0] select_4471;
-  assign select_4471 = equal_567_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4469 : box_explained_columns_values_0_q);
-  logic [2:0] select_4472;
-  assign select_4472 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_4471 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_4473;
+  assign select_4473 = equal_567_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4471 : box_explained_columns_values_1_q);
   logic [2:0] select_4474;
-  assign select_4474 = equal_567_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4472 : box_explained_columns_values_1_q);
-  logic [2:0] select_4475;
-  assign select_4475 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_4474 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_4476;
+  assign select_4476 = equal_567_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4474 : box_explained_columns_values_2_q);
   logic [2:0] select_4477;
-  assign select_4477 = equal_567_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4475 : box_explained_columns_values_2_q);
-  logic [2:0] select_4478;
-  assign select_4478 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  assign select_4477 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_4479;
+  assign select_4479 = equal_567_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4477 : box_explained_columns_values_3_q);
   logic [2:0] select_4480;
-  assign select_4480 = equal_567_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4478 : box_explained_columns_values_3_q);
-  logic [2:0] select_4481;
-  assign select_4481 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [2:0] select_4483;
-  assign select_4483 = equal_567_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4481 : box_explained_columns_values_4_q);
-  logic [4:0] select_4485;
-  assign select_4485 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [2:0] select_4488;
-  assign select_4488 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
-  logic [2:0] select_4490;
-  assign select_4490 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_4480 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_4482;
+  assign select_4482 = equal_567_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4480 : box_explained_columns_values_4_q);
+  logic [4:0] select_4484;
+  assign select_4484 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [2:0] select_4487;
+  assign select_4487 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_4489;
+  assign select_4489 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4491;
+  assign select_4491 = equal_567_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4489 : box_shown_columns_values_1_q);
   logic [2:0] select_4492;
-  assign select_4492 = equal_567_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4490 : box_shown_columns_values_1_q);
-  logic [2:0] select_4493;
-  assign select_4493 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_4492 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_4494;
+  assign select_4494 = equal_567_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4492 : box_shown_columns_values_2_q);
   logic [2:0] select_4495;
-  assign select_4495 = equal_567_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4493 : box_shown_columns_values_2_q);
-  logic [2:0] select_4496;
-  assign select_4496 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  assign select_4495 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_4497;
+  assign select_4497 = equal_567_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4495 : box_shown_columns_values_3_q);
   logic [2:0] select_4498;
-  assign select_4498 = equal_567_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4496 : box_shown_columns_values_3_q);
-  logic [2:0] select_4499;
-  assign select_4499 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_4501;
-  assign select_4501 = equal_567_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4499 : box_shown_columns_values_4_q);
-  logic [4:0] select_4503;
-  assign select_4503 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_4506;
-  assign select_4506 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_4508;
-  assign select_4508 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_4498 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4500;
+  assign select_4500 = equal_567_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4498 : box_shown_columns_values_4_q);
+  logic [4:0] select_4502;
+  assign select_4502 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [2:0] select_4505;
+  assign select_4505 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_4507;
+  assign select_4507 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4509;
+  assign select_4509 = equal_567_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4507 : box_nearer_columns_values_1_q);
   logic [2:0] select_4510;
-  assign select_4510 = equal_567_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4508 : box_nearer_columns_values_1_q);
-  logic [2:0] select_4511;
-  assign select_4511 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_4510 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4512;
+  assign select_4512 = equal_567_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4510 : box_nearer_columns_values_2_q);
   logic [2:0] select_4513;
-  assign select_4513 = equal_567_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4511 : box_nearer_columns_values_2_q);
-  logic [2:0] select_4514;
-  assign select_4514 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  assign select_4513 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4515;
+  assign select_4515 = equal_567_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4513 : box_nearer_columns_values_3_q);
   logic [2:0] select_4516;
-  assign select_4516 = equal_567_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4514 : box_nearer_columns_values_3_q);
-  logic [2:0] select_4517;
-  assign select_4517 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_4519;
-  assign select_4519 = equal_567_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4517 : box_nearer_columns_values_4_q);
-  logic [4:0] select_4521;
-  assign select_4521 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  assign select_4516 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4518;
+  assign select_4518 = equal_567_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4516 : box_nearer_columns_values_4_q);
+  logic [4:0] select_4520;
+  assign select_4520 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:1308
-  logic [1:0] select_4566;
-  assign select_4566 = and_4565_s3_q ? {and_2593, is_seen} : map_rdata_q;
+  logic [1:0] select_4565;
+  assign select_4565 = and_4564_s3_q ? {and_2592, is_seen} : map_rdata_q;
   // hls/stages/agreement.hpp:1309
-  logic and_4567;
-  assign and_4567 = proven_q & less_4555;
+  logic and_4566;
+  assign and_4566 = proven_q & less_4554;
   // hls/stages/agreement.hpp:438
-  logic select_4570;
-  assign select_4570 = and_2523_s3_q ? (less_2524_s3_q ? (select_4566[0] & and_4567) : seen_q) : seen_q;
-  logic select_4573;
-  assign select_4573 = and_2523_s3_q ? (less_2524_s3_q ? (select_4566[1] & and_4567) : nearer_q) : nearer_q;
+  logic select_4569;
+  assign select_4569 = and_2522_s3_q ? (less_2523_s3_q ? (select_4565[0] & and_4566) : seen_q) : seen_q;
+  logic select_4572;
+  assign select_4572 = and_2522_s3_q ? (less_2523_s3_q ? (select_4565[1] & and_4566) : nearer_q) : nearer_q;
   // hls/stages/agreement.hpp:1239
-  logic or_4580;
-  assign or_4580 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4579_s3_q;
+  logic or_4579;
+  assign or_4579 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4578_s3_q;
   // hls/stages/agreement.hpp:1241
-  logic not_4588;
-  assign not_4588 = ~(or_4369 | not_2814);
+  logic not_4587;
+  assign not_4587 = ~(or_4368 | not_2813);
   // hls/stages/agreement.hpp:788
-  logic and_4592;
-  assign and_4592 = equal_567_s3_q & (equal_4388_s3_q & (not_4588 & (select_4377 | select_4443)));
-  logic and_4595;
-  assign and_4595 = equal_4388_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  logic and_4591;
+  assign and_4591 = equal_567_s3_q & (equal_4387_s3_q & (not_4587 & (select_4376 | select_4442)));
+  logic and_4594;
+  assign and_4594 = equal_4387_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
   // hls/stages/agreement.hpp:1150
-  logic or_4599;
-  assign or_4599 = select_2912 | (select_2924 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  logic or_4598;
+  assign or_4598 = select_2911 | (select_2923 | ($signed(20'h0) < $signed(census_left_misses_q)));
   // hls/stages/agreement.hpp:788
-  logic and_4606;
-  assign and_4606 = equal_567_s3_q & (equal_4388_s3_q & (not_4588 & (select_2918 | select_2930)));
+  logic and_4605;
+  assign and_4605 = equal_567_s3_q & (equal_4387_s3_q & (not_4587 & (select_2917 | select_2929)));
   // hls/stages/agreement.hpp:1150
-  logic and_4611;
-  assign and_4611 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4406 < cfg_hidden_frames_i));
-  logic select_4617;
-  assign select_4617 = (not_2814 | (select_4449 & not_4281)) ? cfg_prove_i : patches_overlooked_q;
+  logic and_4610;
+  assign and_4610 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4405 < cfg_hidden_frames_i));
+  logic select_4616;
+  assign select_4616 = (not_2813 | (select_4448 & not_4280)) ? cfg_prove_i : patches_overlooked_q;
   // hls/stages/agreement.hpp:788
-  logic and_4622;
-  assign and_4622 = equal_567_s3_q & (equal_4388_s3_q & (cfg_prove_i & moments_out_of_step_q));
-  logic and_4626;
-  assign and_4626 = equal_567_s3_q & (x_s3_q[6] & (not_2457_s3_q | (4'hc < x_s3_q[5:2])));
+  logic and_4621;
+  assign and_4621 = equal_567_s3_q & (equal_4387_s3_q & (cfg_prove_i & moments_out_of_step_q));
+  logic and_4625;
+  assign and_4625 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q | (4'hc < x_s3_q[5:2])));
   // hls/stages/agreement.hpp:1140
+  logic [31:0] select_4633;
+  assign select_4633 = equal_2096_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4631_s3_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_4634;
-  assign select_4634 = equal_2096_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4632_s3_q ? registration_sums_rdata_q : 32'h0);
+  assign select_4634 = equal_2094_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4633;
   logic [31:0] select_4635;
-  assign select_4635 = equal_2094_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4634;
+  assign select_4635 = equal_2092_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4634;
   logic [31:0] select_4636;
-  assign select_4636 = equal_2092_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4635;
+  assign select_4636 = equal_2090_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4635;
   logic [31:0] select_4637;
-  assign select_4637 = equal_2090_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4636;
+  assign select_4637 = equal_2088_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4636;
   logic [31:0] select_4638;
-  assign select_4638 = equal_2088_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4637;
+  assign select_4638 = equal_2086_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4637;
   logic [31:0] select_4639;
-  assign select_4639 = equal_2086_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4638;
+  assign select_4639 = equal_2084_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4638;
   logic [31:0] select_4640;
-  assign select_4640 = equal_2084_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4639;
-  logic [31:0] select_4641;
-  assign select_4641 = equal_2082_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4640;
+  assign select_4640 = equal_2082_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4639;
   // hls/stages/agreement.hpp:1138
-  logic [9:0] select_4642;
-  assign select_4642 = less_3088 ? 10'h0 : regions_rdata_q[29:20];
+  logic [9:0] select_4641;
+  assign select_4641 = less_3087 ? 10'h0 : regions_rdata_q[29:20];
   // hls/stages/agreement.hpp:1142
-  logic [31:0] select_4643;
-  assign select_4643 = equal_2074_s3_q ? select_4641 : {2'h0, select_4642, select_3092, select_3089};
+  logic [31:0] select_4642;
+  assign select_4642 = equal_2074_s3_q ? select_4640 : {2'h0, select_4641, select_3091, select_3088};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
@@ -7323,9 +7320,9 @@ module horopter_agreement (
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_2276_s3_q, select_2302};
+  assign patches_right_1_waddr = {select_2276_s3_q, select_2301};
   logic patches_right_1_we;
-  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_2305);
+  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_2304);
   logic [7:0] patches_right_1_wdata;
   assign patches_right_1_wdata = sample_pair_pixel_1_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -7364,9 +7361,9 @@ module horopter_agreement (
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_2324, select_2323_s3_q, column_6};
+  assign patches_left_waddr = {select_2323, select_2322_s3_q, column_6};
   logic patches_left_we;
-  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_2330);
+  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_2329);
   logic [7:0] patches_left_wdata;
   assign patches_left_wdata = sample_pair_pixel_0_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -7409,7 +7406,7 @@ module horopter_agreement (
   logic patches_rows_we;
   assign patches_rows_we = s3_en & patches_summed_last_s3_q;
   logic [14:0] patches_rows_wdata;
-  assign patches_rows_wdata = select_2445;
+  assign patches_rows_wdata = select_2444;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= {^patches_rows_wdata, patches_rows_wdata};
   end
@@ -7440,11 +7437,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s3_q, or_2455_s3_q, or_2452_s3_q, or_2449_s3_q};
+  assign regions_waddr = {region_row_s3_q, or_2454_s3_q, or_2451_s3_q, or_2448_s3_q};
   logic regions_we;
-  assign regions_we = s3_en & and_2489_s3_q;
+  assign regions_we = s3_en & and_2488_s3_q;
   logic [29:0] regions_wdata;
-  assign regions_wdata = {sum_2488, sum_2478, sum_2473};
+  assign regions_wdata = {sum_2487, sum_2477, sum_2472};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (regions_we) regions_mem[regions_waddr] <= {^regions_wdata, regions_wdata};
   end
@@ -7460,11 +7457,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_2529_s3_q, index_2_s3_q};
+  assign map_waddr = {sum_2528_s3_q, index_2_s3_q};
   logic map_we;
-  assign map_we = s3_en & and_2603_s3_q;
+  assign map_we = s3_en & and_2602_s3_q;
   logic [1:0] map_wdata;
-  assign map_wdata = {and_2593, is_seen};
+  assign map_wdata = {and_2592, is_seen};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (map_we) map_mem[map_waddr] <= {^map_wdata, map_wdata};
   end
@@ -7616,139 +7613,139 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s3_en) begin
-      census_left_misses_q <= select_2753;
-      sharpness_before_last_mask_q <= select_2826;
-      sharpness_sums_detail_0_q <= and_542_s3_q ? select_2840 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_542_s3_q ? select_2852 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_542_s3_q ? sum_2856 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_542_s3_q ? sum_2860 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2878 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2888 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2890 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2892 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2894 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2896 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2901;
-      sharpness_comparing_carry_1_q <= select_2905;
-      sharpness_comparing_less_detail_0_q <= select_2912;
-      sharpness_comparing_less_detail_1_q <= select_2918;
-      sharpness_comparing_less_contrast_0_q <= select_2924;
-      sharpness_comparing_less_contrast_1_q <= select_2930;
-      counts_supervised_q <= select_3046;
-      counts_textured_q <= and_3038_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_3049});
-      counts_explained_q <= and_3038_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_3054});
-      counts_nearer_q <= and_3038_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_3059});
-      counts_unproven_q <= and_3038_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_3085});
-      counts_regions_bad_q <= select_3101;
-      counts_skin_supervised_q <= select_3108;
-      counts_skin_textured_q <= select_3115;
-      counts_skin_unproven_q <= select_3123;
-      counts_on_skin_q <= select_3142;
-      registration_half_across_q <= select_3220;
-      registration_half_measured_q <= select_3225;
-      registration_half_votes_down_q <= and_3198_s3_q ? 7'h0 : sum_3231;
-      registration_half_votes_up_q <= and_3198_s3_q ? 7'h0 : sum_3239;
-      registration_half_half_votes_down_q <= and_3198_s3_q ? 7'h0 : sum_3246;
-      registration_half_half_votes_up_q <= and_3198_s3_q ? 7'h0 : sum_3253;
-      registration_down_q <= and_3287 ? sum_3306 : registration_down_q;
-      registration_up_q <= and_3287 ? sum_3315 : registration_up_q;
-      registration_enough_q <= select_3329;
-      registration_votes_down_q <= and_3334 ? less_3335 : registration_votes_down_q;
-      registration_votes_up_q <= and_3334 ? less_3337 : registration_votes_up_q;
-      registration_other_enough_q <= and_3343 ? select_3329 : registration_other_enough_q;
-      registration_other_down_q <= and_3343 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_3343 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_567_s3_q & and_3350)) & or_3375;
+      census_left_misses_q <= select_2752;
+      sharpness_before_last_mask_q <= select_2825;
+      sharpness_sums_detail_0_q <= and_542_s3_q ? select_2839 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_542_s3_q ? select_2851 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_542_s3_q ? sum_2855 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_542_s3_q ? sum_2859 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2877 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2887 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2889 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2891 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2893 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2895 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2900;
+      sharpness_comparing_carry_1_q <= select_2904;
+      sharpness_comparing_less_detail_0_q <= select_2911;
+      sharpness_comparing_less_detail_1_q <= select_2917;
+      sharpness_comparing_less_contrast_0_q <= select_2923;
+      sharpness_comparing_less_contrast_1_q <= select_2929;
+      counts_supervised_q <= select_3045;
+      counts_textured_q <= and_3037_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_3048});
+      counts_explained_q <= and_3037_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_3053});
+      counts_nearer_q <= and_3037_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_3058});
+      counts_unproven_q <= and_3037_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_3084});
+      counts_regions_bad_q <= select_3100;
+      counts_skin_supervised_q <= select_3107;
+      counts_skin_textured_q <= select_3114;
+      counts_skin_unproven_q <= select_3122;
+      counts_on_skin_q <= select_3141;
+      registration_half_across_q <= select_3219;
+      registration_half_measured_q <= select_3224;
+      registration_half_votes_down_q <= and_3197_s3_q ? 7'h0 : sum_3230;
+      registration_half_votes_up_q <= and_3197_s3_q ? 7'h0 : sum_3238;
+      registration_half_half_votes_down_q <= and_3197_s3_q ? 7'h0 : sum_3245;
+      registration_half_half_votes_up_q <= and_3197_s3_q ? 7'h0 : sum_3252;
+      registration_down_q <= and_3286 ? sum_3305 : registration_down_q;
+      registration_up_q <= and_3286 ? sum_3314 : registration_up_q;
+      registration_enough_q <= select_3328;
+      registration_votes_down_q <= and_3333 ? less_3334 : registration_votes_down_q;
+      registration_votes_up_q <= and_3333 ? less_3336 : registration_votes_up_q;
+      registration_other_enough_q <= and_3342 ? select_3328 : registration_other_enough_q;
+      registration_other_down_q <= and_3342 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_3342 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_567_s3_q & and_3349)) & or_3374;
       patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_2264 : patches_place_0_valid_q;
-      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_2266 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_2267 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3460;
+      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_2267 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_2268 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_3459;
       patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_2293 : patches_place_1_valid_q;
       patches_place_1_column_q <= sample_pair_whole_s3_q ? select_2295 : patches_place_1_column_q;
       patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_2296 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3465;
-      patches_valid_0_q <= select_3470;
-      patches_valid_1_q <= select_3475;
-      patches_right_next_0_q <= select_3478;
-      patches_right_next_1_q <= select_3481;
-      patches_left_next_0_q <= select_3484;
-      patches_left_next_1_q <= select_3487;
-      patches_sums_values_0_q <= select_3911;
-      patches_sums_values_1_q <= equal_2246_s3_q ? patches_sums_values_1_q : select_3912;
-      patches_sums_values_2_q <= equal_2246_s3_q ? patches_sums_values_2_q : select_3914;
-      patches_sums_values_3_q <= equal_2246_s3_q ? patches_sums_values_3_q : select_3916;
-      patches_sums_values_4_q <= equal_2246_s3_q ? patches_sums_values_4_q : select_3918;
-      patches_sums_values_5_q <= equal_2246_s3_q ? patches_sums_values_5_q : select_3920;
-      patches_sums_values_6_q <= equal_2246_s3_q ? patches_sums_values_6_q : select_3922;
-      patches_sums_values_7_q <= equal_2246_s3_q ? patches_sums_values_7_q : select_3924;
-      patches_sums_values_8_q <= equal_2246_s3_q ? patches_sums_values_8_q : select_3926;
-      patches_sums_values_9_q <= equal_2246_s3_q ? patches_sums_values_9_q : select_3928;
-      patches_sums_values_10_q <= equal_2246_s3_q ? patches_sums_values_10_q : select_3930;
-      patches_sums_values_11_q <= equal_2246_s3_q ? patches_sums_values_11_q : select_3932;
-      patches_sums_values_12_q <= equal_2246_s3_q ? patches_sums_values_12_q : select_3934;
-      patches_sums_values_13_q <= equal_2246_s3_q ? patches_sums_values_13_q : select_3936;
-      patches_sums_values_14_q <= equal_2246_s3_q ? patches_sums_values_14_q : select_3938;
-      patches_sums_values_15_q <= equal_2246_s3_q ? patches_sums_values_15_q : select_3940;
-      patches_sums_values_16_q <= equal_2246_s3_q ? patches_sums_values_16_q : select_3942;
-      patches_best_differing_q <= select_2445[9:0];
-      patches_best_column_q <= select_2445[14:10];
-      patches_quarters_0_places_q <= sum_4066;
-      patches_quarters_0_up_q <= sum_4106;
-      patches_quarters_0_down_q <= sum_4116;
-      patches_quarters_1_places_q <= sum_4120;
-      patches_quarters_1_up_q <= sum_4123;
-      patches_quarters_1_down_q <= sum_4126;
-      patches_quarters_2_places_q <= sum_4130;
-      patches_quarters_2_up_q <= sum_4133;
-      patches_quarters_2_down_q <= sum_4136;
-      patches_quarters_3_places_q <= sum_4140;
-      patches_quarters_3_up_q <= sum_4143;
-      patches_quarters_3_down_q <= sum_4146;
-      patches_word_places_q <= or_4174;
-      patches_word_up_q <= ((select_4184 | select_4186) | select_4189) | select_4192;
-      patches_word_down_q <= ((select_4195 | select_4197) | select_4200) | select_4203;
-      patches_sum_places_q <= select_4213;
-      patches_sum_up_q <= select_4216;
-      patches_sum_down_q <= select_4219;
-      patches_across_q <= sum_4231;
-      patches_places_q <= select_4242;
+      patches_place_1_slope_q <= select_3464;
+      patches_valid_0_q <= select_3469;
+      patches_valid_1_q <= select_3474;
+      patches_right_next_0_q <= select_3477;
+      patches_right_next_1_q <= select_3480;
+      patches_left_next_0_q <= select_3483;
+      patches_left_next_1_q <= select_3486;
+      patches_sums_values_0_q <= select_3910;
+      patches_sums_values_1_q <= equal_2246_s3_q ? patches_sums_values_1_q : select_3911;
+      patches_sums_values_2_q <= equal_2246_s3_q ? patches_sums_values_2_q : select_3913;
+      patches_sums_values_3_q <= equal_2246_s3_q ? patches_sums_values_3_q : select_3915;
+      patches_sums_values_4_q <= equal_2246_s3_q ? patches_sums_values_4_q : select_3917;
+      patches_sums_values_5_q <= equal_2246_s3_q ? patches_sums_values_5_q : select_3919;
+      patches_sums_values_6_q <= equal_2246_s3_q ? patches_sums_values_6_q : select_3921;
+      patches_sums_values_7_q <= equal_2246_s3_q ? patches_sums_values_7_q : select_3923;
+      patches_sums_values_8_q <= equal_2246_s3_q ? patches_sums_values_8_q : select_3925;
+      patches_sums_values_9_q <= equal_2246_s3_q ? patches_sums_values_9_q : select_3927;
+      patches_sums_values_10_q <= equal_2246_s3_q ? patches_sums_values_10_q : select_3929;
+      patches_sums_values_11_q <= equal_2246_s3_q ? patches_sums_values_11_q : select_3931;
+      patches_sums_values_12_q <= equal_2246_s3_q ? patches_sums_values_12_q : select_3933;
+      patches_sums_values_13_q <= equal_2246_s3_q ? patches_sums_values_13_q : select_3935;
+      patches_sums_values_14_q <= equal_2246_s3_q ? patches_sums_values_14_q : select_3937;
+      patches_sums_values_15_q <= equal_2246_s3_q ? patches_sums_values_15_q : select_3939;
+      patches_sums_values_16_q <= equal_2246_s3_q ? patches_sums_values_16_q : select_3941;
+      patches_best_differing_q <= select_2444[9:0];
+      patches_best_column_q <= select_2444[14:10];
+      patches_quarters_0_places_q <= sum_4065;
+      patches_quarters_0_up_q <= sum_4105;
+      patches_quarters_0_down_q <= sum_4115;
+      patches_quarters_1_places_q <= sum_4119;
+      patches_quarters_1_up_q <= sum_4122;
+      patches_quarters_1_down_q <= sum_4125;
+      patches_quarters_2_places_q <= sum_4129;
+      patches_quarters_2_up_q <= sum_4132;
+      patches_quarters_2_down_q <= sum_4135;
+      patches_quarters_3_places_q <= sum_4139;
+      patches_quarters_3_up_q <= sum_4142;
+      patches_quarters_3_down_q <= sum_4145;
+      patches_word_places_q <= or_4173;
+      patches_word_up_q <= ((select_4183 | select_4185) | select_4188) | select_4191;
+      patches_word_down_q <= ((select_4194 | select_4196) | select_4199) | select_4202;
+      patches_sum_places_q <= select_4212;
+      patches_sum_up_q <= select_4215;
+      patches_sum_down_q <= select_4218;
+      patches_across_q <= sum_4230;
+      patches_places_q <= select_4241;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_4246;
-      patches_partly_q <= or_4249;
-      patches_clear_limit_q <= sum_4250[8:2];
-      patches_complete_q <= select_4252;
+      patches_mostly_q <= or_4245;
+      patches_partly_q <= or_4248;
+      patches_clear_limit_q <= sum_4249[8:2];
+      patches_complete_q <= select_4251;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= and_4235 ? select_4257 : patches_found_q;
-      patches_doubted_q <= select_4264;
-      patches_doubted_before_q <= select_4265;
+      patches_found_q <= and_4234 ? select_4256 : patches_found_q;
+      patches_doubted_q <= select_4263;
+      patches_doubted_before_q <= select_4264;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_4269;
-      patches_on_skin_q <= sum_4279;
-      patches_large_q <= not_4281 & and_4286;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_4291;
-      patches_spoiled_q <= or_4295;
+      patches_round_on_skin_q <= select_4268;
+      patches_on_skin_q <= sum_4278;
+      patches_large_q <= not_4280 & and_4285;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_4290;
+      patches_spoiled_q <= or_4294;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_4302;
+      patches_moved_q <= select_4301;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_4312;
-      segment_textured_q <= select_2470 + {6'h0, and_3049};
-      segment_explained_q <= select_2475 + {6'h0, and_3054};
-      segment_nearer_q <= select_2485 + {6'h0, and_3059};
+      patches_age_q <= select_4311;
+      segment_textured_q <= select_2469 + {6'h0, and_3048};
+      segment_explained_q <= select_2474 + {6'h0, and_3053};
+      segment_nearer_q <= select_2484 + {6'h0, and_3058};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_567_s3_q ? select_4385 : good_q;
-      good_known_q <= select_4390;
-      hidden_for_q <= select_4408;
+      good_q <= equal_567_s3_q ? select_4384 : good_q;
+      good_known_q <= select_4389;
+      hidden_for_q <= select_4407;
       product_q <= equal_567_s3_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_4433;
-      disagree_q <= equal_567_s3_q ? select_4377 : disagree_q;
-      too_much_q <= equal_567_s3_q ? select_4443 : too_much_q;
-      hides_q <= equal_567_s3_q ? select_4403 : hides_q;
-      overlooks_q <= equal_567_s3_q ? select_4449 : overlooks_q;
-      seen_q <= select_4570;
-      nearer_q <= select_4573;
+      product_rest_q <= select_4432;
+      disagree_q <= equal_567_s3_q ? select_4376 : disagree_q;
+      too_much_q <= equal_567_s3_q ? select_4442 : too_much_q;
+      hides_q <= equal_567_s3_q ? select_4402 : hides_q;
+      overlooks_q <= equal_567_s3_q ? select_4448 : overlooks_q;
+      seen_q <= select_4569;
+      nearer_q <= select_4572;
     end
   end
 
@@ -7800,45 +7797,45 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
       left_pixel_q <= left_pixel_q;
-      averager_quarter_1_0_q <= select_2627;
-      averager_quarter_1_1_q <= select_2629;
-      averager_quarter_2_0_q <= select_2631;
-      averager_quarter_2_1_q <= select_2633;
-      averager_detail_0_q <= select_2645;
-      averager_detail_1_q <= select_2653;
+      averager_quarter_1_0_q <= select_2626;
+      averager_quarter_1_1_q <= select_2628;
+      averager_quarter_2_0_q <= select_2630;
+      averager_quarter_2_1_q <= select_2632;
+      averager_detail_0_q <= select_2644;
+      averager_detail_1_q <= select_2652;
       census_changes_values_0_left_q <= and_542_s3_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_542_s3_q ? sum_2737 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2739;
-      census_changes_values_1_right_q <= select_2740;
-      census_changes_values_2_left_q <= select_2741;
-      census_changes_values_2_right_q <= select_2742;
+      census_changes_values_0_right_q <= and_542_s3_q ? sum_2736 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2738;
+      census_changes_values_1_right_q <= select_2739;
+      census_changes_values_2_left_q <= select_2740;
+      census_changes_values_2_right_q <= select_2741;
       sharpness_last_mask_q <= and_542_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_542_s3_q ? select_2823[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_542_s3_q ? select_2823[27:14] : sharpness_last_detail_1_q;
-      box_textured_columns_values_0_q <= select_4453;
-      box_textured_columns_values_1_q <= select_4456;
-      box_textured_columns_values_2_q <= select_4459;
-      box_textured_columns_values_3_q <= select_4462;
-      box_textured_columns_values_4_q <= select_4465;
-      box_textured_sum_sums_values_0_q <= equal_567_s3_q ? box_textured_sum_sums_values_0_q : select_4467;
-      box_explained_columns_values_0_q <= select_4471;
-      box_explained_columns_values_1_q <= select_4474;
-      box_explained_columns_values_2_q <= select_4477;
-      box_explained_columns_values_3_q <= select_4480;
-      box_explained_columns_values_4_q <= select_4483;
-      box_explained_sum_sums_values_0_q <= equal_567_s3_q ? box_explained_sum_sums_values_0_q : select_4485;
-      box_shown_columns_values_0_q <= equal_567_s3_q ? box_shown_columns_values_0_q : select_4488;
-      box_shown_columns_values_1_q <= select_4492;
-      box_shown_columns_values_2_q <= select_4495;
-      box_shown_columns_values_3_q <= select_4498;
-      box_shown_columns_values_4_q <= select_4501;
-      box_shown_sum_sums_values_0_q <= equal_567_s3_q ? box_shown_sum_sums_values_0_q : select_4503;
-      box_nearer_columns_values_0_q <= equal_567_s3_q ? box_nearer_columns_values_0_q : select_4506;
-      box_nearer_columns_values_1_q <= select_4510;
-      box_nearer_columns_values_2_q <= select_4513;
-      box_nearer_columns_values_3_q <= select_4516;
-      box_nearer_columns_values_4_q <= select_4519;
-      box_nearer_sum_sums_values_0_q <= equal_567_s3_q ? box_nearer_sum_sums_values_0_q : select_4521;
+      sharpness_last_detail_0_q <= and_542_s3_q ? select_2822[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_542_s3_q ? select_2822[27:14] : sharpness_last_detail_1_q;
+      box_textured_columns_values_0_q <= select_4452;
+      box_textured_columns_values_1_q <= select_4455;
+      box_textured_columns_values_2_q <= select_4458;
+      box_textured_columns_values_3_q <= select_4461;
+      box_textured_columns_values_4_q <= select_4464;
+      box_textured_sum_sums_values_0_q <= equal_567_s3_q ? box_textured_sum_sums_values_0_q : select_4466;
+      box_explained_columns_values_0_q <= select_4470;
+      box_explained_columns_values_1_q <= select_4473;
+      box_explained_columns_values_2_q <= select_4476;
+      box_explained_columns_values_3_q <= select_4479;
+      box_explained_columns_values_4_q <= select_4482;
+      box_explained_sum_sums_values_0_q <= equal_567_s3_q ? box_explained_sum_sums_values_0_q : select_4484;
+      box_shown_columns_values_0_q <= equal_567_s3_q ? box_shown_columns_values_0_q : select_4487;
+      box_shown_columns_values_1_q <= select_4491;
+      box_shown_columns_values_2_q <= select_4494;
+      box_shown_columns_values_3_q <= select_4497;
+      box_shown_columns_values_4_q <= select_4500;
+      box_shown_sum_sums_values_0_q <= equal_567_s3_q ? box_shown_sum_sums_values_0_q : select_4502;
+      box_nearer_columns_values_0_q <= equal_567_s3_q ? box_nearer_columns_values_0_q : select_4505;
+      box_nearer_columns_values_1_q <= select_4509;
+      box_nearer_columns_values_2_q <= select_4512;
+      box_nearer_columns_values_3_q <= select_4515;
+      box_nearer_columns_values_4_q <= select_4518;
+      box_nearer_sum_sums_values_0_q <= equal_567_s3_q ? box_nearer_sum_sums_values_0_q : select_4520;
     end
   end
 
@@ -7848,21 +7845,21 @@ module horopter_agreement (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic and_4550_s4_q;
-  logic or_4574_s4_q;
-  logic and_4575_s4_q;
-  logic and_4583_s4_q;
-  logic and_4586_s4_q;
-  logic and_4592_s4_q;
-  logic and_4596_s4_q;
-  logic and_4602_s4_q;
-  logic and_4606_s4_q;
-  logic and_4614_s4_q;
-  logic and_4619_s4_q;
-  logic and_4622_s4_q;
-  logic and_4626_s4_q;
-  logic [5:0] select_4628_s4_q;
-  logic [31:0] select_4645_s4_q;
+  logic and_4549_s4_q;
+  logic or_4573_s4_q;
+  logic and_4574_s4_q;
+  logic and_4582_s4_q;
+  logic and_4585_s4_q;
+  logic and_4591_s4_q;
+  logic and_4595_s4_q;
+  logic and_4601_s4_q;
+  logic and_4605_s4_q;
+  logic and_4613_s4_q;
+  logic and_4618_s4_q;
+  logic and_4621_s4_q;
+  logic and_4625_s4_q;
+  logic [5:0] select_4627_s4_q;
+  logic [31:0] select_4644_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_0_q;
@@ -7871,21 +7868,21 @@ module horopter_agreement (
       mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= line_ended_q;
-      and_4550_s4_q <= said_q;
-      or_4574_s4_q <= not_2814 | select_4570;
-      and_4575_s4_q <= cfg_prove_i & select_4573;
-      and_4583_s4_q <= equal_567_s3_q & (equal_4388_s3_q & (cfg_prove_i & or_4580));
-      and_4586_s4_q <= equal_567_s3_q & (equal_4388_s3_q & (cfg_prove_i & or_4369));
-      and_4592_s4_q <= and_4592;
-      and_4596_s4_q <= equal_567_s3_q & and_4595;
-      and_4602_s4_q <= equal_567_s3_q & (equal_4388_s3_q & (not_4588 & or_4599));
-      and_4606_s4_q <= and_4606;
-      and_4614_s4_q <= equal_567_s3_q & (equal_4388_s3_q & (cfg_prove_i & and_4611));
-      and_4619_s4_q <= equal_567_s3_q & (equal_4388_s3_q & select_4617);
-      and_4622_s4_q <= and_4622;
-      and_4626_s4_q <= and_4626;
-      select_4628_s4_q <= equal_567_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
-      select_4645_s4_q <= equal_567_s3_q ? (x_s3_q[6] ? select_4643 : 32'h0) : 32'h0;
+      and_4549_s4_q <= said_q;
+      or_4573_s4_q <= not_2813 | select_4569;
+      and_4574_s4_q <= cfg_prove_i & select_4572;
+      and_4582_s4_q <= equal_567_s3_q & (equal_4387_s3_q & (cfg_prove_i & or_4579));
+      and_4585_s4_q <= equal_567_s3_q & (equal_4387_s3_q & (cfg_prove_i & or_4368));
+      and_4591_s4_q <= and_4591;
+      and_4595_s4_q <= equal_567_s3_q & and_4594;
+      and_4601_s4_q <= equal_567_s3_q & (equal_4387_s3_q & (not_4587 & or_4598));
+      and_4605_s4_q <= and_4605;
+      and_4613_s4_q <= equal_567_s3_q & (equal_4387_s3_q & (cfg_prove_i & and_4610));
+      and_4618_s4_q <= equal_567_s3_q & (equal_4387_s3_q & select_4616);
+      and_4621_s4_q <= and_4621;
+      and_4625_s4_q <= and_4625;
+      select_4627_s4_q <= equal_567_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
+      select_4644_s4_q <= equal_567_s3_q ? (x_s3_q[6] ? select_4642 : 32'h0) : 32'h0;
     end
   end
 
@@ -7899,21 +7896,21 @@ module horopter_agreement (
   assign mask_o = mask_s4_q;
   assign marks_first_o = marks_first_s4_q;
   assign marks_last_o = marks_last_s4_q;
-  assign marks_seen_o = or_4574_s4_q;
-  assign marks_nearer_o = and_4575_s4_q;
-  assign verdict_valid_o = and_4550_s4_q;
-  assign verdict_unproven_yet_o = and_4583_s4_q;
-  assign verdict_untextured_o = and_4586_s4_q;
-  assign verdict_disagree_o = and_4592_s4_q;
-  assign verdict_moved_o = and_4596_s4_q;
-  assign verdict_unsharp_left_o = and_4602_s4_q;
-  assign verdict_unsharp_right_o = and_4606_s4_q;
-  assign verdict_hidden_o = and_4614_s4_q;
-  assign verdict_overlooked_o = and_4619_s4_q;
-  assign verdict_out_of_step_o = and_4622_s4_q;
-  assign frame_valid_o = and_4626_s4_q;
-  assign frame_index_o = select_4628_s4_q;
-  assign frame_word_o = select_4645_s4_q;
+  assign marks_seen_o = or_4573_s4_q;
+  assign marks_nearer_o = and_4574_s4_q;
+  assign verdict_valid_o = and_4549_s4_q;
+  assign verdict_unproven_yet_o = and_4582_s4_q;
+  assign verdict_untextured_o = and_4585_s4_q;
+  assign verdict_disagree_o = and_4591_s4_q;
+  assign verdict_moved_o = and_4595_s4_q;
+  assign verdict_unsharp_left_o = and_4601_s4_q;
+  assign verdict_unsharp_right_o = and_4605_s4_q;
+  assign verdict_hidden_o = and_4613_s4_q;
+  assign verdict_overlooked_o = and_4618_s4_q;
+  assign verdict_out_of_step_o = and_4621_s4_q;
+  assign frame_valid_o = and_4625_s4_q;
+  assign frame_index_o = select_4627_s4_q;
+  assign frame_word_o = select_4644_s4_q;
   assign valid_o = valid_s4_q;
 
   always_ff @(posedge clk_i) begin
@@ -7932,6 +7929,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_4284[4:0], sum_4250[1:0], sum_4205[1:0], product_4096[4:0], sum_3188[0], difference_3129[1:0], detail_4[1:0], detail_3[1:0], sum_2747[4:0], sum_2184[0], sum_2180[0], sum_724[4:0], cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], product_4283[4:0], sum_4249[1:0], sum_4204[1:0], product_4095[4:0], sum_3187[0], difference_3128[1:0], detail_4[1:0], detail_3[1:0], sum_2746[4:0], sum_2184[0], sum_2180[0], sum_724[4:0], cfg_width_i[2:0]};
 
 endmodule
