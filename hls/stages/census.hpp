@@ -18,7 +18,8 @@ struct CellPosition {
   u<bits_for(CELL - 1)> x, y;   // px in the cell
   u<bits_for(COLUMNS)> column;  // cells
   u<bits_for(ROWS + 1)> row;    // beyond the image it may wrap: not live
-  bool first = false;
+  bool first = false;           // of the frame
+  bool row_starts = false;      // x and column are 0
   bool live = false;
 };
 
@@ -29,7 +30,8 @@ class CellRaster {
   using Position = CellPosition<CELL, COLUMNS, ROWS>;
 
   Position step(bool first, bool last, u<bits_for(HEIGHT)> height) {
-    if (first || row_ended_) {
+    const bool row_starts = first || row_ended_;
+    if (row_starts) {
       at_.x = 0;
       at_.column = 0;
     }
@@ -40,10 +42,12 @@ class CellRaster {
     }
 #ifdef __HLSC__
     at_.first = first;
+    at_.row_starts = row_starts;
     const Position here = at_;
-#else  // the same; a CPU would wait for the byte before it copies all of them
+#else  // the same; a CPU would wait for the bytes before it copies all of them
     Position here = at_;
     here.first = first;
+    here.row_starts = row_starts;
 #endif
     const bool final_row = final_row_;
     final_row_ = rows_left_ == 1;  // a beat early: rows are long
@@ -114,9 +118,8 @@ class CellAverager {
     const bool whole = (starts || running_mask_) && mask;
     const bool all_of_skin = (starts || running_of_skin_) && of_skin;
     if (starts) {
-      const bool row_starts = at.column == 0 && at.x == 0;
-      inside_ = row_starts || (inside_ && place_ != words - 1);
-      place_ = row_starts ? Place(0) : Place(place_ + lit<1>());
+      inside_ = at.row_starts || (inside_ && place_ != words - 1);
+      place_ = at.row_starts ? Place(0) : Place(place_ + lit<1>());
     }
     const bool stores = at.live && ends && inside_;
     Quarter word;

@@ -119,7 +119,7 @@ class Patches {
   /// A pixel of both images in raster order, also in the rows behind the frame. Position: see CellPosition.
   template <class Position, class Config>
   void take(const Position& at, const std::array<u<8>, 2>& pixel, bool present, const Config& config) {
-    const bool row_starts = at.x == 0 && at.column == 0;
+    const bool row_starts = at.row_starts;
     // Of the beat before, as rows are long: the next band, and the first one of the next frame.
     const Band next = band_rows_.next(), first = first_band();
     if (row_starts) start_pixels(at, config);

@@ -171,6 +171,7 @@ module horopter_object_check #(
   logic [31:0] object_area_q;
   logic [COLUMN_BITS-1:0] object_left_q, object_right_q;
   logic [ROW_BITS-1:0] object_top_q, object_bottom_q;
+  logic none_q;  // largest_q is 0
   always_ff @(posedge clk_i) begin
     object_q <= rst_ni && valid && object_ended;
     larger_q <= rst_ni && object_q && object_pixels_q > largest_q;
@@ -189,9 +190,12 @@ module horopter_object_check #(
     else idle_q <= (looks ? blind_valid && blind_done && blind_idle_q && !idle_q : state_valid_i && state_end_i) || (idle_q && !(valid && done));
     if (!rst_ni || ended_o) waits_q <= 1'b0;
     else if (state_valid_i && state_end_i) waits_q <= 1'b1;
-    if (!rst_ni || last_q[1]) largest_q <= '0;
-    else if (larger_q) begin
+    if (!rst_ni || last_q[1]) begin
+      largest_q <= '0;
+      none_q <= 1'b1;
+    end else if (larger_q) begin
       largest_q <= object_pixels_q;
+      none_q <= 1'b0;
       area_q <= object_area_q;
       {left_q, right_q, top_q, bottom_q} <= {object_left_q, object_right_q, object_top_q, object_bottom_q};
     end
@@ -203,12 +207,12 @@ module horopter_object_check #(
       frame_blind_o <= 24'd0;
     end else if (last_q[1]) begin
       frame_pixels_o <= 24'(largest_q);
-      frame_area_o <= largest_q == '0 ? 32'd0 : area_q;
+      frame_area_o <= none_q ? 32'd0 : area_q;
       frame_blind_o <= 24'(blind_q);
-      frame_columns_o.left <= largest_q == '0 ? 12'd0 : 12'(left_q);
-      frame_columns_o.right <= largest_q == '0 ? 12'd0 : 12'(right_q);
-      frame_rows_o.top <= largest_q == '0 ? 12'd0 : 12'(top_q);
-      frame_rows_o.bottom <= largest_q == '0 ? 12'd0 : 12'(bottom_q);
+      frame_columns_o.left <= none_q ? 12'd0 : 12'(left_q);
+      frame_columns_o.right <= none_q ? 12'd0 : 12'(right_q);
+      frame_rows_o.top <= none_q ? 12'd0 : 12'(top_q);
+      frame_rows_o.bottom <= none_q ? 12'd0 : 12'(bottom_q);
     end
   end
 

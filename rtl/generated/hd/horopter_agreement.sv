@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Agreement<horopter::hls::profiles::hd>, hls/stages/agreement.hpp. Do not edit.
 //
-// Latency 26 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// Latency 24 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 3116 bits, pipeline 8783 bits, memories 157167 bits.
+// State 3116 bits, pipeline 8709 bits, memories 157167 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -66,8 +66,8 @@ module horopter_agreement (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q, valid_s11_q, valid_s12_q, valid_s13_q, valid_s14_q, valid_s15_q, valid_s16_q, valid_s17_q, valid_s18_q, valid_s19_q, valid_s20_q, valid_s21_q, valid_s22_q, valid_s23_q, valid_s24_q, valid_s25_q, valid_s26_q;
-  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en, s10_en, s11_en, s12_en, s13_en, s14_en, s15_en, s16_en, s17_en, s18_en, s19_en, s20_en, s21_en, s22_en, s23_en, s24_en, s25_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q, valid_s10_q, valid_s11_q, valid_s12_q, valid_s13_q, valid_s14_q, valid_s15_q, valid_s16_q, valid_s17_q, valid_s18_q, valid_s19_q, valid_s20_q, valid_s21_q, valid_s22_q, valid_s23_q, valid_s24_q;
+  logic s0_en, s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en, s9_en, s10_en, s11_en, s12_en, s13_en, s14_en, s15_en, s16_en, s17_en, s18_en, s19_en, s20_en, s21_en, s22_en, s23_en;
   assign s0_en = en_i & valid_i;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
@@ -92,24 +92,22 @@ module horopter_agreement (
   assign s21_en = en_i & valid_s21_q;
   assign s22_en = en_i & valid_s22_q;
   assign s23_en = en_i & valid_s23_q;
-  assign s24_en = en_i & valid_s24_q;
-  assign s25_en = en_i & valid_s25_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2353;
-  assign not_2353 = ~cfg_prove_i;
-  logic [6:0] sum_2566;
-  assign sum_2566 = {1'b0, cfg_height_i[10:5]} + 7'h5;
-  logic [6:0] difference_3627;
-  assign difference_3627 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_3840;
-  assign not_3840 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [7:0] difference_3898;
-  assign difference_3898 = 8'h0 - {1'b0, cfg_height_i[10:4]};
-  logic less_4114;
-  assign less_4114 = 7'h8 < cfg_height_i[10:4];
-  logic [4:0] sum_4115;
-  assign sum_4115 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
+  logic not_2348;
+  assign not_2348 = ~cfg_prove_i;
+  logic [6:0] sum_2561;
+  assign sum_2561 = {1'b0, cfg_height_i[10:5]} + 7'h5;
+  logic [6:0] difference_3621;
+  assign difference_3621 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_3834;
+  assign not_3834 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [7:0] difference_3892;
+  assign difference_3892 = 8'h0 - {1'b0, cfg_height_i[10:4]};
+  logic less_4108;
+  assign less_4108 = 7'h8 < cfg_height_i[10:4];
+  logic [4:0] sum_4109;
+  assign sum_4109 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -118,9 +116,19 @@ module horopter_agreement (
   logic sample_present_q;
   logic [3:0] raster_at_x_q;
   logic raster_row_ended_q;
-  // hls/stages/census.hpp:36
+  logic [8:0] averager_place_q;
+  // hls/stages/census.hpp:33
+  logic row_starts;
+  assign row_starts = sample_pair_first_q | raster_row_ended_q;
+  // hls/stages/census.hpp:38
   logic [3:0] select_508;
-  assign select_508 = sample_pair_first_q ? 4'h0 : (raster_row_ended_q ? 4'h0 : raster_at_x_q);
+  assign select_508 = row_starts ? 4'h0 : raster_at_x_q;
+  // hls/stages/census.hpp:114
+  logic equal_509;
+  assign equal_509 = select_508[1:0] == 2'h0;
+  // hls/stages/census.hpp:124
+  logic [8:0] select_512;
+  assign select_512 = equal_509 ? (row_starts ? 9'h0 : (averager_place_q + 9'h1)) : averager_place_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -130,6 +138,7 @@ module horopter_agreement (
       sample_present_q <= 1'b0;
       raster_at_x_q <= 4'h0;
       raster_row_ended_q <= 1'b1;
+      averager_place_q <= 9'h0;
     end else if (s0_en) begin
       sample_pair_first_q <= marks_first_i;
       sample_pair_whole_q <= 1'b1;
@@ -137,6 +146,7 @@ module horopter_agreement (
       sample_present_q <= present_i;
       raster_at_x_q <= sample_pair_whole_q ? (select_508 + 4'h1) : raster_at_x_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
+      averager_place_q <= sample_pair_whole_q ? select_512 : averager_place_q;
     end
   end
 
@@ -148,8 +158,11 @@ module horopter_agreement (
   logic sample_pair_whole_s1_q;
   logic sample_last_s1_q;
   logic sample_present_s1_q;
-  logic raster_row_ended_s1_q;
+  logic row_starts_s1_q;
   logic [3:0] select_508_s1_q;
+  logic equal_509_s1_q;
+  logic [8:0] select_512_s1_q;
+  logic not_514_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -160,28 +173,67 @@ module horopter_agreement (
       sample_pair_whole_s1_q <= sample_pair_whole_q;
       sample_last_s1_q <= sample_last_q;
       sample_present_s1_q <= sample_present_q;
-      raster_row_ended_s1_q <= raster_row_ended_q;
+      row_starts_s1_q <= row_starts;
       select_508_s1_q <= select_508;
+      equal_509_s1_q <= equal_509;
+      select_512_s1_q <= select_512;
+      not_514_s1_q <= ~(averager_place_q == 9'h1df);
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
+  logic [3:0] raster_at_y_q;
   logic [6:0] raster_at_column_q;
-  // hls/stages/census.hpp:36
-  logic [6:0] select_511;
-  assign select_511 = sample_pair_first_s1_q ? 7'h0 : (raster_row_ended_s1_q ? 7'h0 : raster_at_column_q);
-  // hls/stages/census.hpp:51
-  logic equal_546;
-  assign equal_546 = select_508_s1_q == 4'hf;
+  logic raster_at_live_q;
+  logic [10:0] raster_rows_left_q;
+  logic raster_final_row_q;
+  logic averager_inside_q;
+  // hls/stages/census.hpp:124
+  logic select_517;
+  assign select_517 = equal_509_s1_q ? (row_starts_s1_q | (averager_inside_q & not_514_s1_q)) : averager_inside_q;
+  // hls/stages/census.hpp:44
+  logic or_518;
+  assign or_518 = sample_pair_first_s1_q | raster_at_live_q;
+  logic [3:0] select_526;
+  assign select_526 = sample_pair_first_s1_q ? 4'h0 : raster_at_y_q;
+  // hls/stages/census.hpp:38
+  logic [6:0] select_542;
+  assign select_542 = row_starts_s1_q ? 7'h0 : raster_at_column_q;
   // hls/stages/agreement.hpp:276
-  logic [6:0] select_2149;
-  assign select_2149 = sample_pair_whole_s1_q ? (select_511 + {6'h0, equal_546}) : raster_at_column_q;
+  logic [6:0] last;
+  assign last = sample_pair_whole_s1_q ? select_542 : 7'h0;
+  // hls/stages/census.hpp:55
+  logic equal_544;
+  assign equal_544 = select_508_s1_q == 4'hf;
+  // hls/stages/agreement.hpp:276
+  logic [3:0] select_2142;
+  assign select_2142 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (select_526 + 4'h1) : select_526) : raster_at_y_q;
+  logic [6:0] select_2144;
+  assign select_2144 = sample_pair_whole_s1_q ? (select_542 + {6'h0, equal_544}) : raster_at_column_q;
+  logic select_2151;
+  assign select_2151 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_518 & (~raster_final_row_q)) : or_518) : raster_at_live_q;
+  // hls/stages/census.hpp:54
+  logic [10:0] select_2153;
+  assign select_2153 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
+  // hls/stages/agreement.hpp:276
+  logic select_2157;
+  assign select_2157 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      raster_at_y_q <= 4'h0;
       raster_at_column_q <= 7'h0;
+      raster_at_live_q <= 1'b0;
+      raster_rows_left_q <= 11'h0;
+      raster_final_row_q <= 1'b0;
+      averager_inside_q <= 1'b1;
     end else if (s1_en) begin
-      raster_at_column_q <= select_2149;
+      raster_at_y_q <= select_2142;
+      raster_at_column_q <= select_2144;
+      raster_at_live_q <= select_2151;
+      raster_rows_left_q <= sample_pair_whole_s1_q ? select_2153 : raster_rows_left_q;
+      raster_final_row_q <= select_2157;
+      averager_inside_q <= sample_pair_whole_s1_q ? select_517 : averager_inside_q;
     end
   end
 
@@ -195,9 +247,18 @@ module horopter_agreement (
   logic sample_pair_whole_s2_q;
   logic sample_last_s2_q;
   logic sample_present_s2_q;
+  logic row_starts_s2_q;
   logic [3:0] select_508_s2_q;
-  logic [6:0] select_511_s2_q;
-  logic equal_546_s2_q;
+  logic equal_509_s2_q;
+  logic [8:0] select_512_s2_q;
+  logic and_521_s2_q;
+  logic [3:0] select_526_s2_q;
+  logic [6:0] select_542_s2_q;
+  logic [6:0] last_s2_q;
+  logic equal_544_s2_q;
+  logic equal_545_s2_q;
+  logic equal_1677_s2_q;
+  logic [7:0] sum_2466_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -210,32 +271,56 @@ module horopter_agreement (
       sample_pair_whole_s2_q <= sample_pair_whole_s1_q;
       sample_last_s2_q <= sample_last_s1_q;
       sample_present_s2_q <= sample_present_s1_q;
+      row_starts_s2_q <= row_starts_s1_q;
       select_508_s2_q <= select_508_s1_q;
-      select_511_s2_q <= select_511;
-      equal_546_s2_q <= equal_546;
+      equal_509_s2_q <= equal_509_s1_q;
+      select_512_s2_q <= select_512_s1_q;
+      and_521_s2_q <= select_517 & (or_518 & (select_508_s1_q[1:0] == 2'h3));
+      select_526_s2_q <= select_526;
+      select_542_s2_q <= select_542;
+      last_s2_q <= last;
+      equal_544_s2_q <= equal_544;
+      equal_545_s2_q <= select_526 == 4'hf;
+      equal_1677_s2_q <= {or_518, select_526} == 5'h18;
+      sum_2466_s2_q <= {1'b0, last} + 8'h1;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  logic [8:0] averager_place_q;
-  // hls/stages/census.hpp:110
-  logic equal_509;
-  assign equal_509 = select_508_s2_q[1:0] == 2'h0;
-  // hls/stages/census.hpp:117
-  logic equal_512;
-  assign equal_512 = {select_511_s2_q, select_508_s2_q} == 11'h0;
-  // hls/stages/census.hpp:121
-  logic [8:0] select_515;
-  assign select_515 = equal_509 ? (equal_512 ? 9'h0 : (averager_place_q + 9'h1)) : averager_place_q;
+  logic [6:0] raster_at_row_q;
+  logic [3:0] patches_phase_q;
+  // hls/stages/census.hpp:134
+  logic and_546;
+  assign and_546 = equal_545_s2_q & and_521_s2_q;
   // hls/stages/agreement.hpp:276
-  logic [6:0] last;
-  assign last = sample_pair_whole_s2_q ? select_511_s2_q : 7'h0;
+  logic and_548;
+  assign and_548 = sample_pair_whole_s2_q & (equal_544_s2_q & and_546);
+  // hls/stages/census.hpp:44
+  logic [6:0] select_676;
+  assign select_676 = sample_pair_first_s2_q ? 7'h0 : raster_at_row_q;
+  // hls/stages/agreement.hpp:276
+  logic [6:0] row;
+  assign row = sample_pair_whole_s2_q ? select_676 : 7'h0;
+  // hls/stages/census.hpp:62
+  logic [6:0] select_2146;
+  assign select_2146 = sample_last_s2_q ? (select_676 + {6'h0, equal_545_s2_q}) : select_676;
+  // hls/stages/agreement.hpp:459
+  logic equal_2467;
+  assign equal_2467 = {sum_2466_s2_q[7], cfg_width_i[10:4]} == {1'b0, sum_2466_s2_q[6:0]};
+  // hls/stages/patches.hpp:318
+  logic [3:0] phase;
+  assign phase = (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
+  // hls/stages/patches.hpp:126
+  logic [3:0] select_2935;
+  assign select_2935 = row_starts_s2_q ? (sample_pair_first_s2_q ? phase : patches_phase_q) : patches_phase_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      averager_place_q <= 9'h0;
+      raster_at_row_q <= 7'h0;
+      patches_phase_q <= 4'h0;
     end else if (s2_en) begin
-      averager_place_q <= sample_pair_whole_s2_q ? select_515 : averager_place_q;
+      raster_at_row_q <= sample_pair_whole_s2_q ? select_2146 : raster_at_row_q;
+      patches_phase_q <= sample_pair_whole_s2_q ? select_2935 : patches_phase_q;
     end
   end
 
@@ -247,16 +332,24 @@ module horopter_agreement (
   logic marks_last_s3_q;
   logic sample_pair_first_s3_q;
   logic sample_pair_whole_s3_q;
-  logic sample_last_s3_q;
   logic sample_present_s3_q;
+  logic row_starts_s3_q;
   logic [3:0] select_508_s3_q;
   logic equal_509_s3_q;
-  logic [6:0] select_511_s3_q;
-  logic equal_512_s3_q;
-  logic [8:0] select_515_s3_q;
-  logic not_517_s3_q;
+  logic [8:0] select_512_s3_q;
+  logic and_521_s3_q;
+  logic [3:0] select_526_s3_q;
+  logic [6:0] select_542_s3_q;
   logic [6:0] last_s3_q;
-  logic equal_546_s3_q;
+  logic and_546_s3_q;
+  logic and_548_s3_q;
+  logic [6:0] select_676_s3_q;
+  logic [6:0] row_s3_q;
+  logic equal_1677_s3_q;
+  logic equal_2467_s3_q;
+  logic and_2468_s3_q;
+  logic [7:0] sum_2557_s3_q;
+  logic [3:0] phase_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s3_q <= pixel_0_s2_q;
@@ -267,209 +360,28 @@ module horopter_agreement (
       marks_last_s3_q <= marks_last_s2_q;
       sample_pair_first_s3_q <= sample_pair_first_s2_q;
       sample_pair_whole_s3_q <= sample_pair_whole_s2_q;
-      sample_last_s3_q <= sample_last_s2_q;
       sample_present_s3_q <= sample_present_s2_q;
+      row_starts_s3_q <= row_starts_s2_q;
       select_508_s3_q <= select_508_s2_q;
-      equal_509_s3_q <= equal_509;
-      select_511_s3_q <= select_511_s2_q;
-      equal_512_s3_q <= equal_512;
-      select_515_s3_q <= select_515;
-      not_517_s3_q <= ~(averager_place_q == 9'h1df);
-      last_s3_q <= last;
-      equal_546_s3_q <= equal_546_s2_q;
+      equal_509_s3_q <= equal_509_s2_q;
+      select_512_s3_q <= select_512_s2_q;
+      and_521_s3_q <= and_521_s2_q;
+      select_526_s3_q <= select_526_s2_q;
+      select_542_s3_q <= select_542_s2_q;
+      last_s3_q <= last_s2_q;
+      and_546_s3_q <= and_546;
+      and_548_s3_q <= and_548;
+      select_676_s3_q <= select_676;
+      row_s3_q <= row;
+      equal_1677_s3_q <= equal_1677_s2_q;
+      equal_2467_s3_q <= equal_2467;
+      and_2468_s3_q <= and_548 & equal_2467;
+      sum_2557_s3_q <= {1'b0, row} + 8'h1;
+      phase_s3_q <= phase;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  logic [3:0] raster_at_y_q;
-  logic raster_at_live_q;
-  logic [10:0] raster_rows_left_q;
-  logic raster_final_row_q;
-  logic averager_inside_q;
-  // hls/stages/census.hpp:121
-  logic select_520;
-  assign select_520 = equal_509_s3_q ? (equal_512_s3_q | (averager_inside_q & not_517_s3_q)) : averager_inside_q;
-  // hls/stages/census.hpp:42
-  logic or_521;
-  assign or_521 = sample_pair_first_s3_q | raster_at_live_q;
-  logic [3:0] select_529;
-  assign select_529 = sample_pair_first_s3_q ? 4'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:276
-  logic [3:0] select_2147;
-  assign select_2147 = sample_pair_whole_s3_q ? (sample_last_s3_q ? (select_529 + 4'h1) : select_529) : raster_at_y_q;
-  logic select_2156;
-  assign select_2156 = sample_pair_whole_s3_q ? (sample_last_s3_q ? (or_521 & (~raster_final_row_q)) : or_521) : raster_at_live_q;
-  // hls/stages/census.hpp:50
-  logic [10:0] select_2158;
-  assign select_2158 = sample_pair_first_s3_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s3_q});
-  // hls/stages/agreement.hpp:276
-  logic select_2162;
-  assign select_2162 = sample_pair_whole_s3_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
-  // hls/stages/agreement.hpp:459
-  logic [7:0] sum_2471;
-  assign sum_2471 = {1'b0, last_s3_q} + 8'h1;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      raster_at_y_q <= 4'h0;
-      raster_at_live_q <= 1'b0;
-      raster_rows_left_q <= 11'h0;
-      raster_final_row_q <= 1'b0;
-      averager_inside_q <= 1'b1;
-    end else if (s3_en) begin
-      raster_at_y_q <= select_2147;
-      raster_at_live_q <= select_2156;
-      raster_rows_left_q <= sample_pair_whole_s3_q ? select_2158 : raster_rows_left_q;
-      raster_final_row_q <= select_2162;
-      averager_inside_q <= sample_pair_whole_s3_q ? select_520 : averager_inside_q;
-    end
-  end
-
-  logic [7:0] pixel_0_s4_q;
-  logic [7:0] pixel_1_s4_q;
-  logic saturated_s4_q;
-  logic mask_s4_q;
-  logic marks_first_s4_q;
-  logic marks_last_s4_q;
-  logic sample_pair_first_s4_q;
-  logic sample_pair_whole_s4_q;
-  logic sample_last_s4_q;
-  logic sample_present_s4_q;
-  logic [3:0] select_508_s4_q;
-  logic equal_509_s4_q;
-  logic [6:0] select_511_s4_q;
-  logic [8:0] select_515_s4_q;
-  logic and_524_s4_q;
-  logic [3:0] select_529_s4_q;
-  logic [6:0] last_s4_q;
-  logic equal_546_s4_q;
-  logic equal_547_s4_q;
-  logic equal_1682_s4_q;
-  logic equal_2472_s4_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) begin
-      pixel_0_s4_q <= pixel_0_s3_q;
-      pixel_1_s4_q <= pixel_1_s3_q;
-      saturated_s4_q <= saturated_s3_q;
-      mask_s4_q <= mask_s3_q;
-      marks_first_s4_q <= marks_first_s3_q;
-      marks_last_s4_q <= marks_last_s3_q;
-      sample_pair_first_s4_q <= sample_pair_first_s3_q;
-      sample_pair_whole_s4_q <= sample_pair_whole_s3_q;
-      sample_last_s4_q <= sample_last_s3_q;
-      sample_present_s4_q <= sample_present_s3_q;
-      select_508_s4_q <= select_508_s3_q;
-      equal_509_s4_q <= equal_509_s3_q;
-      select_511_s4_q <= select_511_s3_q;
-      select_515_s4_q <= select_515_s3_q;
-      and_524_s4_q <= select_520 & (or_521 & (select_508_s3_q[1:0] == 2'h3));
-      select_529_s4_q <= select_529;
-      last_s4_q <= last_s3_q;
-      equal_546_s4_q <= equal_546_s3_q;
-      equal_547_s4_q <= select_529 == 4'hf;
-      equal_1682_s4_q <= {or_521, select_529} == 5'h18;
-      equal_2472_s4_q <= {sum_2471[7], cfg_width_i[10:4]} == {1'b0, sum_2471[6:0]};
-    end
-  end
-
-  // Stage 4 -----------------------------------------------------------------------------------------------------------
-  logic [6:0] raster_at_row_q;
-  logic [3:0] patches_phase_q;
-  // hls/stages/census.hpp:131
-  logic and_548;
-  assign and_548 = equal_547_s4_q & and_524_s4_q;
-  // hls/stages/agreement.hpp:276
-  logic and_550;
-  assign and_550 = sample_pair_whole_s4_q & (equal_546_s4_q & and_548);
-  // hls/stages/census.hpp:42
-  logic [6:0] select_678;
-  assign select_678 = sample_pair_first_s4_q ? 7'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:276
-  logic [6:0] row;
-  assign row = sample_pair_whole_s4_q ? select_678 : 7'h0;
-  // hls/stages/patches.hpp:122
-  logic and_1676;
-  assign and_1676 = (select_508_s4_q == 4'h0) & (select_511_s4_q == 7'h0);
-  // hls/stages/census.hpp:58
-  logic [6:0] select_2151;
-  assign select_2151 = sample_last_s4_q ? (select_678 + {6'h0, equal_547_s4_q}) : select_678;
-  // hls/stages/patches.hpp:318
-  logic [3:0] phase;
-  assign phase = (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
-  // hls/stages/patches.hpp:126
-  logic [3:0] select_2940;
-  assign select_2940 = and_1676 ? (sample_pair_first_s4_q ? phase : patches_phase_q) : patches_phase_q;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      raster_at_row_q <= 7'h0;
-      patches_phase_q <= 4'h0;
-    end else if (s4_en) begin
-      raster_at_row_q <= sample_pair_whole_s4_q ? select_2151 : raster_at_row_q;
-      patches_phase_q <= sample_pair_whole_s4_q ? select_2940 : patches_phase_q;
-    end
-  end
-
-  logic [7:0] pixel_0_s5_q;
-  logic [7:0] pixel_1_s5_q;
-  logic saturated_s5_q;
-  logic mask_s5_q;
-  logic marks_first_s5_q;
-  logic marks_last_s5_q;
-  logic sample_pair_first_s5_q;
-  logic sample_pair_whole_s5_q;
-  logic sample_present_s5_q;
-  logic [3:0] select_508_s5_q;
-  logic equal_509_s5_q;
-  logic [6:0] select_511_s5_q;
-  logic [8:0] select_515_s5_q;
-  logic and_524_s5_q;
-  logic [3:0] select_529_s5_q;
-  logic [6:0] last_s5_q;
-  logic and_548_s5_q;
-  logic and_550_s5_q;
-  logic [3:0] select_678_s5_q;
-  logic [6:0] row_s5_q;
-  logic and_1676_s5_q;
-  logic equal_1682_s5_q;
-  logic equal_2472_s5_q;
-  logic and_2473_s5_q;
-  logic [7:0] sum_2562_s5_q;
-  logic [3:0] phase_s5_q;
-  logic [2:0] or_3003_s5_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) begin
-      pixel_0_s5_q <= pixel_0_s4_q;
-      pixel_1_s5_q <= pixel_1_s4_q;
-      saturated_s5_q <= saturated_s4_q;
-      mask_s5_q <= mask_s4_q;
-      marks_first_s5_q <= marks_first_s4_q;
-      marks_last_s5_q <= marks_last_s4_q;
-      sample_pair_first_s5_q <= sample_pair_first_s4_q;
-      sample_pair_whole_s5_q <= sample_pair_whole_s4_q;
-      sample_present_s5_q <= sample_present_s4_q;
-      select_508_s5_q <= select_508_s4_q;
-      equal_509_s5_q <= equal_509_s4_q;
-      select_511_s5_q <= select_511_s4_q;
-      select_515_s5_q <= select_515_s4_q;
-      and_524_s5_q <= and_524_s4_q;
-      select_529_s5_q <= select_529_s4_q;
-      last_s5_q <= last_s4_q;
-      and_548_s5_q <= and_548;
-      and_550_s5_q <= and_550;
-      select_678_s5_q <= select_678[3:0];
-      row_s5_q <= row;
-      and_1676_s5_q <= and_1676;
-      equal_1682_s5_q <= equal_1682_s4_q;
-      equal_2472_s5_q <= equal_2472_s4_q;
-      and_2473_s5_q <= and_550 & equal_2472_s4_q;
-      sum_2562_s5_q <= {1'b0, row} + 8'h1;
-      phase_s5_q <= phase;
-      or_3003_s5_q <= select_511_s4_q[2:0] | select_678[6:4];
-    end
-  end
-
-  // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [2:0] run_phase_q;
   logic [5:0] run_shift_q;
   logic run_last_shift_q;
@@ -498,113 +410,113 @@ module horopter_agreement (
   logic so;
   assign so = run_phase_q == 3'h6;
   // hls/stages/agreement.hpp:623
-  logic equal_579;
-  assign equal_579 = run_phase_q == 3'h5;
+  logic equal_577;
+  assign equal_577 = run_phase_q == 3'h5;
   // hls/stages/agreement.hpp:614
-  logic equal_594;
-  assign equal_594 = run_phase_q == 3'h3;
+  logic equal_592;
+  assign equal_592 = run_phase_q == 3'h3;
   // hls/stages/agreement.hpp:615
-  logic equal_595;
-  assign equal_595 = run_phase_q == 3'h2;
+  logic equal_593;
+  assign equal_593 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:523
-  logic select_2476;
-  assign select_2476 = (and_2473_s5_q | (~ends_cell_q)) ? and_2473_s5_q : ends_q;
+  logic select_2471;
+  assign select_2471 = (and_2468_s3_q | (~ends_cell_q)) ? and_2468_s3_q : ends_q;
   // hls/stages/agreement.hpp:529
   logic [2:0] now;
-  assign now = select_2476 ? (and_2473_s5_q ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2471 ? (and_2468_s3_q ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:534
-  logic [5:0] select_2480;
-  assign select_2480 = select_2476 ? (and_2473_s5_q ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2483;
-  assign select_2483 = select_2476 ? (following_last_shift_q & (~and_2473_s5_q)) : run_last_shift_q;
+  logic [5:0] select_2475;
+  assign select_2475 = select_2471 ? (and_2468_s3_q ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2478;
+  assign select_2478 = select_2471 ? (following_last_shift_q & (~and_2468_s3_q)) : run_last_shift_q;
   // hls/stages/agreement.hpp:535
-  logic [7:0] select_2485;
-  assign select_2485 = select_2476 ? (and_2473_s5_q ? 8'h0 : following_span_q) : run_span_q;
+  logic [7:0] select_2480;
+  assign select_2480 = select_2471 ? (and_2468_s3_q ? 8'h0 : following_span_q) : run_span_q;
   // hls/stages/agreement.hpp:607
-  logic and_2486;
-  assign and_2486 = run_last_shift_q & equal_594;
+  logic and_2481;
+  assign and_2481 = run_last_shift_q & equal_592;
   // hls/stages/agreement.hpp:616
-  logic select_2488;
-  assign select_2488 = equal_594 ? (~run_last_shift_q) : equal_595;
+  logic select_2483;
+  assign select_2483 = equal_592 ? (~run_last_shift_q) : equal_593;
   // hls/stages/agreement.hpp:620
-  logic equal_2489;
-  assign equal_2489 = run_phase_q == 3'h1;
-  logic not_2492;
-  assign not_2492 = ~select_2488;
+  logic equal_2484;
+  assign equal_2484 = run_phase_q == 3'h1;
+  logic not_2487;
+  assign not_2487 = ~select_2483;
   // hls/stages/agreement.hpp:623
-  logic equal_2494;
-  assign equal_2494 = run_phase_q == 3'h4;
+  logic equal_2489;
+  assign equal_2489 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:607
-  logic and_2495;
-  assign and_2495 = final_row_q & so;
+  logic and_2490;
+  assign and_2490 = final_row_q & so;
   // hls/stages/agreement.hpp:620
-  logic [1:0] select_2496;
-  assign select_2496 = equal_2494 ? 2'h1 : {2{and_2495}};
-  logic [2:0] select_2498;
-  assign select_2498 = (and_2486 | (select_2488 | equal_2489)) ? (equal_2489 ? 3'h2 : {not_2492, {2{select_2488}}}) : (equal_579 ? 3'h6 : {select_2496[0], select_2496});
+  logic [1:0] select_2491;
+  assign select_2491 = equal_2489 ? 2'h1 : {2{and_2490}};
+  logic [2:0] select_2493;
+  assign select_2493 = (and_2481 | (select_2483 | equal_2484)) ? (equal_2484 ? 3'h2 : {not_2487, {2{select_2483}}}) : (equal_577 ? 3'h6 : {select_2491[0], select_2491});
   // hls/stages/agreement.hpp:607
-  logic and_2501;
-  assign and_2501 = select_2488 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  logic and_2496;
+  assign and_2496 = select_2483 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:630
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2504;
-  assign select_2504 = (plan_shift_q[5] & select_2488) ? value : 7'h0;
-  logic [1:0] or_2505;
-  assign or_2505 = {2{so}} | select_2504[5:4];
+  logic [6:0] select_2499;
+  assign select_2499 = (plan_shift_q[5] & select_2483) ? value : 7'h0;
+  logic [1:0] or_2500;
+  assign or_2500 = {2{so}} | select_2499[5:4];
   // hls/stages/agreement.hpp:633
-  logic [7:0] or_2509;
-  assign or_2509 = (select_2488 ? plan_columns_q : 8'h0) | ((equal_2489 | equal_2494) ? whole_q : 8'h0);
-  logic [1:0] or_2510;
-  assign or_2510 = {2{and_2486}} | or_2509[4:3];
+  logic [7:0] or_2504;
+  assign or_2504 = (select_2483 ? plan_columns_q : 8'h0) | ((equal_2484 | equal_2489) ? whole_q : 8'h0);
+  logic [1:0] or_2505;
+  assign or_2505 = {2{and_2481}} | or_2504[4:3];
   // hls/stages/agreement.hpp:634
-  logic [7:0] or_2512;
-  assign or_2512 = {or_2509[7:5], or_2510, or_2509[2:0]} | (equal_579 ? drawn_q : 8'h0);
-  logic [4:0] or_2513;
-  assign or_2513 = {5{so}} | {or_2512[6], or_2512[3:0]};
+  logic [7:0] or_2507;
+  assign or_2507 = {or_2504[7:5], or_2505, or_2504[2:0]} | (equal_577 ? drawn_q : 8'h0);
+  logic [4:0] or_2508;
+  assign or_2508 = {5{so}} | {or_2507[6], or_2507[3:0]};
   // hls/stages/agreement.hpp:640
-  logic not_2517;
-  assign not_2517 = ~run_shift_q[5];
-  logic [7:0] select_2520;
-  assign select_2520 = equal_594 ? ({{7{not_2517}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  logic not_2512;
+  assign not_2512 = ~run_shift_q[5];
+  logic [7:0] select_2515;
+  assign select_2515 = equal_592 ? ({{7{not_2512}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:523
-  logic [6:0] select_2524;
-  assign select_2524 = and_2473_s5_q ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2519;
+  assign select_2519 = and_2468_s3_q ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:526
-  logic [7:0] select_2526;
-  assign select_2526 = select_2476 ? {select_2524[6], select_2524} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2529;
-  assign select_2529 = select_2476 ? (and_2473_s5_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2521;
+  assign select_2521 = select_2471 ? {select_2519[6], select_2519} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2524;
+  assign select_2524 = select_2471 ? (and_2468_s3_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:460
-  logic [6:0] select_2536;
-  assign select_2536 = equal_2472_s5_q ? ((6'he < last_s5_q[6:1]) ? 7'h1d : last_s5_q) : least_q;
+  logic [6:0] select_2531;
+  assign select_2531 = equal_2467_s3_q ? ((6'he < last_s3_q[6:1]) ? 7'h1d : last_s3_q) : least_q;
   // hls/stages/agreement.hpp:473
-  logic [4:0] sum_2538;
-  assign sum_2538 = {1'b0, last_s5_q[6:3]} + 5'h3;
+  logic [4:0] sum_2533;
+  assign sum_2533 = {1'b0, last_s3_q[6:3]} + 5'h3;
   // hls/stages/agreement.hpp:520
-  logic [7:0] select_2540;
-  assign select_2540 = and_550_s5_q ? (equal_2472_s5_q ? {sum_2538, last_s5_q[2:0]} : whole_q) : whole_q;
+  logic [7:0] select_2535;
+  assign select_2535 = and_548_s3_q ? (equal_2467_s3_q ? {sum_2533, last_s3_q[2:0]} : whole_q) : whole_q;
   // hls/stages/agreement.hpp:474
-  logic [5:0] sum_2541;
-  assign sum_2541 = {1'b0, last_s5_q[6:2]} + 6'h1;
+  logic [5:0] sum_2536;
+  assign sum_2536 = {1'b0, last_s3_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:520
-  logic [7:0] select_2543;
-  assign select_2543 = and_550_s5_q ? (equal_2472_s5_q ? {sum_2541, last_s5_q[1:0]} : drawn_q) : drawn_q;
+  logic [7:0] select_2538;
+  assign select_2538 = and_548_s3_q ? (equal_2467_s3_q ? {sum_2536, last_s3_q[1:0]} : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:531
-  logic select_2557;
-  assign select_2557 = (ends_cell_q | select_2476) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_594 | (slot_q == 3'h6));
+  logic select_2552;
+  assign select_2552 = (ends_cell_q | select_2471) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_592 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:526
-  logic and_2561;
-  assign and_2561 = (~select_2476) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_2556;
+  assign and_2556 = (~select_2471) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:476
-  logic equal_2563;
-  assign equal_2563 = {sum_2562_s5_q[7], cfg_height_i[10:4]} == {1'b0, sum_2562_s5_q[6:0]};
+  logic equal_2558;
+  assign equal_2558 = {sum_2557_s3_q[7], cfg_height_i[10:4]} == {1'b0, sum_2557_s3_q[6:0]};
   // hls/stages/agreement.hpp:520
-  logic select_2565;
-  assign select_2565 = and_550_s5_q ? (equal_2472_s5_q ? equal_2563 : final_row_q) : final_row_q;
+  logic select_2560;
+  assign select_2560 = and_548_s3_q ? (equal_2467_s3_q ? equal_2558 : final_row_q) : final_row_q;
   // hls/stages/patches.hpp:372
-  logic [8:0] sum_3004;
-  assign sum_3004 = {1'b0, select_511_s5_q[3], or_3003_s5_q, select_678_s5_q} + 9'h1;
+  logic [7:0] sum_2998;
+  assign sum_2998 = {1'b0, select_676_s3_q} + 8'h1;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -632,255 +544,255 @@ module horopter_agreement (
       ends_q <= 1'b0;
       final_row_q <= 1'b0;
       shift_first_q <= 1'b0;
-    end else if (s5_en) begin
+    end else if (s3_en) begin
       run_phase_q <= now;
-      run_shift_q <= select_2480;
-      run_last_shift_q <= select_2483;
-      run_span_q <= select_2485;
-      following_phase_q <= select_2498;
-      following_shift_q <= select_2488 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2501;
+      run_shift_q <= select_2475;
+      run_last_shift_q <= select_2478;
+      run_span_q <= select_2480;
+      following_phase_q <= select_2493;
+      following_shift_q <= select_2483 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2496;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2504[6], or_2505, select_2504[3:0]};
-      following_columns_q <= {or_2512[7], or_2513[4], or_2512[5:4], or_2513[3:0]};
-      plan_shift_q <= equal_594 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2520;
+      following_lowest_q <= {select_2499[6], or_2500, select_2499[3:0]};
+      following_columns_q <= {or_2507[7], or_2508[4], or_2507[5:4], or_2508[3:0]};
+      plan_shift_q <= equal_592 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
+      plan_span_q <= select_2515;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2526;
-      columns_left_q <= select_2529;
-      last_q <= and_550_s5_q ? (equal_2472_s5_q ? last_s5_q : last_q) : last_q;
-      least_q <= and_550_s5_q ? select_2536 : least_q;
-      whole_q <= select_2540;
-      drawn_q <= select_2543;
-      slot_q <= select_2476 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2557;
-      ends_q <= and_2561;
-      final_row_q <= select_2565;
+      x_q <= select_2521;
+      columns_left_q <= select_2524;
+      last_q <= and_548_s3_q ? (equal_2467_s3_q ? last_s3_q : last_q) : last_q;
+      least_q <= and_548_s3_q ? select_2531 : least_q;
+      whole_q <= select_2535;
+      drawn_q <= select_2538;
+      slot_q <= select_2471 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2552;
+      ends_q <= and_2556;
+      final_row_q <= select_2560;
       shift_first_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
     end
   end
 
-  logic [7:0] pixel_0_s6_q;
-  logic [7:0] pixel_1_s6_q;
-  logic saturated_s6_q;
-  logic mask_s6_q;
-  logic marks_first_s6_q;
-  logic marks_last_s6_q;
-  logic sample_pair_first_s6_q;
-  logic sample_pair_whole_s6_q;
-  logic sample_present_s6_q;
-  logic [5:0] run_shift_s6_q;
-  logic [7:0] x_s6_q;
-  logic [6:0] last_s6_q;
-  logic [2:0] slot_s6_q;
-  logic ends_cell_s6_q;
-  logic shift_first_s6_q;
-  logic [3:0] select_508_s6_q;
-  logic equal_509_s6_q;
-  logic [6:0] select_511_s6_q;
-  logic [8:0] select_515_s6_q;
-  logic and_524_s6_q;
-  logic equal_530_s6_q;
-  logic [6:0] last_s6_2_q;
-  logic and_548_s6_q;
-  logic and_550_s6_q;
-  logic equal_575_s6_q;
-  logic so_s6_q;
-  logic equal_579_s6_q;
-  logic [7:0] sum_581_s6_q;
-  logic equal_594_s6_q;
-  logic equal_595_s6_q;
-  logic [7:0] sum_612_s6_q;
-  logic [6:0] row_s6_q;
-  logic and_1676_s6_q;
-  logic equal_1682_s6_q;
-  logic equal_2472_s6_q;
-  logic and_2473_s6_q;
-  logic select_2476_s6_q;
-  logic [3:0] phase_s6_q;
-  logic equal_2960_s6_q;
-  logic [3:0] select_2963_s6_q;
-  logic not_3006_s6_q;
+  logic [7:0] pixel_0_s4_q;
+  logic [7:0] pixel_1_s4_q;
+  logic saturated_s4_q;
+  logic mask_s4_q;
+  logic marks_first_s4_q;
+  logic marks_last_s4_q;
+  logic sample_pair_first_s4_q;
+  logic sample_pair_whole_s4_q;
+  logic sample_present_s4_q;
+  logic [5:0] run_shift_s4_q;
+  logic [7:0] x_s4_q;
+  logic [6:0] last_s4_q;
+  logic [2:0] slot_s4_q;
+  logic ends_cell_s4_q;
+  logic shift_first_s4_q;
+  logic row_starts_s4_q;
+  logic [3:0] select_508_s4_q;
+  logic equal_509_s4_q;
+  logic [8:0] select_512_s4_q;
+  logic and_521_s4_q;
+  logic equal_527_s4_q;
+  logic [6:0] select_542_s4_q;
+  logic [6:0] last_s4_2_q;
+  logic and_546_s4_q;
+  logic and_548_s4_q;
+  logic equal_573_s4_q;
+  logic so_s4_q;
+  logic equal_577_s4_q;
+  logic [7:0] sum_579_s4_q;
+  logic equal_592_s4_q;
+  logic equal_593_s4_q;
+  logic [7:0] sum_610_s4_q;
+  logic [6:0] row_s4_q;
+  logic equal_1677_s4_q;
+  logic equal_2467_s4_q;
+  logic and_2468_s4_q;
+  logic select_2471_s4_q;
+  logic [3:0] phase_s4_q;
+  logic equal_2955_s4_q;
+  logic [3:0] select_2958_s4_q;
+  logic not_3000_s4_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s6_q <= pixel_0_s5_q;
-      pixel_1_s6_q <= pixel_1_s5_q;
-      saturated_s6_q <= saturated_s5_q;
-      mask_s6_q <= mask_s5_q;
-      marks_first_s6_q <= marks_first_s5_q;
-      marks_last_s6_q <= marks_last_s5_q;
-      sample_pair_first_s6_q <= sample_pair_first_s5_q;
-      sample_pair_whole_s6_q <= sample_pair_whole_s5_q;
-      sample_present_s6_q <= sample_present_s5_q;
-      run_shift_s6_q <= run_shift_q;
-      x_s6_q <= x_q;
-      last_s6_q <= last_q;
-      slot_s6_q <= slot_q;
-      ends_cell_s6_q <= ends_cell_q;
-      shift_first_s6_q <= shift_first_q;
-      select_508_s6_q <= select_508_s5_q;
-      equal_509_s6_q <= equal_509_s5_q;
-      select_511_s6_q <= select_511_s5_q;
-      select_515_s6_q <= select_515_s5_q;
-      and_524_s6_q <= and_524_s5_q;
-      equal_530_s6_q <= select_529_s5_q == 4'h0;
-      last_s6_2_q <= last_s5_q;
-      and_548_s6_q <= and_548_s5_q;
-      and_550_s6_q <= and_550_s5_q;
-      equal_575_s6_q <= run_phase_q == 3'h7;
-      so_s6_q <= so;
-      equal_579_s6_q <= equal_579;
-      sum_581_s6_q <= {{2{run_shift_q[5]}}, run_shift_q} + x_q;
-      equal_594_s6_q <= equal_594;
-      equal_595_s6_q <= equal_595;
-      sum_612_s6_q <= {1'b0, last_q} + 8'h3;
-      row_s6_q <= row_s5_q;
-      and_1676_s6_q <= and_1676_s5_q;
-      equal_1682_s6_q <= equal_1682_s5_q;
-      equal_2472_s6_q <= equal_2472_s5_q;
-      and_2473_s6_q <= and_2473_s5_q;
-      select_2476_s6_q <= select_2476;
-      phase_s6_q <= phase_s5_q;
-      equal_2960_s6_q <= row_s5_q == 7'h3;
-      select_2963_s6_q <= (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
-      not_3006_s6_q <= ~({sum_3004, select_529_s5_q, 1'b0} < {3'h0, cfg_height_i});
+      pixel_0_s4_q <= pixel_0_s3_q;
+      pixel_1_s4_q <= pixel_1_s3_q;
+      saturated_s4_q <= saturated_s3_q;
+      mask_s4_q <= mask_s3_q;
+      marks_first_s4_q <= marks_first_s3_q;
+      marks_last_s4_q <= marks_last_s3_q;
+      sample_pair_first_s4_q <= sample_pair_first_s3_q;
+      sample_pair_whole_s4_q <= sample_pair_whole_s3_q;
+      sample_present_s4_q <= sample_present_s3_q;
+      run_shift_s4_q <= run_shift_q;
+      x_s4_q <= x_q;
+      last_s4_q <= last_q;
+      slot_s4_q <= slot_q;
+      ends_cell_s4_q <= ends_cell_q;
+      shift_first_s4_q <= shift_first_q;
+      row_starts_s4_q <= row_starts_s3_q;
+      select_508_s4_q <= select_508_s3_q;
+      equal_509_s4_q <= equal_509_s3_q;
+      select_512_s4_q <= select_512_s3_q;
+      and_521_s4_q <= and_521_s3_q;
+      equal_527_s4_q <= select_526_s3_q == 4'h0;
+      select_542_s4_q <= select_542_s3_q;
+      last_s4_2_q <= last_s3_q;
+      and_546_s4_q <= and_546_s3_q;
+      and_548_s4_q <= and_548_s3_q;
+      equal_573_s4_q <= run_phase_q == 3'h7;
+      so_s4_q <= so;
+      equal_577_s4_q <= equal_577;
+      sum_579_s4_q <= {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+      equal_592_s4_q <= equal_592;
+      equal_593_s4_q <= equal_593;
+      sum_610_s4_q <= {1'b0, last_q} + 8'h3;
+      row_s4_q <= row_s3_q;
+      equal_1677_s4_q <= equal_1677_s3_q;
+      equal_2467_s4_q <= equal_2467_s3_q;
+      and_2468_s4_q <= and_2468_s3_q;
+      select_2471_s4_q <= select_2471;
+      phase_s4_q <= phase_s3_q;
+      equal_2955_s4_q <= row_s3_q == 7'h3;
+      select_2958_s4_q <= (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
+      not_3000_s4_q <= ~({sum_2998, select_526_s3_q, 1'b0} < {2'h0, cfg_height_i});
     end
   end
 
-  // Stage 6 -----------------------------------------------------------------------------------------------------------
+  // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [6:0] age_q;
   logic [3:0] patches_choosing_rows_to_next_q;
   // hls/stages/agreement.hpp:594
-  logic [7:0] select_582;
-  assign select_582 = run_shift_s6_q[5] ? x_s6_q : sum_581_s6_q;
-  logic less_583;
-  assign less_583 = {1'b0, last_s6_q} < select_582;
+  logic [7:0] select_580;
+  assign select_580 = run_shift_s4_q[5] ? x_s4_q : sum_579_s4_q;
+  logic less_581;
+  assign less_581 = {1'b0, last_s4_q} < select_580;
   // hls/stages/agreement.hpp:226
-  logic not_584;
-  assign not_584 = ~less_583;
+  logic not_582;
+  assign not_582 = ~less_581;
   // hls/stages/agreement.hpp:798
   logic [7:0] x;
-  assign x = x_s6_q + 8'hfd;
+  assign x = x_s4_q + 8'hfd;
   // hls/stages/agreement.hpp:528
-  logic [6:0] select_2545;
-  assign select_2545 = select_2476_s6_q ? 7'h0 : (ends_cell_s6_q ? {age_q[5:0], 1'b1} : age_q);
+  logic [6:0] select_2540;
+  assign select_2540 = select_2471_s4_q ? 7'h0 : (ends_cell_s4_q ? {age_q[5:0], 1'b1} : age_q);
   // hls/stages/patches.hpp:87
-  logic [3:0] select_2964;
-  assign select_2964 = equal_2960_s6_q ? select_2963_s6_q : patches_choosing_rows_to_next_q;
-  logic equal_2965;
-  assign equal_2965 = select_2964 == 4'h0;
+  logic [3:0] select_2959;
+  assign select_2959 = equal_2955_s4_q ? select_2958_s4_q : patches_choosing_rows_to_next_q;
+  logic equal_2960;
+  assign equal_2960 = select_2959 == 4'h0;
   // hls/stages/agreement.hpp:460
-  logic [3:0] select_2968;
-  assign select_2968 = equal_2472_s6_q ? (equal_2965 ? 4'h2 : (select_2964 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_2963;
+  assign select_2963 = equal_2467_s4_q ? (equal_2960 ? 4'h2 : (select_2959 + 4'hf)) : patches_choosing_rows_to_next_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       age_q <= 7'h0;
       patches_choosing_rows_to_next_q <= 4'h0;
-    end else if (s6_en) begin
-      age_q <= select_2545;
-      patches_choosing_rows_to_next_q <= and_550_s6_q ? select_2968 : patches_choosing_rows_to_next_q;
+    end else if (s4_en) begin
+      age_q <= select_2540;
+      patches_choosing_rows_to_next_q <= and_548_s4_q ? select_2963 : patches_choosing_rows_to_next_q;
     end
   end
 
-  logic [7:0] pixel_0_s7_q;
-  logic [7:0] pixel_1_s7_q;
-  logic saturated_s7_q;
-  logic mask_s7_q;
-  logic marks_first_s7_q;
-  logic marks_last_s7_q;
-  logic sample_pair_first_s7_q;
-  logic sample_pair_whole_s7_q;
-  logic sample_present_s7_q;
-  logic [5:0] run_shift_s7_q;
-  logic [7:0] x_s7_q;
-  logic [6:0] last_s7_q;
-  logic [3:0] age_s7_q;
-  logic [2:0] slot_s7_q;
-  logic ends_cell_s7_q;
-  logic shift_first_s7_q;
-  logic [3:0] patches_choosing_rows_to_next_s7_q;
-  logic [3:0] select_508_s7_q;
-  logic equal_509_s7_q;
-  logic [6:0] select_511_s7_q;
-  logic [8:0] select_515_s7_q;
-  logic and_524_s7_q;
-  logic equal_530_s7_q;
-  logic [6:0] last_s7_2_q;
-  logic and_548_s7_q;
-  logic and_550_s7_q;
-  logic equal_575_s7_q;
-  logic so_s7_q;
-  logic equal_579_s7_q;
-  logic [6:0] sum_581_s7_q;
-  logic less_583_s7_q;
-  logic not_584_s7_q;
-  logic equal_594_s7_q;
-  logic and_596_s7_q;
-  logic [6:0] x_s7_2_q;
-  logic and_616_s7_q;
-  logic [6:0] row_s7_q;
-  logic equal_1563_s7_q;
-  logic and_1676_s7_q;
-  logic equal_1682_s7_q;
-  logic equal_2472_s7_q;
-  logic and_2473_s7_q;
-  logic [3:0] phase_s7_q;
-  logic equal_2960_s7_q;
-  logic equal_2965_s7_q;
-  logic not_3006_s7_q;
+  logic [7:0] pixel_0_s5_q;
+  logic [7:0] pixel_1_s5_q;
+  logic saturated_s5_q;
+  logic mask_s5_q;
+  logic marks_first_s5_q;
+  logic marks_last_s5_q;
+  logic sample_pair_first_s5_q;
+  logic sample_pair_whole_s5_q;
+  logic sample_present_s5_q;
+  logic [5:0] run_shift_s5_q;
+  logic [7:0] x_s5_q;
+  logic [6:0] last_s5_q;
+  logic [3:0] age_s5_q;
+  logic [2:0] slot_s5_q;
+  logic ends_cell_s5_q;
+  logic shift_first_s5_q;
+  logic [3:0] patches_choosing_rows_to_next_s5_q;
+  logic row_starts_s5_q;
+  logic [3:0] select_508_s5_q;
+  logic equal_509_s5_q;
+  logic [8:0] select_512_s5_q;
+  logic and_521_s5_q;
+  logic equal_527_s5_q;
+  logic [6:0] select_542_s5_q;
+  logic [6:0] last_s5_2_q;
+  logic and_546_s5_q;
+  logic and_548_s5_q;
+  logic equal_573_s5_q;
+  logic so_s5_q;
+  logic equal_577_s5_q;
+  logic [6:0] sum_579_s5_q;
+  logic less_581_s5_q;
+  logic not_582_s5_q;
+  logic equal_592_s5_q;
+  logic and_594_s5_q;
+  logic [6:0] x_s5_2_q;
+  logic and_614_s5_q;
+  logic [6:0] row_s5_q;
+  logic equal_1561_s5_q;
+  logic equal_1677_s5_q;
+  logic equal_2467_s5_q;
+  logic and_2468_s5_q;
+  logic [3:0] phase_s5_q;
+  logic equal_2955_s5_q;
+  logic equal_2960_s5_q;
+  logic not_3000_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s7_q <= pixel_0_s6_q;
-      pixel_1_s7_q <= pixel_1_s6_q;
-      saturated_s7_q <= saturated_s6_q;
-      mask_s7_q <= mask_s6_q;
-      marks_first_s7_q <= marks_first_s6_q;
-      marks_last_s7_q <= marks_last_s6_q;
-      sample_pair_first_s7_q <= sample_pair_first_s6_q;
-      sample_pair_whole_s7_q <= sample_pair_whole_s6_q;
-      sample_present_s7_q <= sample_present_s6_q;
-      run_shift_s7_q <= run_shift_s6_q;
-      x_s7_q <= x_s6_q;
-      last_s7_q <= last_s6_q;
-      age_s7_q <= {age_q[6], age_q[4:3], age_q[0]};
-      slot_s7_q <= slot_s6_q;
-      ends_cell_s7_q <= ends_cell_s6_q;
-      shift_first_s7_q <= shift_first_s6_q;
-      patches_choosing_rows_to_next_s7_q <= patches_choosing_rows_to_next_q;
-      select_508_s7_q <= select_508_s6_q;
-      equal_509_s7_q <= equal_509_s6_q;
-      select_511_s7_q <= select_511_s6_q;
-      select_515_s7_q <= select_515_s6_q;
-      and_524_s7_q <= and_524_s6_q;
-      equal_530_s7_q <= equal_530_s6_q;
-      last_s7_2_q <= last_s6_2_q;
-      and_548_s7_q <= and_548_s6_q;
-      and_550_s7_q <= and_550_s6_q;
-      equal_575_s7_q <= equal_575_s6_q;
-      so_s7_q <= so_s6_q;
-      equal_579_s7_q <= equal_579_s6_q;
-      sum_581_s7_q <= sum_581_s6_q[6:0];
-      less_583_s7_q <= less_583;
-      not_584_s7_q <= not_584;
-      equal_594_s7_q <= equal_594_s6_q;
-      and_596_s7_q <= equal_595_s6_q & not_584;
-      x_s7_2_q <= x[6:0];
-      and_616_s7_q <= age_q[2] & (ends_cell_s6_q & (~(sum_612_s6_q < select_582)));
-      row_s7_q <= row_s6_q;
-      equal_1563_s7_q <= {x[7], last_s6_q} == {1'b0, x[6:0]};
-      and_1676_s7_q <= and_1676_s6_q;
-      equal_1682_s7_q <= equal_1682_s6_q;
-      equal_2472_s7_q <= equal_2472_s6_q;
-      and_2473_s7_q <= and_2473_s6_q;
-      phase_s7_q <= phase_s6_q;
-      equal_2960_s7_q <= equal_2960_s6_q;
-      equal_2965_s7_q <= equal_2965;
-      not_3006_s7_q <= not_3006_s6_q;
+      pixel_0_s5_q <= pixel_0_s4_q;
+      pixel_1_s5_q <= pixel_1_s4_q;
+      saturated_s5_q <= saturated_s4_q;
+      mask_s5_q <= mask_s4_q;
+      marks_first_s5_q <= marks_first_s4_q;
+      marks_last_s5_q <= marks_last_s4_q;
+      sample_pair_first_s5_q <= sample_pair_first_s4_q;
+      sample_pair_whole_s5_q <= sample_pair_whole_s4_q;
+      sample_present_s5_q <= sample_present_s4_q;
+      run_shift_s5_q <= run_shift_s4_q;
+      x_s5_q <= x_s4_q;
+      last_s5_q <= last_s4_q;
+      age_s5_q <= {age_q[6], age_q[4:3], age_q[0]};
+      slot_s5_q <= slot_s4_q;
+      ends_cell_s5_q <= ends_cell_s4_q;
+      shift_first_s5_q <= shift_first_s4_q;
+      patches_choosing_rows_to_next_s5_q <= patches_choosing_rows_to_next_q;
+      row_starts_s5_q <= row_starts_s4_q;
+      select_508_s5_q <= select_508_s4_q;
+      equal_509_s5_q <= equal_509_s4_q;
+      select_512_s5_q <= select_512_s4_q;
+      and_521_s5_q <= and_521_s4_q;
+      equal_527_s5_q <= equal_527_s4_q;
+      select_542_s5_q <= select_542_s4_q;
+      last_s5_2_q <= last_s4_2_q;
+      and_546_s5_q <= and_546_s4_q;
+      and_548_s5_q <= and_548_s4_q;
+      equal_573_s5_q <= equal_573_s4_q;
+      so_s5_q <= so_s4_q;
+      equal_577_s5_q <= equal_577_s4_q;
+      sum_579_s5_q <= sum_579_s4_q[6:0];
+      less_581_s5_q <= less_581;
+      not_582_s5_q <= not_582;
+      equal_592_s5_q <= equal_592_s4_q;
+      and_594_s5_q <= equal_593_s4_q & not_582;
+      x_s5_2_q <= x[6:0];
+      and_614_s5_q <= age_q[2] & (ends_cell_s4_q & (~(sum_610_s4_q < select_580)));
+      row_s5_q <= row_s4_q;
+      equal_1561_s5_q <= {x[7], last_s4_q} == {1'b0, x[6:0]};
+      equal_1677_s5_q <= equal_1677_s4_q;
+      equal_2467_s5_q <= equal_2467_s4_q;
+      and_2468_s5_q <= and_2468_s4_q;
+      phase_s5_q <= phase_s4_q;
+      equal_2955_s5_q <= equal_2955_s4_q;
+      equal_2960_s5_q <= equal_2960;
+      not_3000_s5_q <= not_3000_s4_q;
     end
   end
 
-  // Stage 7 -----------------------------------------------------------------------------------------------------------
+  // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [3:0] patches_band_rows_rows_to_next_q;
   logic [4:0] patches_band_rows_number_q;
   logic [3:0] patches_next_band_rows_to_next_q;
@@ -891,78 +803,78 @@ module horopter_agreement (
   logic patches_chooses_q;
   logic [4:0] patches_choosing_band_q;
   // hls/stages/agreement.hpp:594
-  logic or_580;
-  assign or_580 = so_s7_q | equal_579_s7_q;
+  logic or_578;
+  assign or_578 = so_s5_q | equal_577_s5_q;
   // hls/stages/agreement.hpp:149
-  logic select_598;
-  assign select_598 = or_580 ? not_584_s7_q : (equal_594_s7_q ? not_584_s7_q : and_596_s7_q);
-  logic and_617;
-  assign and_617 = equal_594_s7_q & and_616_s7_q;
-  logic select_618;
-  assign select_618 = or_580 ? not_584_s7_q : and_617;
+  logic select_596;
+  assign select_596 = or_578 ? not_582_s5_q : (equal_592_s5_q ? not_582_s5_q : and_594_s5_q);
+  logic and_615;
+  assign and_615 = equal_592_s5_q & and_614_s5_q;
+  logic select_616;
+  assign select_616 = or_578 ? not_582_s5_q : and_615;
   // hls/stages/agreement.hpp:821
   logic [6:0] right;
-  assign right = sum_581_s7_q + 7'h7d;
+  assign right = sum_579_s5_q + 7'h7d;
   // hls/stages/agreement.hpp:149
-  logic [6:0] select_642;
-  assign select_642 = or_580 ? x_s7_q[6:0] : (equal_594_s7_q ? sum_581_s7_q : x_s7_q[6:0]);
+  logic [6:0] select_640;
+  assign select_640 = or_578 ? x_s5_q[6:0] : (equal_592_s5_q ? sum_579_s5_q : x_s5_q[6:0]);
   // hls/stages/agreement.hpp:720
-  logic not_648;
-  assign not_648 = ~or_580;
-  // hls/stages/census.hpp:32
-  logic not_1680;
-  assign not_1680 = ~sample_pair_first_s7_q;
+  logic not_646;
+  assign not_646 = ~or_578;
+  // hls/stages/census.hpp:33
+  logic not_1675;
+  assign not_1675 = ~sample_pair_first_s5_q;
   // hls/stages/patches.hpp:312
-  logic equal_1684;
-  assign equal_1684 = patches_band_rows_rows_to_next_q == 4'h0;
+  logic equal_1679;
+  assign equal_1679 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/agreement.hpp:520
-  logic and_2830;
-  assign and_2830 = and_550_s7_q & (equal_2472_s7_q & (row_s7_q[6:2] == 5'h0));
+  logic and_2825;
+  assign and_2825 = and_548_s5_q & (equal_2467_s5_q & (row_s5_q[6:2] == 5'h0));
   // hls/stages/patches.hpp:374
-  logic and_2942;
-  assign and_2942 = not_1680 & equal_1682_s7_q;
-  logic [8:0] select_2943;
-  assign select_2943 = and_2942 ? {patches_choosing_number_q, patches_choosing_rows_to_next_s7_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_2944;
-  assign select_2944 = and_2942 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_2945;
-  assign select_2945 = sample_pair_first_s7_q ? select_2943 : select_2944;
+  logic and_2937;
+  assign and_2937 = not_1675 & equal_1677_s5_q;
+  logic [8:0] select_2938;
+  assign select_2938 = and_2937 ? {patches_choosing_number_q, patches_choosing_rows_to_next_s5_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_2939;
+  assign select_2939 = and_2937 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_2940;
+  assign select_2940 = sample_pair_first_s5_q ? select_2938 : select_2939;
   // hls/stages/patches.hpp:126
-  logic [3:0] select_2946;
-  assign select_2946 = and_1676_s7_q ? select_2945[3:0] : patches_band_rows_rows_to_next_q;
+  logic [3:0] select_2941;
+  assign select_2941 = row_starts_s5_q ? select_2940[3:0] : patches_band_rows_rows_to_next_q;
   // hls/stages/agreement.hpp:276
+  logic [3:0] select_2942;
+  assign select_2942 = sample_pair_whole_s5_q ? select_2941 : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_2944;
+  assign select_2944 = sample_pair_whole_s5_q ? (row_starts_s5_q ? select_2940[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
   logic [3:0] select_2947;
-  assign select_2947 = sample_pair_whole_s7_q ? select_2946 : patches_band_rows_rows_to_next_q;
+  assign select_2947 = sample_pair_whole_s5_q ? (equal_1679 ? 4'h2 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
   logic [4:0] select_2949;
-  assign select_2949 = sample_pair_whole_s7_q ? (and_1676_s7_q ? select_2945[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_2952;
-  assign select_2952 = sample_pair_whole_s7_q ? (equal_1684 ? 4'h2 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_2954;
-  assign select_2954 = sample_pair_whole_s7_q ? (patches_band_rows_number_q + {4'h0, equal_1684}) : patches_next_band_number_q;
+  assign select_2949 = sample_pair_whole_s5_q ? (patches_band_rows_number_q + {4'h0, equal_1679}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:331
-  logic equal_2955;
-  assign equal_2955 = phase_s7_q == 4'h0;
+  logic equal_2950;
+  assign equal_2950 = phase_s5_q == 4'h0;
   // hls/stages/patches.hpp:332
-  logic not_2956;
-  assign not_2956 = ~equal_2955;
+  logic not_2951;
+  assign not_2951 = ~equal_2950;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2958;
-  assign select_2958 = sample_pair_whole_s7_q ? (phase_s7_q + {{2{not_2956}}, 1'b1, not_2956}) : patches_first_band_rows_to_next_q;
-  logic select_2959;
-  assign select_2959 = sample_pair_whole_s7_q ? equal_2955 : patches_first_band_number_q;
+  logic [3:0] select_2953;
+  assign select_2953 = sample_pair_whole_s5_q ? (phase_s5_q + {{2{not_2951}}, 1'b1, not_2951}) : patches_first_band_rows_to_next_q;
+  logic select_2954;
+  assign select_2954 = sample_pair_whole_s5_q ? equal_2950 : patches_first_band_number_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_2970;
-  assign select_2970 = equal_2960_s7_q ? 5'h0 : patches_choosing_number_q;
+  logic [4:0] select_2965;
+  assign select_2965 = equal_2955_s5_q ? 5'h0 : patches_choosing_number_q;
   // hls/stages/agreement.hpp:460
-  logic [4:0] select_2972;
-  assign select_2972 = equal_2472_s7_q ? (select_2970 + {4'h0, equal_2965_s7_q}) : patches_choosing_number_q;
-  logic select_2976;
-  assign select_2976 = equal_2472_s7_q ? ((7'h2 < row_s7_q) & equal_2965_s7_q) : patches_chooses_q;
+  logic [4:0] select_2967;
+  assign select_2967 = equal_2467_s5_q ? (select_2965 + {4'h0, equal_2960_s5_q}) : patches_choosing_number_q;
+  logic select_2971;
+  assign select_2971 = equal_2467_s5_q ? ((7'h2 < row_s5_q) & equal_2960_s5_q) : patches_chooses_q;
   // hls/stages/agreement.hpp:520
-  logic [4:0] select_2979;
-  assign select_2979 = and_550_s7_q ? (equal_2472_s7_q ? select_2970 : patches_choosing_band_q) : patches_choosing_band_q;
+  logic [4:0] select_2974;
+  assign select_2974 = and_548_s5_q ? (equal_2467_s5_q ? select_2965 : patches_choosing_band_q) : patches_choosing_band_q;
 
-  // Memory left, 120 x 85, DISTANCE 24, hls/stages/agreement.hpp:1373; read in stage 7, written in stage 10: 7 < 10 < 7 + DISTANCE.
+  // Memory left, 120 x 85, DISTANCE 24, hls/stages/agreement.hpp:1373; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [84:0] left_mem [0:119];
@@ -970,17 +882,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) left_mem[i] = 85'h0;
 `endif
   logic [6:0] left_raddr;
-  assign left_raddr = x_s7_q[6:0];
+  assign left_raddr = x_s5_q[6:0];
 `ifndef SYNTHESIS
   logic left_re;
-  assign left_re = s7_en & select_598;
+  assign left_re = s5_en & select_596;
 `endif
   logic [84:0] left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 120 x 99, DISTANCE 24, hls/stages/agreement.hpp:1374; read in stage 7, written in stage 10: 7 < 10 < 7 + DISTANCE.
+  // Memory right_codes, 120 x 99, DISTANCE 24, hls/stages/agreement.hpp:1374; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [98:0] right_codes_mem [0:119];
@@ -988,17 +900,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) right_codes_mem[i] = 99'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = select_642;
+  assign right_codes_raddr = select_640;
 `ifndef SYNTHESIS
   logic right_codes_re;
-  assign right_codes_re = s7_en & select_598;
+  assign right_codes_re = s5_en & select_596;
 `endif
   logic [98:0] right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 120 x 62, DISTANCE 24, hls/stages/agreement.hpp:1375; read in stage 7, written in stage 18: 7 < 18 < 7 + DISTANCE.
+  // Memory best_left, 120 x 62, DISTANCE 24, hls/stages/agreement.hpp:1375; read in stage 5, written in stage 16: 5 < 16 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [61:0] best_left_mem [0:119];
@@ -1006,10 +918,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) best_left_mem[i] = 62'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = or_580 ? x_s7_q[6:0] : x_s7_2_q;
+  assign best_left_raddr = or_578 ? x_s5_q[6:0] : x_s5_2_q;
 `ifndef SYNTHESIS
   logic best_left_re;
-  assign best_left_re = s7_en & select_618;
+  assign best_left_re = s5_en & select_616;
 `endif
   logic [61:0] best_left_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1027,123 +939,123 @@ module horopter_agreement (
       patches_choosing_number_q <= 5'h0;
       patches_chooses_q <= 1'b0;
       patches_choosing_band_q <= 5'h0;
-    end else if (s7_en) begin
-      patches_band_rows_rows_to_next_q <= select_2947;
-      patches_band_rows_number_q <= select_2949;
-      patches_next_band_rows_to_next_q <= select_2952;
-      patches_next_band_number_q <= select_2954;
-      patches_first_band_rows_to_next_q <= select_2958;
-      patches_first_band_number_q <= select_2959;
-      patches_choosing_number_q <= and_550_s7_q ? select_2972 : patches_choosing_number_q;
-      patches_chooses_q <= and_550_s7_q ? select_2976 : patches_chooses_q;
-      patches_choosing_band_q <= select_2979;
+    end else if (s5_en) begin
+      patches_band_rows_rows_to_next_q <= select_2942;
+      patches_band_rows_number_q <= select_2944;
+      patches_next_band_rows_to_next_q <= select_2947;
+      patches_next_band_number_q <= select_2949;
+      patches_first_band_rows_to_next_q <= select_2953;
+      patches_first_band_number_q <= select_2954;
+      patches_choosing_number_q <= and_548_s5_q ? select_2967 : patches_choosing_number_q;
+      patches_chooses_q <= and_548_s5_q ? select_2971 : patches_chooses_q;
+      patches_choosing_band_q <= select_2974;
     end
   end
 
-  logic [7:0] pixel_0_s8_q;
-  logic [7:0] pixel_1_s8_q;
-  logic saturated_s8_q;
-  logic mask_s8_q;
-  logic marks_first_s8_q;
-  logic marks_last_s8_q;
-  logic sample_pair_whole_s8_q;
-  logic sample_present_s8_q;
-  logic [5:0] run_shift_s8_q;
-  logic [7:0] x_s8_q;
-  logic [6:0] last_s8_q;
-  logic [3:0] age_s8_q;
-  logic [2:0] slot_s8_q;
-  logic ends_cell_s8_q;
-  logic shift_first_s8_q;
-  logic [4:0] patches_band_rows_number_s8_q;
-  logic patches_chooses_s8_q;
-  logic [4:0] patches_choosing_band_s8_q;
-  logic [3:0] select_508_s8_q;
-  logic equal_509_s8_q;
-  logic [6:0] select_511_s8_q;
-  logic [8:0] select_515_s8_q;
-  logic and_524_s8_q;
-  logic equal_530_s8_q;
-  logic [6:0] last_s8_2_q;
-  logic and_548_s8_q;
-  logic and_550_s8_q;
-  logic equal_575_s8_q;
-  logic so_s8_q;
-  logic equal_579_s8_q;
-  logic or_580_s8_q;
-  logic less_583_s8_q;
-  logic not_584_s8_q;
-  logic equal_594_s8_q;
-  logic [6:0] x_s8_2_q;
-  logic select_618_s8_q;
-  logic [6:0] right_s8_q;
-  logic and_651_s8_q;
-  logic [6:0] row_s8_q;
-  logic and_1562_s8_q;
-  logic equal_1563_s8_q;
-  logic and_1676_s8_q;
-  logic not_1680_s8_q;
-  logic or_1686_s8_q;
-  logic equal_2472_s8_q;
-  logic and_2831_s8_q;
-  logic and_2833_s8_q;
-  logic and_2840_s8_q;
-  logic not_3006_s8_q;
+  logic [7:0] pixel_0_s6_q;
+  logic [7:0] pixel_1_s6_q;
+  logic saturated_s6_q;
+  logic mask_s6_q;
+  logic marks_first_s6_q;
+  logic marks_last_s6_q;
+  logic sample_pair_whole_s6_q;
+  logic sample_present_s6_q;
+  logic [5:0] run_shift_s6_q;
+  logic [7:0] x_s6_q;
+  logic [6:0] last_s6_q;
+  logic [3:0] age_s6_q;
+  logic [2:0] slot_s6_q;
+  logic ends_cell_s6_q;
+  logic shift_first_s6_q;
+  logic [4:0] patches_band_rows_number_s6_q;
+  logic patches_chooses_s6_q;
+  logic [4:0] patches_choosing_band_s6_q;
+  logic row_starts_s6_q;
+  logic [3:0] select_508_s6_q;
+  logic equal_509_s6_q;
+  logic [8:0] select_512_s6_q;
+  logic and_521_s6_q;
+  logic equal_527_s6_q;
+  logic [6:0] select_542_s6_q;
+  logic [6:0] last_s6_2_q;
+  logic and_546_s6_q;
+  logic and_548_s6_q;
+  logic equal_573_s6_q;
+  logic so_s6_q;
+  logic equal_577_s6_q;
+  logic or_578_s6_q;
+  logic less_581_s6_q;
+  logic not_582_s6_q;
+  logic equal_592_s6_q;
+  logic [6:0] x_s6_2_q;
+  logic select_616_s6_q;
+  logic [6:0] right_s6_q;
+  logic and_649_s6_q;
+  logic [6:0] row_s6_q;
+  logic and_1560_s6_q;
+  logic equal_1561_s6_q;
+  logic not_1675_s6_q;
+  logic or_1681_s6_q;
+  logic equal_2467_s6_q;
+  logic and_2826_s6_q;
+  logic and_2828_s6_q;
+  logic and_2835_s6_q;
+  logic not_3000_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s8_q <= pixel_0_s7_q;
-      pixel_1_s8_q <= pixel_1_s7_q;
-      saturated_s8_q <= saturated_s7_q;
-      mask_s8_q <= mask_s7_q;
-      marks_first_s8_q <= marks_first_s7_q;
-      marks_last_s8_q <= marks_last_s7_q;
-      sample_pair_whole_s8_q <= sample_pair_whole_s7_q;
-      sample_present_s8_q <= sample_present_s7_q;
-      run_shift_s8_q <= run_shift_s7_q;
-      x_s8_q <= x_s7_q;
-      last_s8_q <= last_s7_q;
-      age_s8_q <= age_s7_q;
-      slot_s8_q <= slot_s7_q;
-      ends_cell_s8_q <= ends_cell_s7_q;
-      shift_first_s8_q <= shift_first_s7_q;
-      patches_band_rows_number_s8_q <= patches_band_rows_number_q;
-      patches_chooses_s8_q <= patches_chooses_q;
-      patches_choosing_band_s8_q <= patches_choosing_band_q;
-      select_508_s8_q <= select_508_s7_q;
-      equal_509_s8_q <= equal_509_s7_q;
-      select_511_s8_q <= select_511_s7_q;
-      select_515_s8_q <= select_515_s7_q;
-      and_524_s8_q <= and_524_s7_q;
-      equal_530_s8_q <= equal_530_s7_q;
-      last_s8_2_q <= last_s7_2_q;
-      and_548_s8_q <= and_548_s7_q;
-      and_550_s8_q <= and_550_s7_q;
-      equal_575_s8_q <= equal_575_s7_q;
-      so_s8_q <= so_s7_q;
-      equal_579_s8_q <= equal_579_s7_q;
-      or_580_s8_q <= or_580;
-      less_583_s8_q <= less_583_s7_q;
-      not_584_s8_q <= not_584_s7_q;
-      equal_594_s8_q <= equal_594_s7_q;
-      x_s8_2_q <= x_s7_2_q;
-      select_618_s8_q <= select_618;
-      right_s8_q <= right;
-      and_651_s8_q <= not_648 & ((~equal_594_s7_q) & and_596_s7_q);
-      row_s8_q <= row_s7_q;
-      and_1562_s8_q <= not_648 & and_617;
-      equal_1563_s8_q <= equal_1563_s7_q;
-      and_1676_s8_q <= and_1676_s7_q;
-      not_1680_s8_q <= not_1680;
-      or_1686_s8_q <= (~equal_1682_s7_q) | (~equal_1684);
-      equal_2472_s8_q <= equal_2472_s7_q;
-      and_2831_s8_q <= and_2473_s7_q & and_2830;
-      and_2833_s8_q <= and_2473_s7_q & (~and_2830);
-      and_2840_s8_q <= ends_cell_s7_q & so_s7_q;
-      not_3006_s8_q <= not_3006_s7_q;
+      pixel_0_s6_q <= pixel_0_s5_q;
+      pixel_1_s6_q <= pixel_1_s5_q;
+      saturated_s6_q <= saturated_s5_q;
+      mask_s6_q <= mask_s5_q;
+      marks_first_s6_q <= marks_first_s5_q;
+      marks_last_s6_q <= marks_last_s5_q;
+      sample_pair_whole_s6_q <= sample_pair_whole_s5_q;
+      sample_present_s6_q <= sample_present_s5_q;
+      run_shift_s6_q <= run_shift_s5_q;
+      x_s6_q <= x_s5_q;
+      last_s6_q <= last_s5_q;
+      age_s6_q <= age_s5_q;
+      slot_s6_q <= slot_s5_q;
+      ends_cell_s6_q <= ends_cell_s5_q;
+      shift_first_s6_q <= shift_first_s5_q;
+      patches_band_rows_number_s6_q <= patches_band_rows_number_q;
+      patches_chooses_s6_q <= patches_chooses_q;
+      patches_choosing_band_s6_q <= patches_choosing_band_q;
+      row_starts_s6_q <= row_starts_s5_q;
+      select_508_s6_q <= select_508_s5_q;
+      equal_509_s6_q <= equal_509_s5_q;
+      select_512_s6_q <= select_512_s5_q;
+      and_521_s6_q <= and_521_s5_q;
+      equal_527_s6_q <= equal_527_s5_q;
+      select_542_s6_q <= select_542_s5_q;
+      last_s6_2_q <= last_s5_2_q;
+      and_546_s6_q <= and_546_s5_q;
+      and_548_s6_q <= and_548_s5_q;
+      equal_573_s6_q <= equal_573_s5_q;
+      so_s6_q <= so_s5_q;
+      equal_577_s6_q <= equal_577_s5_q;
+      or_578_s6_q <= or_578;
+      less_581_s6_q <= less_581_s5_q;
+      not_582_s6_q <= not_582_s5_q;
+      equal_592_s6_q <= equal_592_s5_q;
+      x_s6_2_q <= x_s5_2_q;
+      select_616_s6_q <= select_616;
+      right_s6_q <= right;
+      and_649_s6_q <= not_646 & ((~equal_592_s5_q) & and_594_s5_q);
+      row_s6_q <= row_s5_q;
+      and_1560_s6_q <= not_646 & and_615;
+      equal_1561_s6_q <= equal_1561_s5_q;
+      not_1675_s6_q <= not_1675;
+      or_1681_s6_q <= (~equal_1677_s5_q) | (~equal_1679);
+      equal_2467_s6_q <= equal_2467_s5_q;
+      and_2826_s6_q <= and_2468_s5_q & and_2825;
+      and_2828_s6_q <= and_2468_s5_q & (~and_2825);
+      and_2835_s6_q <= ends_cell_s5_q & so_s5_q;
+      not_3000_s6_q <= not_3000_s5_q;
     end
   end
 
-  // Stage 8 -----------------------------------------------------------------------------------------------------------
+  // Stage 6 -----------------------------------------------------------------------------------------------------------
   logic [23:0] registration_slope_row_q;
   logic [27:0] registration_slope_change_q;
   logic [27:0] registration_slope_q;
@@ -1163,148 +1075,148 @@ module horopter_agreement (
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
   // hls/stages/patches.hpp:393
-  logic not_1677;
-  assign not_1677 = ~patches_begins_q;
+  logic not_1672;
+  assign not_1672 = ~patches_begins_q;
   // hls/stages/patches.hpp:363
-  logic and_1681;
-  assign and_1681 = patches_capturing_q & not_1680_s8_q;
+  logic and_1676;
+  assign and_1676 = patches_capturing_q & not_1675_s6_q;
   // hls/stages/patches.hpp:125
-  logic and_1689;
-  assign and_1689 = (not_1677 & (patches_work_q == 3'h0)) & (~(and_1681 | or_1686_s8_q));
+  logic and_1684;
+  assign and_1684 = (not_1672 & (patches_work_q == 3'h0)) & (~(and_1676 | or_1681_s6_q));
   // hls/stages/registration.hpp:218
-  logic [16:0] select_1756;
-  assign select_1756 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_1751;
+  assign select_1751 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   // hls/stages/patches.hpp:535
-  logic equal_1788;
-  assign equal_1788 = patches_work_q == 3'h4;
+  logic equal_1783;
+  assign equal_1783 = patches_work_q == 3'h4;
   // hls/stages/patches.hpp:506
-  logic equal_1790;
-  assign equal_1790 = patches_work_q == 3'h3;
+  logic equal_1785;
+  assign equal_1785 = patches_work_q == 3'h3;
   // hls/stages/patches.hpp:500
-  logic equal_1792;
-  assign equal_1792 = patches_work_q == 3'h2;
+  logic equal_1787;
+  assign equal_1787 = patches_work_q == 3'h2;
   // hls/stages/patches.hpp:168
-  logic equal_1793;
-  assign equal_1793 = patches_work_q == 3'h1;
+  logic equal_1788;
+  assign equal_1788 = patches_work_q == 3'h1;
   // hls/stages/patches.hpp:535
-  logic or_1794;
-  assign or_1794 = equal_1792 | equal_1793;
+  logic or_1789;
+  assign or_1789 = equal_1787 | equal_1788;
   // hls/stages/patches.hpp:461
-  logic not_1795;
-  assign not_1795 = ~patches_second_q;
+  logic not_1790;
+  assign not_1790 = ~patches_second_q;
   // hls/stages/patches.hpp:374
-  logic [4:0] select_1817;
-  assign select_1817 = and_1689 ? 5'h0 : (patches_row_q + 5'h1);
+  logic [4:0] select_1812;
+  assign select_1812 = and_1684 ? 5'h0 : (patches_row_q + 5'h1);
   // hls/stages/patches.hpp:126
-  logic [4:0] select_1818;
-  assign select_1818 = and_1676_s8_q ? select_1817 : patches_row_q;
+  logic [4:0] select_1813;
+  assign select_1813 = row_starts_s6_q ? select_1812 : patches_row_q;
   // hls/stages/patches.hpp:125
-  logic and_1820;
-  assign and_1820 = and_1681 & (patches_row_q == 5'h1f);
+  logic and_1815;
+  assign and_1815 = and_1676 & (patches_row_q == 5'h1f);
   // hls/stages/patches.hpp:126
-  logic select_1824;
-  assign select_1824 = and_1676_s8_q ? (and_1689 | (and_1681 & (~and_1820))) : patches_capturing_q;
+  logic select_1819;
+  assign select_1819 = row_starts_s6_q ? (and_1684 | (and_1676 & (~and_1815))) : patches_capturing_q;
   // hls/stages/patches.hpp:168
-  logic not_1848;
-  assign not_1848 = ~equal_1793;
+  logic not_1843;
+  assign not_1843 = ~equal_1788;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_1862;
-  assign select_1862 = and_1676_s8_q ? {select_1817[4], select_1817[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  logic [3:0] select_1857;
+  assign select_1857 = row_starts_s6_q ? {select_1812[4], select_1812[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
   // hls/stages/patches.hpp:547
-  logic less_1966;
-  assign less_1966 = patches_step_q[4:0] < 5'h11;
-  logic equal_1967;
-  assign equal_1967 = patches_step_q[6:5] == 2'h0;
-  logic not_1968;
-  assign not_1968 = ~equal_1967;
-  logic equal_1969;
-  assign equal_1969 = patches_step_q[6:5] == 2'h3;
-  logic not_1970;
-  assign not_1970 = ~equal_1969;
+  logic less_1961;
+  assign less_1961 = patches_step_q[4:0] < 5'h11;
+  logic equal_1962;
+  assign equal_1962 = patches_step_q[6:5] == 2'h0;
+  logic not_1963;
+  assign not_1963 = ~equal_1962;
+  logic equal_1964;
+  assign equal_1964 = patches_step_q[6:5] == 2'h3;
+  logic not_1965;
+  assign not_1965 = ~equal_1964;
   // hls/stages/patches.hpp:561
-  logic select_1973;
-  assign select_1973 = equal_1969 ? (less_1966 & (less_1966 & not_1970)) : less_1966;
+  logic select_1968;
+  assign select_1968 = equal_1964 ? (less_1961 & (less_1961 & not_1965)) : less_1961;
   // hls/stages/division.hpp:34
-  logic [5:0] sum_1998;
-  assign sum_1998 = region_across_rest_q[8:3] + 6'h1;
+  logic [5:0] sum_1993;
+  assign sum_1993 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/registration.hpp:129
-  logic [15:0] select_2834;
-  assign select_2834 = and_2833_s8_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_2829;
+  assign select_2829 = and_2828_s6_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_2836;
-  assign select_2836 = and_2831_s8_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2834[15]}}, select_2834});
+  logic [23:0] select_2831;
+  assign select_2831 = and_2826_s6_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2829[15]}}, select_2829});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_2837;
-  assign select_2837 = and_2833_s8_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_2832;
+  assign select_2832 = and_2828_s6_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2837[15]}}, select_2837};
+  assign both = registration_slope_change_q + {{12{select_2832[15]}}, select_2832};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_2839;
-  assign select_2839 = and_2831_s8_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2834;
+  assign select_2834 = and_2826_s6_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/registration.hpp:125
   logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2840_s8_q ? registration_slope_change_q : 28'h0);
+  assign column_5 = registration_slope_q + (and_2835_s6_q ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:394
-  logic or_3047;
-  assign or_3047 = patches_begins_q | patches_ends_q;
+  logic or_3041;
+  assign or_3041 = patches_begins_q | patches_ends_q;
   // hls/stages/patches.hpp:396
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:188
-  logic and_3053;
-  assign and_3053 = equal_1788 & not_1795;
+  logic and_3047;
+  assign and_3047 = equal_1783 & not_1790;
   // hls/stages/patches.hpp:400
-  logic and_3054;
-  assign and_3054 = not_1848 & and_3053;
-  logic [1:0] select_3056;
-  assign select_3056 = equal_1790 ? 2'h0 : (equal_1792 ? 2'h3 : {equal_1793, and_3054});
+  logic and_3048;
+  assign and_3048 = not_1843 & and_3047;
+  logic [1:0] select_3050;
+  assign select_3050 = equal_1785 ? 2'h0 : (equal_1787 ? 2'h3 : {equal_1788, and_3048});
   // hls/stages/patches.hpp:280
-  logic equal_3058;
-  assign equal_3058 = patches_following_q == 3'h4;
+  logic equal_3052;
+  assign equal_3052 = patches_following_q == 3'h4;
   // hls/stages/patches.hpp:278
-  logic not_3059;
-  assign not_3059 = ~equal_3058;
+  logic not_3053;
+  assign not_3053 = ~equal_3052;
   // hls/stages/patches.hpp:280
-  logic equal_3060;
-  assign equal_3060 = patches_following_q == 3'h3;
+  logic equal_3054;
+  assign equal_3054 = patches_following_q == 3'h3;
   // hls/stages/patches.hpp:276
-  logic not_3061;
-  assign not_3061 = ~equal_3060;
+  logic not_3055;
+  assign not_3055 = ~equal_3054;
   // hls/stages/patches.hpp:284
-  logic not_3063;
-  assign not_3063 = ~(patches_following_q == 3'h2);
-  logic and_3066;
-  assign and_3066 = (~(patches_following_q == 3'h1)) & not_3063;
+  logic not_3057;
+  assign not_3057 = ~(patches_following_q == 3'h2);
+  logic and_3060;
+  assign and_3060 = (~(patches_following_q == 3'h1)) & not_3057;
   // hls/stages/patches.hpp:398
-  logic [1:0] select_3067;
-  assign select_3067 = equal_3060 ? 2'h2 : {and_3066, not_3063};
-  logic [3:0] select_3068;
-  assign select_3068 = equal_3058 ? 4'h2 : {select_3067, {2{not_3061}}};
+  logic [1:0] select_3061;
+  assign select_3061 = equal_3054 ? 2'h2 : {and_3060, not_3057};
+  logic [3:0] select_3062;
+  assign select_3062 = equal_3052 ? 4'h2 : {select_3061, {2{not_3055}}};
   // hls/stages/patches.hpp:406
-  logic not_3071;
-  assign not_3071 = ~or_3047;
+  logic not_3065;
+  assign not_3065 = ~or_3041;
   // hls/stages/patches.hpp:395
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
   // hls/stages/patches.hpp:407
-  logic [11:0] select_3076;
-  assign select_3076 = or_3047 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  logic [11:0] select_3070;
+  assign select_3070 = or_3041 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/agreement.hpp:205
-  logic [8:0] select_3888;
-  assign select_3888 = so_s8_q ? (and_2840_s8_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic [8:0] select_3882;
+  assign select_3882 = so_s6_q ? (and_2835_s6_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3890;
-  assign sum_3890 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_3884;
+  assign sum_3884 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3891;
-  assign select_3891 = sum_1998[5] ? {1'b1, sum_1998[4:0], region_across_rest_q[2:0]} : sum_3890;
+  logic [8:0] select_3885;
+  assign select_3885 = sum_1993[5] ? {1'b1, sum_1993[4:0], region_across_rest_q[2:0]} : sum_3884;
   // hls/stages/agreement.hpp:460
-  logic [8:0] select_3893;
-  assign select_3893 = equal_2472_s8_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
-  logic [7:0] select_3896;
-  assign select_3896 = equal_2472_s8_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
+  logic [8:0] select_3887;
+  assign select_3887 = equal_2467_s6_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
+  logic [7:0] select_3890;
+  assign select_3890 = equal_2467_s6_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
 
-  // Memory fresh, 120 x 33, DISTANCE 24, hls/stages/agreement.hpp:1372; read in stage 8, written in stage 23: 8 < 23 < 8 + DISTANCE.
+  // Memory fresh, 120 x 33, DISTANCE 24, hls/stages/agreement.hpp:1372; read in stage 6, written in stage 21: 6 < 21 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [32:0] fresh_mem [0:119];
@@ -1312,10 +1224,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) fresh_mem[i] = 33'h0;
 `endif
   logic [6:0] fresh_raddr;
-  assign fresh_raddr = x_s8_q[6:0];
+  assign fresh_raddr = x_s6_q[6:0];
 `ifndef SYNTHESIS
   logic fresh_re;
-  assign fresh_re = s8_en & and_651_s8_q;
+  assign fresh_re = s6_en & and_649_s6_q;
 `endif
   logic [32:0] fresh_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1342,184 +1254,184 @@ module horopter_agreement (
       region_across_next_q <= 9'h0;
       columns_begin_rest_q <= 9'h0;
       columns_begin_back_q <= 8'h0;
-    end else if (s8_en) begin
-      registration_slope_row_q <= select_2836;
-      registration_slope_change_q <= select_2839;
-      registration_slope_q <= so_s8_q ? column_5 : {registration_slope_row_q, 4'h0};
-      patches_capturing_q <= sample_pair_whole_s8_q ? select_1824 : patches_capturing_q;
-      patches_row_q <= sample_pair_whole_s8_q ? select_1818 : patches_row_q;
-      patches_work_q <= or_3047 ? following : patches_work_q;
-      patches_second_q <= not_1677 & (patches_second_q | (patches_ends_q & equal_1788));
-      patches_following_q <= equal_1788 ? {2'h0, and_3053} : {equal_1790, select_3056};
-      patches_following_beats_q <= {select_3068, not_3059};
-      patches_begins_q <= sample_pair_whole_s8_q & (and_1676_s8_q & and_1820);
-      patches_ends_q <= not_3071 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3076;
-      patches_step_q <= or_3047 ? 7'h0 : (patches_step_q + 7'h1);
-      region_across_rest_q <= select_3888;
-      region_across_back_q <= so_s8_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3891;
-      columns_begin_rest_q <= and_550_s8_q ? select_3893 : columns_begin_rest_q;
-      columns_begin_back_q <= and_550_s8_q ? select_3896 : columns_begin_back_q;
+    end else if (s6_en) begin
+      registration_slope_row_q <= select_2831;
+      registration_slope_change_q <= select_2834;
+      registration_slope_q <= so_s6_q ? column_5 : {registration_slope_row_q, 4'h0};
+      patches_capturing_q <= sample_pair_whole_s6_q ? select_1819 : patches_capturing_q;
+      patches_row_q <= sample_pair_whole_s6_q ? select_1813 : patches_row_q;
+      patches_work_q <= or_3041 ? following : patches_work_q;
+      patches_second_q <= not_1672 & (patches_second_q | (patches_ends_q & equal_1783));
+      patches_following_q <= equal_1783 ? {2'h0, and_3047} : {equal_1785, select_3050};
+      patches_following_beats_q <= {select_3062, not_3053};
+      patches_begins_q <= sample_pair_whole_s6_q & (row_starts_s6_q & and_1815);
+      patches_ends_q <= not_3065 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3070;
+      patches_step_q <= or_3041 ? 7'h0 : (patches_step_q + 7'h1);
+      region_across_rest_q <= select_3882;
+      region_across_back_q <= so_s6_q ? region_across_back_q : columns_begin_back_q;
+      region_across_next_q <= select_3885;
+      columns_begin_rest_q <= and_548_s6_q ? select_3887 : columns_begin_rest_q;
+      columns_begin_back_q <= and_548_s6_q ? select_3890 : columns_begin_back_q;
     end
   end
 
-  logic [7:0] pixel_0_s9_q;
-  logic [7:0] pixel_1_s9_q;
-  logic saturated_s9_q;
-  logic mask_s9_q;
-  logic marks_first_s9_q;
-  logic marks_last_s9_q;
-  logic sample_pair_whole_s9_q;
-  logic sample_present_s9_q;
-  logic [5:0] run_shift_s9_q;
-  logic [7:0] x_s9_q;
-  logic [6:0] last_s9_q;
-  logic [3:0] age_s9_q;
-  logic [2:0] slot_s9_q;
-  logic ends_cell_s9_q;
-  logic shift_first_s9_q;
-  logic [11:0] registration_slope_s9_q;
-  logic [4:0] patches_band_rows_number_s9_q;
-  logic patches_chooses_s9_q;
-  logic [4:0] patches_choosing_band_s9_q;
-  logic patches_second_s9_q;
-  logic [4:0] patches_step_s9_q;
-  logic [3:0] select_508_s9_q;
-  logic equal_509_s9_q;
-  logic [6:0] select_511_s9_q;
-  logic [8:0] select_515_s9_q;
-  logic and_524_s9_q;
-  logic equal_530_s9_q;
-  logic [6:0] last_s9_2_q;
-  logic and_548_s9_q;
-  logic and_550_s9_q;
-  logic equal_575_s9_q;
-  logic so_s9_q;
-  logic equal_579_s9_q;
-  logic or_580_s9_q;
-  logic less_583_s9_q;
-  logic not_584_s9_q;
-  logic equal_594_s9_q;
-  logic [84:0] left_rdata_s9_q;
-  logic [6:0] x_s9_2_q;
-  logic select_618_s9_q;
-  logic [61:0] best_left_rdata_s9_q;
-  logic [6:0] right_s9_q;
-  logic [98:0] right_codes_rdata_s9_q;
-  logic and_651_s9_q;
-  logic [6:0] row_s9_q;
-  logic and_1562_s9_q;
-  logic equal_1563_s9_q;
-  logic and_1676_s9_q;
-  logic and_1689_s9_q;
-  logic [16:0] select_1756_s9_q;
-  logic equal_1788_s9_q;
-  logic equal_1790_s9_q;
-  logic equal_1792_s9_q;
-  logic equal_1793_s9_q;
-  logic or_1794_s9_q;
-  logic and_1797_s9_q;
-  logic [4:0] select_1818_s9_q;
-  logic select_1824_s9_q;
-  logic and_1830_s9_q;
-  logic and_1849_s9_q;
-  logic [3:0] select_1862_s9_q;
-  logic less_1966_s9_q;
-  logic equal_1967_s9_q;
-  logic not_1968_s9_q;
-  logic equal_1969_s9_q;
-  logic not_1970_s9_q;
-  logic select_1973_s9_q;
-  logic and_1974_s9_q;
-  logic sum_1998_s9_q;
-  logic equal_2472_s9_q;
-  logic not_3006_s9_q;
-  logic or_3047_s9_q;
-  logic not_3071_s9_q;
-  logic and_3543_s9_q;
-  logic equal_3550_s9_q;
+  logic [7:0] pixel_0_s7_q;
+  logic [7:0] pixel_1_s7_q;
+  logic saturated_s7_q;
+  logic mask_s7_q;
+  logic marks_first_s7_q;
+  logic marks_last_s7_q;
+  logic sample_pair_whole_s7_q;
+  logic sample_present_s7_q;
+  logic [5:0] run_shift_s7_q;
+  logic [7:0] x_s7_q;
+  logic [6:0] last_s7_q;
+  logic [3:0] age_s7_q;
+  logic [2:0] slot_s7_q;
+  logic ends_cell_s7_q;
+  logic shift_first_s7_q;
+  logic [11:0] registration_slope_s7_q;
+  logic [4:0] patches_band_rows_number_s7_q;
+  logic patches_chooses_s7_q;
+  logic [4:0] patches_choosing_band_s7_q;
+  logic patches_second_s7_q;
+  logic [4:0] patches_step_s7_q;
+  logic row_starts_s7_q;
+  logic [3:0] select_508_s7_q;
+  logic equal_509_s7_q;
+  logic [8:0] select_512_s7_q;
+  logic and_521_s7_q;
+  logic equal_527_s7_q;
+  logic [6:0] select_542_s7_q;
+  logic [6:0] last_s7_2_q;
+  logic and_546_s7_q;
+  logic and_548_s7_q;
+  logic equal_573_s7_q;
+  logic so_s7_q;
+  logic equal_577_s7_q;
+  logic or_578_s7_q;
+  logic less_581_s7_q;
+  logic not_582_s7_q;
+  logic equal_592_s7_q;
+  logic [84:0] left_rdata_s7_q;
+  logic [6:0] x_s7_2_q;
+  logic select_616_s7_q;
+  logic [61:0] best_left_rdata_s7_q;
+  logic [6:0] right_s7_q;
+  logic [98:0] right_codes_rdata_s7_q;
+  logic and_649_s7_q;
+  logic [6:0] row_s7_q;
+  logic and_1560_s7_q;
+  logic equal_1561_s7_q;
+  logic and_1684_s7_q;
+  logic [16:0] select_1751_s7_q;
+  logic equal_1783_s7_q;
+  logic equal_1785_s7_q;
+  logic equal_1787_s7_q;
+  logic equal_1788_s7_q;
+  logic or_1789_s7_q;
+  logic and_1792_s7_q;
+  logic [4:0] select_1813_s7_q;
+  logic select_1819_s7_q;
+  logic and_1825_s7_q;
+  logic and_1844_s7_q;
+  logic [3:0] select_1857_s7_q;
+  logic less_1961_s7_q;
+  logic equal_1962_s7_q;
+  logic not_1963_s7_q;
+  logic equal_1964_s7_q;
+  logic not_1965_s7_q;
+  logic select_1968_s7_q;
+  logic and_1969_s7_q;
+  logic sum_1993_s7_q;
+  logic equal_2467_s7_q;
+  logic not_3000_s7_q;
+  logic or_3041_s7_q;
+  logic not_3065_s7_q;
+  logic and_3537_s7_q;
+  logic equal_3544_s7_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s9_q <= pixel_0_s8_q;
-      pixel_1_s9_q <= pixel_1_s8_q;
-      saturated_s9_q <= saturated_s8_q;
-      mask_s9_q <= mask_s8_q;
-      marks_first_s9_q <= marks_first_s8_q;
-      marks_last_s9_q <= marks_last_s8_q;
-      sample_pair_whole_s9_q <= sample_pair_whole_s8_q;
-      sample_present_s9_q <= sample_present_s8_q;
-      run_shift_s9_q <= run_shift_s8_q;
-      x_s9_q <= x_s8_q;
-      last_s9_q <= last_s8_q;
-      age_s9_q <= age_s8_q;
-      slot_s9_q <= slot_s8_q;
-      ends_cell_s9_q <= ends_cell_s8_q;
-      shift_first_s9_q <= shift_first_s8_q;
-      registration_slope_s9_q <= registration_slope_q[27:16];
-      patches_band_rows_number_s9_q <= patches_band_rows_number_s8_q;
-      patches_chooses_s9_q <= patches_chooses_s8_q;
-      patches_choosing_band_s9_q <= patches_choosing_band_s8_q;
-      patches_second_s9_q <= patches_second_q;
-      patches_step_s9_q <= patches_step_q[4:0];
-      select_508_s9_q <= select_508_s8_q;
-      equal_509_s9_q <= equal_509_s8_q;
-      select_511_s9_q <= select_511_s8_q;
-      select_515_s9_q <= select_515_s8_q;
-      and_524_s9_q <= and_524_s8_q;
-      equal_530_s9_q <= equal_530_s8_q;
-      last_s9_2_q <= last_s8_2_q;
-      and_548_s9_q <= and_548_s8_q;
-      and_550_s9_q <= and_550_s8_q;
-      equal_575_s9_q <= equal_575_s8_q;
-      so_s9_q <= so_s8_q;
-      equal_579_s9_q <= equal_579_s8_q;
-      or_580_s9_q <= or_580_s8_q;
-      less_583_s9_q <= less_583_s8_q;
-      not_584_s9_q <= not_584_s8_q;
-      equal_594_s9_q <= equal_594_s8_q;
-      left_rdata_s9_q <= left_rdata_q;
-      x_s9_2_q <= x_s8_2_q;
-      select_618_s9_q <= select_618_s8_q;
-      best_left_rdata_s9_q <= best_left_rdata_q;
-      right_s9_q <= right_s8_q;
-      right_codes_rdata_s9_q <= right_codes_rdata_q;
-      and_651_s9_q <= and_651_s8_q;
-      row_s9_q <= row_s8_q;
-      and_1562_s9_q <= and_1562_s8_q;
-      equal_1563_s9_q <= equal_1563_s8_q;
-      and_1676_s9_q <= and_1676_s8_q;
-      and_1689_s9_q <= and_1689;
-      select_1756_s9_q <= select_1756;
-      equal_1788_s9_q <= equal_1788;
-      equal_1790_s9_q <= equal_1790;
-      equal_1792_s9_q <= equal_1792;
-      equal_1793_s9_q <= equal_1793;
-      or_1794_s9_q <= or_1794;
-      and_1797_s9_q <= or_1794 & (equal_1793 & not_1795);
-      select_1818_s9_q <= select_1818;
-      select_1824_s9_q <= select_1824;
-      and_1830_s9_q <= or_1794 & (patches_second_q & equal_1793);
-      and_1849_s9_q <= not_1848 & or_1794;
-      select_1862_s9_q <= select_1862;
-      less_1966_s9_q <= less_1966;
-      equal_1967_s9_q <= equal_1967;
-      not_1968_s9_q <= not_1968;
-      equal_1969_s9_q <= equal_1969;
-      not_1970_s9_q <= not_1970;
-      select_1973_s9_q <= select_1973;
-      and_1974_s9_q <= not_1968 & select_1973;
-      sum_1998_s9_q <= sum_1998[5];
-      equal_2472_s9_q <= equal_2472_s8_q;
-      not_3006_s9_q <= not_3006_s8_q;
-      or_3047_s9_q <= or_3047;
-      not_3071_s9_q <= not_3071;
-      and_3543_s9_q <= less_1966 & (patches_step_q[6:5] == 2'h1);
-      equal_3550_s9_q <= patches_step_q[6:5] == 2'h2;
+      pixel_0_s7_q <= pixel_0_s6_q;
+      pixel_1_s7_q <= pixel_1_s6_q;
+      saturated_s7_q <= saturated_s6_q;
+      mask_s7_q <= mask_s6_q;
+      marks_first_s7_q <= marks_first_s6_q;
+      marks_last_s7_q <= marks_last_s6_q;
+      sample_pair_whole_s7_q <= sample_pair_whole_s6_q;
+      sample_present_s7_q <= sample_present_s6_q;
+      run_shift_s7_q <= run_shift_s6_q;
+      x_s7_q <= x_s6_q;
+      last_s7_q <= last_s6_q;
+      age_s7_q <= age_s6_q;
+      slot_s7_q <= slot_s6_q;
+      ends_cell_s7_q <= ends_cell_s6_q;
+      shift_first_s7_q <= shift_first_s6_q;
+      registration_slope_s7_q <= registration_slope_q[27:16];
+      patches_band_rows_number_s7_q <= patches_band_rows_number_s6_q;
+      patches_chooses_s7_q <= patches_chooses_s6_q;
+      patches_choosing_band_s7_q <= patches_choosing_band_s6_q;
+      patches_second_s7_q <= patches_second_q;
+      patches_step_s7_q <= patches_step_q[4:0];
+      row_starts_s7_q <= row_starts_s6_q;
+      select_508_s7_q <= select_508_s6_q;
+      equal_509_s7_q <= equal_509_s6_q;
+      select_512_s7_q <= select_512_s6_q;
+      and_521_s7_q <= and_521_s6_q;
+      equal_527_s7_q <= equal_527_s6_q;
+      select_542_s7_q <= select_542_s6_q;
+      last_s7_2_q <= last_s6_2_q;
+      and_546_s7_q <= and_546_s6_q;
+      and_548_s7_q <= and_548_s6_q;
+      equal_573_s7_q <= equal_573_s6_q;
+      so_s7_q <= so_s6_q;
+      equal_577_s7_q <= equal_577_s6_q;
+      or_578_s7_q <= or_578_s6_q;
+      less_581_s7_q <= less_581_s6_q;
+      not_582_s7_q <= not_582_s6_q;
+      equal_592_s7_q <= equal_592_s6_q;
+      left_rdata_s7_q <= left_rdata_q;
+      x_s7_2_q <= x_s6_2_q;
+      select_616_s7_q <= select_616_s6_q;
+      best_left_rdata_s7_q <= best_left_rdata_q;
+      right_s7_q <= right_s6_q;
+      right_codes_rdata_s7_q <= right_codes_rdata_q;
+      and_649_s7_q <= and_649_s6_q;
+      row_s7_q <= row_s6_q;
+      and_1560_s7_q <= and_1560_s6_q;
+      equal_1561_s7_q <= equal_1561_s6_q;
+      and_1684_s7_q <= and_1684;
+      select_1751_s7_q <= select_1751;
+      equal_1783_s7_q <= equal_1783;
+      equal_1785_s7_q <= equal_1785;
+      equal_1787_s7_q <= equal_1787;
+      equal_1788_s7_q <= equal_1788;
+      or_1789_s7_q <= or_1789;
+      and_1792_s7_q <= or_1789 & (equal_1788 & not_1790);
+      select_1813_s7_q <= select_1813;
+      select_1819_s7_q <= select_1819;
+      and_1825_s7_q <= or_1789 & (patches_second_q & equal_1788);
+      and_1844_s7_q <= not_1843 & or_1789;
+      select_1857_s7_q <= select_1857;
+      less_1961_s7_q <= less_1961;
+      equal_1962_s7_q <= equal_1962;
+      not_1963_s7_q <= not_1963;
+      equal_1964_s7_q <= equal_1964;
+      not_1965_s7_q <= not_1965;
+      select_1968_s7_q <= select_1968;
+      and_1969_s7_q <= not_1963 & select_1968;
+      sum_1993_s7_q <= sum_1993[5];
+      equal_2467_s7_q <= equal_2467_s6_q;
+      not_3000_s7_q <= not_3000_s6_q;
+      or_3041_s7_q <= or_3041;
+      not_3065_s7_q <= not_3065;
+      and_3537_s7_q <= less_1961 & (patches_step_q[6:5] == 2'h1);
+      equal_3544_s7_q <= patches_step_q[6:5] == 2'h2;
     end
   end
 
-  // Stage 9 -----------------------------------------------------------------------------------------------------------
+  // Stage 7 -----------------------------------------------------------------------------------------------------------
   logic [6:0] row_q;
   logic lower_half_q;
   logic [15:0] patches_chance_q;
@@ -1528,136 +1440,136 @@ module horopter_agreement (
   logic [4:0] patches_column_q;
   logic patches_column_ends_q;
   // hls/stages/agreement.hpp:668
-  logic equal_569;
-  assign equal_569 = row_q == 7'h0;
+  logic equal_567;
+  assign equal_567 = row_q == 7'h0;
   // hls/stages/agreement.hpp:975
-  logic and_608;
-  assign and_608 = (or_580_s9_q & (left_rdata_s9_q[67] & not_584_s9_q)) & (~(row_q[6:3] == 4'h0));
+  logic and_606;
+  assign and_606 = (or_578_s7_q & (left_rdata_s7_q[67] & not_582_s7_q)) & (~(row_q[6:3] == 4'h0));
   // hls/stages/agreement.hpp:966
   logic [5:0] shift;
-  assign shift = slot_s9_q[2] ? best_left_rdata_s9_q[5:0] : best_left_rdata_s9_q[45:40];
+  assign shift = slot_s7_q[2] ? best_left_rdata_s7_q[5:0] : best_left_rdata_s7_q[45:40];
   // hls/stages/agreement.hpp:668
-  logic not_748;
-  assign not_748 = ~equal_569;
+  logic not_746;
+  assign not_746 = ~equal_567;
   // hls/stages/agreement.hpp:221
-  logic and_763;
-  assign and_763 = left_rdata_s9_q[48] & not_584_s9_q;
-  logic and_764;
-  assign and_764 = right_codes_rdata_s9_q[42] & not_584_s9_q;
-  logic [11:0] select_765;
-  assign select_765 = less_583_s9_q ? 12'h0 : left_rdata_s9_q[47:36];
-  logic [11:0] select_766;
-  assign select_766 = less_583_s9_q ? 12'h0 : right_codes_rdata_s9_q[41:30];
+  logic and_761;
+  assign and_761 = left_rdata_s7_q[48] & not_582_s7_q;
+  logic and_762;
+  assign and_762 = right_codes_rdata_s7_q[42] & not_582_s7_q;
+  logic [11:0] select_763;
+  assign select_763 = less_581_s7_q ? 12'h0 : left_rdata_s7_q[47:36];
+  logic [11:0] select_764;
+  assign select_764 = less_581_s7_q ? 12'h0 : right_codes_rdata_s7_q[41:30];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_770;
-  assign select_770 = and_763 ? (and_764 ? (~(select_765 ^ select_766)) : 12'h0) : 12'h0;
+  logic [11:0] select_768;
+  assign select_768 = and_761 ? (and_762 ? (~(select_763 ^ select_764)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:221
-  logic and_786;
-  assign and_786 = left_rdata_s9_q[66] & not_584_s9_q;
-  logic and_787;
-  assign and_787 = right_codes_rdata_s9_q[57] & not_584_s9_q;
-  logic [11:0] select_788;
-  assign select_788 = less_583_s9_q ? 12'h0 : left_rdata_s9_q[65:54];
-  logic [11:0] select_789;
-  assign select_789 = less_583_s9_q ? 12'h0 : right_codes_rdata_s9_q[56:45];
+  logic and_784;
+  assign and_784 = left_rdata_s7_q[66] & not_582_s7_q;
+  logic and_785;
+  assign and_785 = right_codes_rdata_s7_q[57] & not_582_s7_q;
+  logic [11:0] select_786;
+  assign select_786 = less_581_s7_q ? 12'h0 : left_rdata_s7_q[65:54];
+  logic [11:0] select_787;
+  assign select_787 = less_581_s7_q ? 12'h0 : right_codes_rdata_s7_q[56:45];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_793;
-  assign select_793 = and_786 ? (and_787 ? (~(select_788 ^ select_789)) : 12'h0) : 12'h0;
+  logic [11:0] select_791;
+  assign select_791 = and_784 ? (and_785 ? (~(select_786 ^ select_787)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:221
-  logic and_803;
-  assign and_803 = left_rdata_s9_q[84] & not_584_s9_q;
-  logic and_804;
-  assign and_804 = right_codes_rdata_s9_q[72] & not_584_s9_q;
-  logic [11:0] select_805;
-  assign select_805 = less_583_s9_q ? 12'h0 : left_rdata_s9_q[83:72];
-  logic [11:0] select_806;
-  assign select_806 = less_583_s9_q ? 12'h0 : right_codes_rdata_s9_q[71:60];
+  logic and_801;
+  assign and_801 = left_rdata_s7_q[84] & not_582_s7_q;
+  logic and_802;
+  assign and_802 = right_codes_rdata_s7_q[72] & not_582_s7_q;
+  logic [11:0] select_803;
+  assign select_803 = less_581_s7_q ? 12'h0 : left_rdata_s7_q[83:72];
+  logic [11:0] select_804;
+  assign select_804 = less_581_s7_q ? 12'h0 : right_codes_rdata_s7_q[71:60];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_810;
-  assign select_810 = and_803 ? (and_804 ? (~(select_805 ^ select_806)) : 12'h0) : 12'h0;
-  logic [11:0] select_1018;
-  assign select_1018 = (slot_s9_q[0] ? and_804 : and_787) ? (~(select_765 ^ (slot_s9_q[0] ? select_806 : select_789))) : 12'h0;
+  logic [11:0] select_808;
+  assign select_808 = and_801 ? (and_802 ? (~(select_803 ^ select_804)) : 12'h0) : 12'h0;
+  logic [11:0] select_1016;
+  assign select_1016 = (slot_s7_q[0] ? and_802 : and_785) ? (~(select_763 ^ (slot_s7_q[0] ? select_804 : select_787))) : 12'h0;
   // hls/stages/agreement.hpp:221
-  logic and_1035;
-  assign and_1035 = right_codes_rdata_s9_q[85] & not_584_s9_q;
-  logic [11:0] select_1037;
-  assign select_1037 = less_583_s9_q ? 12'h0 : right_codes_rdata_s9_q[84:73];
+  logic and_1033;
+  assign and_1033 = right_codes_rdata_s7_q[85] & not_582_s7_q;
+  logic [11:0] select_1035;
+  assign select_1035 = less_581_s7_q ? 12'h0 : right_codes_rdata_s7_q[84:73];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1041;
-  assign select_1041 = (slot_s9_q[0] ? and_1035 : and_804) ? (~(select_788 ^ (slot_s9_q[0] ? select_1037 : select_806))) : 12'h0;
+  logic [11:0] select_1039;
+  assign select_1039 = (slot_s7_q[0] ? and_1033 : and_802) ? (~(select_786 ^ (slot_s7_q[0] ? select_1035 : select_804))) : 12'h0;
   // hls/stages/agreement.hpp:734
-  logic select_1053;
-  assign select_1053 = slot_s9_q[0] ? (right_codes_rdata_s9_q[98] & not_584_s9_q) : and_1035;
-  logic [11:0] select_1055;
-  assign select_1055 = slot_s9_q[0] ? (less_583_s9_q ? 12'h0 : right_codes_rdata_s9_q[97:86]) : select_1037;
+  logic select_1051;
+  assign select_1051 = slot_s7_q[0] ? (right_codes_rdata_s7_q[98] & not_582_s7_q) : and_1033;
+  logic [11:0] select_1053;
+  assign select_1053 = slot_s7_q[0] ? (less_581_s7_q ? 12'h0 : right_codes_rdata_s7_q[97:86]) : select_1035;
   // hls/stages/agreement.hpp:221
-  logic and_1264;
-  assign and_1264 = right_codes_rdata_s9_q[27] & not_584_s9_q;
+  logic and_1262;
+  assign and_1262 = right_codes_rdata_s7_q[27] & not_582_s7_q;
   // hls/stages/agreement.hpp:734
-  logic select_1265;
-  assign select_1265 = slot_s9_q[0] ? (right_codes_rdata_s9_q[12] & not_584_s9_q) : and_1264;
+  logic select_1263;
+  assign select_1263 = slot_s7_q[0] ? (right_codes_rdata_s7_q[12] & not_582_s7_q) : and_1262;
   // hls/stages/agreement.hpp:221
-  logic [11:0] select_1267;
-  assign select_1267 = less_583_s9_q ? 12'h0 : right_codes_rdata_s9_q[26:15];
+  logic [11:0] select_1265;
+  assign select_1265 = less_581_s7_q ? 12'h0 : right_codes_rdata_s7_q[26:15];
   // hls/stages/agreement.hpp:734
-  logic [11:0] select_1268;
-  assign select_1268 = slot_s9_q[0] ? (less_583_s9_q ? 12'h0 : right_codes_rdata_s9_q[11:0]) : select_1267;
+  logic [11:0] select_1266;
+  assign select_1266 = slot_s7_q[0] ? (less_581_s7_q ? 12'h0 : right_codes_rdata_s7_q[11:0]) : select_1265;
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1292;
-  assign select_1292 = (slot_s9_q[0] ? and_1264 : and_764) ? (~(select_788 ^ (slot_s9_q[0] ? select_1267 : select_766))) : 12'h0;
-  logic [11:0] select_1307;
-  assign select_1307 = (slot_s9_q[0] ? and_764 : and_787) ? (~(select_805 ^ (slot_s9_q[0] ? select_766 : select_789))) : 12'h0;
+  logic [11:0] select_1290;
+  assign select_1290 = (slot_s7_q[0] ? and_1262 : and_762) ? (~(select_786 ^ (slot_s7_q[0] ? select_1265 : select_764))) : 12'h0;
+  logic [11:0] select_1305;
+  assign select_1305 = (slot_s7_q[0] ? and_762 : and_785) ? (~(select_803 ^ (slot_s7_q[0] ? select_764 : select_787))) : 12'h0;
   // hls/stages/patches.hpp:103
   logic right_3;
-  assign right_3 = {2'h0, last_s9_q[6:1]} < x_s9_q;
+  assign right_3 = {2'h0, last_s7_q[6:1]} < x_s7_q;
   // hls/stages/agreement.hpp:149
   logic [5:0] b;
-  assign b = or_580_s9_q ? (less_583_s9_q ? 6'h0 : best_left_rdata_s9_q[5:0]) : 6'h0;
+  assign b = or_578_s7_q ? (less_581_s7_q ? 6'h0 : best_left_rdata_s7_q[5:0]) : 6'h0;
   // hls/stages/registration.hpp:218
-  logic [13:0] select_1758;
-  assign select_1758 = ($signed(10'h0) < $signed(select_1756_s9_q[16:7])) ? 14'h7f : select_1756_s9_q[13:0];
+  logic [13:0] select_1753;
+  assign select_1753 = ($signed(10'h0) < $signed(select_1751_s7_q[16:7])) ? 14'h7f : select_1751_s7_q[13:0];
   // hls/stages/patches.hpp:513
-  logic not_1789;
-  assign not_1789 = ~equal_1788_s9_q;
+  logic not_1784;
+  assign not_1784 = ~equal_1783_s7_q;
   // hls/stages/patches.hpp:459
-  logic not_1791;
-  assign not_1791 = ~equal_1790_s9_q;
-  logic and_1872;
-  assign and_1872 = not_1789 & (or_1794_s9_q & not_1791);
+  logic not_1786;
+  assign not_1786 = ~equal_1785_s7_q;
+  logic and_1867;
+  assign and_1867 = not_1784 & (or_1789_s7_q & not_1786);
   // hls/stages/patches.hpp:185
-  logic and_1976;
-  assign and_1976 = equal_1788_s9_q & (less_1966_s9_q ? and_1974_s9_q : select_1973_s9_q);
+  logic and_1971;
+  assign and_1971 = equal_1783_s7_q & (less_1961_s7_q ? and_1969_s7_q : select_1968_s7_q);
   // hls/stages/agreement.hpp:460
-  logic select_2569;
-  assign select_2569 = equal_2472_s9_q ? (~({row_s9_q, 1'b0} < {sum_2566, cfg_height_i[4]})) : lower_half_q;
+  logic select_2564;
+  assign select_2564 = equal_2467_s7_q ? (~({row_s7_q, 1'b0} < {sum_2561, cfg_height_i[4]})) : lower_half_q;
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_2730;
-  assign select_2730 = or_580_s9_q ? (less_583_s9_q ? 8'h0 : best_left_rdata_s9_q[32:25]) : 8'h0;
-  logic [7:0] select_2732;
-  assign select_2732 = or_580_s9_q ? (less_583_s9_q ? 8'h0 : best_left_rdata_s9_q[24:17]) : 8'h0;
+  logic [7:0] select_2725;
+  assign select_2725 = or_578_s7_q ? (less_581_s7_q ? 8'h0 : best_left_rdata_s7_q[32:25]) : 8'h0;
+  logic [7:0] select_2727;
+  assign select_2727 = or_578_s7_q ? (less_581_s7_q ? 8'h0 : best_left_rdata_s7_q[24:17]) : 8'h0;
   // hls/stages/patches.hpp:91
-  logic parity_2983;
-  assign parity_2983 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  logic parity_2978;
+  assign parity_2978 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
   // hls/stages/agreement.hpp:460
-  logic [15:0] select_2984;
-  assign select_2984 = equal_2472_s9_q ? {patches_chance_q[14:0], parity_2983} : patches_chance_q;
+  logic [15:0] select_2979;
+  assign select_2979 = equal_2467_s7_q ? {patches_chance_q[14:0], parity_2978} : patches_chance_q;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
   // hls/stages/patches.hpp:109
   logic [5:0] further;
-  assign further = last_s9_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
+  assign further = last_s7_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
   // hls/stages/patches.hpp:126
-  logic select_3008;
-  assign select_3008 = and_1676_s9_q ? (and_1689_s9_q ? not_3006_s9_q : patches_lower_q) : patches_lower_q;
+  logic select_3002;
+  assign select_3002 = row_starts_s7_q ? (and_1684_s7_q ? not_3000_s7_q : patches_lower_q) : patches_lower_q;
   // hls/stages/patches.hpp:188
-  logic [4:0] select_3078;
-  assign select_3078 = or_3047_s9_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  logic [4:0] select_3072;
+  assign select_3072 = or_3041_s7_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
   // hls/stages/patches.hpp:561
-  logic select_3546;
-  assign select_3546 = equal_1969_s9_q ? (less_1966_s9_q ? (not_1970_s9_q & and_3543_s9_q) : and_3543_s9_q) : and_3543_s9_q;
+  logic select_3540;
+  assign select_3540 = equal_1964_s7_q ? (less_1961_s7_q ? (not_1965_s7_q & and_3537_s7_q) : and_3537_s7_q) : and_3537_s7_q;
 
-  // Memory patches_right_0, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:780; read in stage 9, written in stage 22: 9 < 22 < 9 + DISTANCE.
+  // Memory patches_right_0, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:780; read in stage 7, written in stage 20: 7 < 20 < 7 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_right_0_mem [0:1023];
@@ -1668,14 +1580,14 @@ module horopter_agreement (
   assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
 `ifndef SYNTHESIS
   logic patches_right_0_re;
-  assign patches_right_0_re = s9_en & (not_1789 & (not_1791 & and_1797_s9_q));
+  assign patches_right_0_re = s7_en & (not_1784 & (not_1786 & and_1792_s7_q));
 `endif
   logic [7:0] patches_right_0_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_right_0_rdata_q <= patches_right_0_mem[patches_right_0_raddr];
   end
 
-  // Memory patches_right_1, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:780; read in stage 9, written in stage 22: 9 < 22 < 9 + DISTANCE.
+  // Memory patches_right_1, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:780; read in stage 7, written in stage 20: 7 < 20 < 7 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] patches_right_1_mem [0:1023];
@@ -1686,14 +1598,14 @@ module horopter_agreement (
   assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
 `ifndef SYNTHESIS
   logic patches_right_1_re;
-  assign patches_right_1_re = s9_en & (not_1789 & (not_1791 & and_1830_s9_q));
+  assign patches_right_1_re = s7_en & (not_1784 & (not_1786 & and_1825_s7_q));
 `endif
   logic [7:0] patches_right_1_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_right_1_rdata_q <= patches_right_1_mem[patches_right_1_raddr];
   end
 
-  // Memory patches_columns_above, 32 x 32, DISTANCE 24, hls/stages/patches.hpp:792; read in stage 9, written in stage 13: 9 < 13 < 9 + DISTANCE.
+  // Memory patches_columns_above, 32 x 32, DISTANCE 24, hls/stages/patches.hpp:792; read in stage 7, written in stage 11: 7 < 11 < 7 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1705,14 +1617,14 @@ module horopter_agreement (
   assign patches_columns_above_raddr = patches_column_q;
 `ifndef SYNTHESIS
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s9_en & and_1872;
+  assign patches_columns_above_re = s7_en & and_1867;
 `endif
   logic [31:0] patches_columns_above_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_columns_above_rdata_q <= patches_columns_above_mem[patches_columns_above_raddr];
   end
 
-  // Memory patches_rows, 17 x 15, DISTANCE 24, hls/stages/patches.hpp:812; read in stage 9, written in stage 24: 9 < 24 < 9 + DISTANCE.
+  // Memory patches_rows, 17 x 15, DISTANCE 24, hls/stages/patches.hpp:812; read in stage 7, written in stage 22: 7 < 22 < 7 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1721,10 +1633,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 17; i++) patches_rows_mem[i] = 15'h0;
 `endif
   logic [4:0] patches_rows_raddr;
-  assign patches_rows_raddr = patches_step_s9_q;
+  assign patches_rows_raddr = patches_step_s7_q;
 `ifndef SYNTHESIS
   logic patches_rows_re;
-  assign patches_rows_re = s9_en & and_1976;
+  assign patches_rows_re = s7_en & and_1971;
 `endif
   logic [14:0] patches_rows_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1740,15 +1652,1142 @@ module horopter_agreement (
       patches_code_row_q <= 5'h0;
       patches_column_q <= 5'h0;
       patches_column_ends_q <= 1'b0;
-    end else if (s9_en) begin
-      row_q <= and_550_s9_q ? (equal_2472_s9_q ? row_s9_q : row_q) : row_q;
-      lower_half_q <= and_550_s9_q ? select_2569 : lower_half_q;
-      patches_chance_q <= and_550_s9_q ? select_2984 : patches_chance_q;
-      patches_lower_q <= sample_pair_whole_s9_q ? select_3008 : patches_lower_q;
-      patches_code_row_q <= select_3078;
-      patches_column_q <= or_3047_s9_q ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3071_s9_q & (patches_column_q == 5'h1e);
+    end else if (s7_en) begin
+      row_q <= and_548_s7_q ? (equal_2467_s7_q ? row_s7_q : row_q) : row_q;
+      lower_half_q <= and_548_s7_q ? select_2564 : lower_half_q;
+      patches_chance_q <= and_548_s7_q ? select_2979 : patches_chance_q;
+      patches_lower_q <= sample_pair_whole_s7_q ? select_3002 : patches_lower_q;
+      patches_code_row_q <= select_3072;
+      patches_column_q <= or_3041_s7_q ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3065_s7_q & (patches_column_q == 5'h1e);
     end
+  end
+
+  logic [7:0] pixel_0_s8_q;
+  logic [7:0] pixel_1_s8_q;
+  logic saturated_s8_q;
+  logic mask_s8_q;
+  logic marks_first_s8_q;
+  logic marks_last_s8_q;
+  logic sample_pair_whole_s8_q;
+  logic sample_present_s8_q;
+  logic [5:0] run_shift_s8_q;
+  logic [7:0] x_s8_q;
+  logic [6:0] last_s8_q;
+  logic [3:0] age_s8_q;
+  logic [2:0] slot_s8_q;
+  logic ends_cell_s8_q;
+  logic lower_half_s8_q;
+  logic shift_first_s8_q;
+  logic [11:0] registration_slope_s8_q;
+  logic [4:0] patches_band_rows_number_s8_q;
+  logic patches_chooses_s8_q;
+  logic [4:0] patches_choosing_band_s8_q;
+  logic patches_lower_s8_q;
+  logic patches_second_s8_q;
+  logic [4:0] patches_code_row_s8_q;
+  logic [4:0] patches_column_s8_q;
+  logic [4:0] patches_step_s8_q;
+  logic row_starts_s8_q;
+  logic [3:0] select_508_s8_q;
+  logic equal_509_s8_q;
+  logic [8:0] select_512_s8_q;
+  logic and_521_s8_q;
+  logic equal_527_s8_q;
+  logic [6:0] select_542_s8_q;
+  logic [6:0] last_s8_2_q;
+  logic and_546_s8_q;
+  logic and_548_s8_q;
+  logic equal_567_s8_q;
+  logic equal_573_s8_q;
+  logic so_s8_q;
+  logic equal_577_s8_q;
+  logic or_578_s8_q;
+  logic less_581_s8_q;
+  logic not_582_s8_q;
+  logic equal_592_s8_q;
+  logic [62:0] left_rdata_s8_q;
+  logic and_599_s8_q;
+  logic and_607_s8_q;
+  logic [6:0] x_s8_2_q;
+  logic select_616_s8_q;
+  logic [61:0] best_left_rdata_s8_q;
+  logic [5:0] shift_s8_q;
+  logic [6:0] right_s8_q;
+  logic and_638_s8_q;
+  logic [77:0] right_codes_rdata_s8_q;
+  logic and_643_s8_q;
+  logic and_645_s8_q;
+  logic and_649_s8_q;
+  logic [32:0] fresh_rdata_s8_q;
+  logic equal_678_s8_q;
+  logic and_747_s8_q;
+  logic and_748_s8_q;
+  logic and_749_s8_q;
+  logic and_750_s8_q;
+  logic and_751_s8_q;
+  logic and_752_s8_q;
+  logic and_753_s8_q;
+  logic and_754_s8_q;
+  logic and_755_s8_q;
+  logic and_756_s8_q;
+  logic and_761_s8_q;
+  logic [11:0] select_768_s8_q;
+  logic and_784_s8_q;
+  logic [11:0] select_791_s8_q;
+  logic and_801_s8_q;
+  logic [11:0] select_808_s8_q;
+  logic [11:0] select_1016_s8_q;
+  logic [11:0] select_1039_s8_q;
+  logic [11:0] select_1056_s8_q;
+  logic [11:0] select_1269_s8_q;
+  logic [11:0] select_1290_s8_q;
+  logic [11:0] select_1305_s8_q;
+  logic and_1560_s8_q;
+  logic equal_1561_s8_q;
+  logic and_1684_s8_q;
+  logic right_3_s8_q;
+  logic less_1698_s8_q;
+  logic [5:0] b_s8_q;
+  logic [13:0] select_1753_s8_q;
+  logic equal_1783_s8_q;
+  logic not_1784_s8_q;
+  logic equal_1785_s8_q;
+  logic not_1786_s8_q;
+  logic equal_1787_s8_q;
+  logic equal_1788_s8_q;
+  logic or_1789_s8_q;
+  logic [4:0] select_1813_s8_q;
+  logic select_1819_s8_q;
+  logic and_1846_s8_q;
+  logic [3:0] select_1857_s8_q;
+  logic and_1867_s8_q;
+  logic less_1961_s8_q;
+  logic equal_1962_s8_q;
+  logic not_1963_s8_q;
+  logic equal_1964_s8_q;
+  logic not_1965_s8_q;
+  logic sum_1993_s8_q;
+  logic and_2014_s8_q;
+  logic and_2131_s8_q;
+  logic equal_2278_s8_q;
+  logic equal_2467_s8_q;
+  logic and_2593_s8_q;
+  logic [7:0] select_2725_s8_q;
+  logic [7:0] select_2727_s8_q;
+  logic [5:0] further_s8_q;
+  logic or_3041_s8_q;
+  logic not_3065_s8_q;
+  logic select_3542_s8_q;
+  logic equal_3544_s8_q;
+  logic less_3870_s8_q;
+  logic equal_4089_s8_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) begin
+      pixel_0_s8_q <= pixel_0_s7_q;
+      pixel_1_s8_q <= pixel_1_s7_q;
+      saturated_s8_q <= saturated_s7_q;
+      mask_s8_q <= mask_s7_q;
+      marks_first_s8_q <= marks_first_s7_q;
+      marks_last_s8_q <= marks_last_s7_q;
+      sample_pair_whole_s8_q <= sample_pair_whole_s7_q;
+      sample_present_s8_q <= sample_present_s7_q;
+      run_shift_s8_q <= run_shift_s7_q;
+      x_s8_q <= x_s7_q;
+      last_s8_q <= last_s7_q;
+      age_s8_q <= age_s7_q;
+      slot_s8_q <= slot_s7_q;
+      ends_cell_s8_q <= ends_cell_s7_q;
+      lower_half_s8_q <= lower_half_q;
+      shift_first_s8_q <= shift_first_s7_q;
+      registration_slope_s8_q <= registration_slope_s7_q;
+      patches_band_rows_number_s8_q <= patches_band_rows_number_s7_q;
+      patches_chooses_s8_q <= patches_chooses_s7_q;
+      patches_choosing_band_s8_q <= patches_choosing_band_s7_q;
+      patches_lower_s8_q <= patches_lower_q;
+      patches_second_s8_q <= patches_second_s7_q;
+      patches_code_row_s8_q <= patches_code_row_q;
+      patches_column_s8_q <= patches_column_q;
+      patches_step_s8_q <= patches_step_s7_q;
+      row_starts_s8_q <= row_starts_s7_q;
+      select_508_s8_q <= select_508_s7_q;
+      equal_509_s8_q <= equal_509_s7_q;
+      select_512_s8_q <= select_512_s7_q;
+      and_521_s8_q <= and_521_s7_q;
+      equal_527_s8_q <= equal_527_s7_q;
+      select_542_s8_q <= select_542_s7_q;
+      last_s8_2_q <= last_s7_2_q;
+      and_546_s8_q <= and_546_s7_q;
+      and_548_s8_q <= and_548_s7_q;
+      equal_567_s8_q <= equal_567;
+      equal_573_s8_q <= equal_573_s7_q;
+      so_s8_q <= so_s7_q;
+      equal_577_s8_q <= equal_577_s7_q;
+      or_578_s8_q <= or_578_s7_q;
+      less_581_s8_q <= less_581_s7_q;
+      not_582_s8_q <= not_582_s7_q;
+      equal_592_s8_q <= equal_592_s7_q;
+      left_rdata_s8_q <= {left_rdata_s7_q[65:49], left_rdata_s7_q[47:31], left_rdata_s7_q[29:13], left_rdata_s7_q[11:0]};
+      and_599_s8_q <= or_578_s7_q & (left_rdata_s7_q[70] & not_582_s7_q);
+      and_607_s8_q <= (or_578_s7_q & (left_rdata_s7_q[68] & not_582_s7_q)) & and_606;
+      x_s8_2_q <= x_s7_2_q;
+      select_616_s8_q <= select_616_s7_q;
+      best_left_rdata_s8_q <= best_left_rdata_s7_q;
+      shift_s8_q <= shift;
+      right_s8_q <= right_s7_q;
+      and_638_s8_q <= or_578_s7_q & (left_rdata_s7_q[71] & not_582_s7_q);
+      right_codes_rdata_s8_q <= {right_codes_rdata_s7_q[84:73], right_codes_rdata_s7_q[71:60], right_codes_rdata_s7_q[56:43], right_codes_rdata_s7_q[41:28], right_codes_rdata_s7_q[26:13], right_codes_rdata_s7_q[11:0]};
+      and_643_s8_q <= or_578_s7_q & (right_codes_rdata_s7_q[58] & not_582_s7_q);
+      and_645_s8_q <= or_578_s7_q & (right_codes_rdata_s7_q[59] & not_582_s7_q);
+      and_649_s8_q <= and_649_s7_q;
+      fresh_rdata_s8_q <= fresh_rdata_q;
+      equal_678_s8_q <= row_s7_q == 7'h0;
+      and_747_s8_q <= left_rdata_s7_q[12] & not_746;
+      and_748_s8_q <= left_rdata_s7_q[30] & not_746;
+      and_749_s8_q <= left_rdata_s7_q[48] & not_746;
+      and_750_s8_q <= left_rdata_s7_q[66] & not_746;
+      and_751_s8_q <= right_codes_rdata_s7_q[12] & not_746;
+      and_752_s8_q <= right_codes_rdata_s7_q[27] & not_746;
+      and_753_s8_q <= right_codes_rdata_s7_q[42] & not_746;
+      and_754_s8_q <= right_codes_rdata_s7_q[57] & not_746;
+      and_755_s8_q <= right_codes_rdata_s7_q[72] & not_746;
+      and_756_s8_q <= right_codes_rdata_s7_q[85] & not_746;
+      and_761_s8_q <= and_761;
+      select_768_s8_q <= select_768;
+      and_784_s8_q <= and_784;
+      select_791_s8_q <= select_791;
+      and_801_s8_q <= and_801;
+      select_808_s8_q <= select_808;
+      select_1016_s8_q <= select_1016;
+      select_1039_s8_q <= select_1039;
+      select_1056_s8_q <= select_1051 ? (~(select_803 ^ select_1053)) : 12'h0;
+      select_1269_s8_q <= select_1263 ? (~(select_763 ^ select_1266)) : 12'h0;
+      select_1290_s8_q <= select_1290;
+      select_1305_s8_q <= select_1305;
+      and_1560_s8_q <= and_1560_s7_q;
+      equal_1561_s8_q <= equal_1561_s7_q;
+      and_1684_s8_q <= and_1684_s7_q;
+      right_3_s8_q <= right_3;
+      less_1698_s8_q <= 6'h4 < row_q[6:1];
+      b_s8_q <= b;
+      select_1753_s8_q <= select_1753;
+      equal_1783_s8_q <= equal_1783_s7_q;
+      not_1784_s8_q <= not_1784;
+      equal_1785_s8_q <= equal_1785_s7_q;
+      not_1786_s8_q <= not_1786;
+      equal_1787_s8_q <= equal_1787_s7_q;
+      equal_1788_s8_q <= equal_1788_s7_q;
+      or_1789_s8_q <= or_1789_s7_q;
+      select_1813_s8_q <= select_1813_s7_q;
+      select_1819_s8_q <= select_1819_s7_q;
+      and_1846_s8_q <= not_1784 & (not_1786 & and_1844_s7_q);
+      select_1857_s8_q <= select_1857_s7_q;
+      and_1867_s8_q <= and_1867;
+      less_1961_s8_q <= less_1961_s7_q;
+      equal_1962_s8_q <= equal_1962_s7_q;
+      not_1963_s8_q <= not_1963_s7_q;
+      equal_1964_s8_q <= equal_1964_s7_q;
+      not_1965_s8_q <= not_1965_s7_q;
+      sum_1993_s8_q <= sum_1993_s7_q;
+      and_2014_s8_q <= or_578_s7_q & (left_rdata_s7_q[69] & not_582_s7_q);
+      and_2131_s8_q <= (7'h6 < row_q) & (~(x_s7_q[7:2] == 6'h0));
+      equal_2278_s8_q <= (last_s7_2_q | row_s7_q) == 7'h0;
+      equal_2467_s8_q <= equal_2467_s7_q;
+      and_2593_s8_q <= not_582_s7_q & and_606;
+      select_2725_s8_q <= select_2725;
+      select_2727_s8_q <= select_2727;
+      further_s8_q <= further;
+      or_3041_s8_q <= or_3041_s7_q;
+      not_3065_s8_q <= not_3065_s7_q;
+      select_3542_s8_q <= less_1961_s7_q ? (not_1963_s7_q & select_3540) : select_3540;
+      equal_3544_s8_q <= equal_3544_s7_q;
+      less_3870_s8_q <= 6'h2 < row_s7_q[6:1];
+      equal_4089_s8_q <= row_s7_q[6:3] == 4'h0;
+    end
+  end
+
+  // Stage 8 -----------------------------------------------------------------------------------------------------------
+  logic patches_read_searches_q;
+  // hls/stages/agreement.hpp:967
+  logic [7:0] found;
+  assign found = x_s8_q + {{2{shift_s8_q[5]}}, shift_s8_q};
+  // hls/stages/count_bits.hpp:24
+  logic parity_774;
+  assign parity_774 = ^select_768_s8_q[5:3];
+  logic parity_777;
+  assign parity_777 = ^select_768_s8_q[8:6];
+  logic parity_780;
+  assign parity_780 = ^select_768_s8_q[11:3];
+  logic parity_794;
+  assign parity_794 = ^select_791_s8_q[8:6];
+  logic parity_797;
+  assign parity_797 = ^select_791_s8_q[11:9];
+  logic parity_814;
+  assign parity_814 = ^select_808_s8_q[2:0];
+  logic parity_817;
+  assign parity_817 = ^select_808_s8_q[5:3];
+  logic parity_820;
+  assign parity_820 = ^select_808_s8_q[8:0];
+  logic parity_826;
+  assign parity_826 = ^select_808_s8_q[11:9];
+  logic parity_829;
+  assign parity_829 = ^select_791_s8_q[2:0];
+  logic parity_832;
+  assign parity_832 = ^{select_808_s8_q[11:9], select_791_s8_q[5:0]};
+  logic parity_835;
+  assign parity_835 = ^{select_808_s8_q, select_791_s8_q, select_768_s8_q[2:0]};
+  // hls/stages/count_bits.hpp:23
+  logic or_840;
+  assign or_840 = (select_768_s8_q[1:0] == 2'h3) | (select_768_s8_q[2] & (select_768_s8_q[0] | select_768_s8_q[1]));
+  // hls/stages/count_bits.hpp:25
+  logic or_844;
+  assign or_844 = (select_791_s8_q[7:6] == 2'h3) | (select_791_s8_q[8] & (select_791_s8_q[6] | select_791_s8_q[7]));
+  logic or_848;
+  assign or_848 = (select_791_s8_q[10:9] == 2'h3) | (select_791_s8_q[11] & (select_791_s8_q[9] | select_791_s8_q[10]));
+  // hls/stages/count_bits.hpp:23
+  logic or_856;
+  assign or_856 = (select_808_s8_q[7:6] == 2'h3) | (select_808_s8_q[8] & (~(select_808_s8_q[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
+  logic or_860;
+  assign or_860 = (select_808_s8_q[1:0] == 2'h3) | (select_808_s8_q[2] & (select_808_s8_q[0] | select_808_s8_q[1]));
+  logic or_864;
+  assign or_864 = (select_808_s8_q[4:3] == 2'h3) | (select_808_s8_q[5] & (select_808_s8_q[3] | select_808_s8_q[4]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_867;
+  assign parity_867 = ^{or_864, or_860, or_856};
+  // hls/stages/count_bits.hpp:23
+  logic or_871;
+  assign or_871 = (select_791_s8_q[4:3] == 2'h3) | (select_791_s8_q[5] & (select_791_s8_q[3] | select_791_s8_q[4]));
+  // hls/stages/count_bits.hpp:25
+  logic or_875;
+  assign or_875 = (select_808_s8_q[10:9] == 2'h3) | (select_808_s8_q[11] & (select_808_s8_q[9] | select_808_s8_q[10]));
+  logic or_879;
+  assign or_879 = (select_791_s8_q[1:0] == 2'h3) | (select_791_s8_q[2] & (select_791_s8_q[0] | select_791_s8_q[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_882;
+  assign parity_882 = ^{or_879, or_875, or_871};
+  logic parity_885;
+  assign parity_885 = ^{or_879, or_875, or_871, or_864, or_860, or_856, or_848, or_844, or_840};
+  // hls/stages/count_bits.hpp:25
+  logic or_890;
+  assign or_890 = (parity_774 & parity_777) | ((^select_768_s8_q[11:9]) & (parity_774 | parity_777));
+  logic and_893;
+  assign and_893 = (^{select_791_s8_q[11:6], select_768_s8_q[2:0]}) & (parity_820 | parity_832);
+  // hls/stages/count_bits.hpp:23
+  logic or_901;
+  assign or_901 = (select_768_s8_q[10:9] == 2'h3) | (select_768_s8_q[11] & (select_768_s8_q[9] | select_768_s8_q[10]));
+  // hls/stages/count_bits.hpp:25
+  logic or_905;
+  assign or_905 = (select_768_s8_q[4:3] == 2'h3) | (select_768_s8_q[5] & (select_768_s8_q[3] | select_768_s8_q[4]));
+  logic or_909;
+  assign or_909 = (select_768_s8_q[7:6] == 2'h3) | (select_768_s8_q[8] & (select_768_s8_q[6] | select_768_s8_q[7]));
+  logic or_916;
+  assign or_916 = (parity_794 & parity_797) | ((^select_768_s8_q[2:0]) & (parity_794 | parity_797));
+  logic or_920;
+  assign or_920 = (parity_814 & parity_817) | ((^select_808_s8_q[8:6]) & (parity_814 | parity_817));
+  logic or_924;
+  assign or_924 = (parity_826 & parity_829) | ((^select_791_s8_q[5:3]) & (parity_826 | parity_829));
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1017;
+  assign select_1017 = and_761_s8_q ? select_1016_s8_q : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1023;
+  assign parity_1023 = ^select_1017[5:3];
+  logic parity_1026;
+  assign parity_1026 = ^select_1017[8:6];
+  logic parity_1029;
+  assign parity_1029 = ^select_1017[11:3];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1040;
+  assign select_1040 = and_784_s8_q ? select_1039_s8_q : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1043;
+  assign parity_1043 = ^select_1040[8:6];
+  logic parity_1046;
+  assign parity_1046 = ^select_1040[11:9];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1057;
+  assign select_1057 = and_801_s8_q ? select_1056_s8_q : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1063;
+  assign parity_1063 = ^select_1057[2:0];
+  logic parity_1066;
+  assign parity_1066 = ^select_1057[5:3];
+  logic parity_1069;
+  assign parity_1069 = ^select_1057[8:0];
+  logic parity_1075;
+  assign parity_1075 = ^select_1057[11:9];
+  logic parity_1078;
+  assign parity_1078 = ^select_1040[2:0];
+  logic parity_1081;
+  assign parity_1081 = ^{select_1057[11:9], select_1040[5:0]};
+  logic parity_1084;
+  assign parity_1084 = ^{select_1057, select_1040, select_1017[2:0]};
+  // hls/stages/count_bits.hpp:23
+  logic or_1089;
+  assign or_1089 = (select_1017[1:0] == 2'h3) | (select_1017[2] & (select_1017[0] | select_1017[1]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1093;
+  assign or_1093 = (select_1040[7:6] == 2'h3) | (select_1040[8] & (select_1040[6] | select_1040[7]));
+  logic or_1097;
+  assign or_1097 = (select_1040[10:9] == 2'h3) | (select_1040[11] & (select_1040[9] | select_1040[10]));
+  // hls/stages/count_bits.hpp:23
+  logic or_1105;
+  assign or_1105 = (select_1057[7:6] == 2'h3) | (select_1057[8] & (~(select_1057[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
+  logic or_1109;
+  assign or_1109 = (select_1057[1:0] == 2'h3) | (select_1057[2] & (select_1057[0] | select_1057[1]));
+  logic or_1113;
+  assign or_1113 = (select_1057[4:3] == 2'h3) | (select_1057[5] & (select_1057[3] | select_1057[4]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1116;
+  assign parity_1116 = ^{or_1113, or_1109, or_1105};
+  // hls/stages/count_bits.hpp:23
+  logic or_1120;
+  assign or_1120 = (select_1040[4:3] == 2'h3) | (select_1040[5] & (select_1040[3] | select_1040[4]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1124;
+  assign or_1124 = (select_1057[10:9] == 2'h3) | (select_1057[11] & (select_1057[9] | select_1057[10]));
+  logic or_1128;
+  assign or_1128 = (select_1040[1:0] == 2'h3) | (select_1040[2] & (select_1040[0] | select_1040[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1131;
+  assign parity_1131 = ^{or_1128, or_1124, or_1120};
+  logic parity_1134;
+  assign parity_1134 = ^{or_1128, or_1124, or_1120, or_1113, or_1109, or_1105, or_1097, or_1093, or_1089};
+  // hls/stages/count_bits.hpp:25
+  logic or_1139;
+  assign or_1139 = (parity_1023 & parity_1026) | ((^select_1017[11:9]) & (parity_1023 | parity_1026));
+  logic and_1142;
+  assign and_1142 = (^{select_1040[11:6], select_1017[2:0]}) & (parity_1069 | parity_1081);
+  // hls/stages/count_bits.hpp:23
+  logic or_1150;
+  assign or_1150 = (select_1017[10:9] == 2'h3) | (select_1017[11] & (select_1017[9] | select_1017[10]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1154;
+  assign or_1154 = (select_1017[4:3] == 2'h3) | (select_1017[5] & (select_1017[3] | select_1017[4]));
+  logic or_1158;
+  assign or_1158 = (select_1017[7:6] == 2'h3) | (select_1017[8] & (select_1017[6] | select_1017[7]));
+  logic or_1165;
+  assign or_1165 = (parity_1043 & parity_1046) | ((^select_1017[2:0]) & (parity_1043 | parity_1046));
+  logic or_1169;
+  assign or_1169 = (parity_1063 & parity_1066) | ((^select_1057[8:6]) & (parity_1063 | parity_1066));
+  logic or_1173;
+  assign or_1173 = (parity_1075 & parity_1078) | ((^select_1040[5:3]) & (parity_1075 | parity_1078));
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1270;
+  assign select_1270 = and_761_s8_q ? select_1269_s8_q : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1276;
+  assign parity_1276 = ^select_1270[5:3];
+  logic parity_1279;
+  assign parity_1279 = ^select_1270[8:6];
+  logic parity_1282;
+  assign parity_1282 = ^select_1270[11:3];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1291;
+  assign select_1291 = and_784_s8_q ? select_1290_s8_q : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1294;
+  assign parity_1294 = ^select_1291[8:6];
+  logic parity_1297;
+  assign parity_1297 = ^select_1291[11:9];
+  // hls/stages/agreement.hpp:684
+  logic [11:0] select_1306;
+  assign select_1306 = and_801_s8_q ? select_1305_s8_q : 12'h0;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1312;
+  assign parity_1312 = ^select_1306[2:0];
+  logic parity_1315;
+  assign parity_1315 = ^select_1306[5:3];
+  logic parity_1318;
+  assign parity_1318 = ^select_1306[8:0];
+  logic parity_1324;
+  assign parity_1324 = ^select_1306[11:9];
+  logic parity_1327;
+  assign parity_1327 = ^select_1291[2:0];
+  logic parity_1330;
+  assign parity_1330 = ^{select_1306[11:9], select_1291[5:0]};
+  logic parity_1333;
+  assign parity_1333 = ^{select_1306, select_1291, select_1270[2:0]};
+  // hls/stages/count_bits.hpp:23
+  logic or_1338;
+  assign or_1338 = (select_1270[1:0] == 2'h3) | (select_1270[2] & (select_1270[0] | select_1270[1]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1342;
+  assign or_1342 = (select_1291[7:6] == 2'h3) | (select_1291[8] & (select_1291[6] | select_1291[7]));
+  logic or_1346;
+  assign or_1346 = (select_1291[10:9] == 2'h3) | (select_1291[11] & (select_1291[9] | select_1291[10]));
+  // hls/stages/count_bits.hpp:23
+  logic or_1354;
+  assign or_1354 = (select_1306[7:6] == 2'h3) | (select_1306[8] & (~(select_1306[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
+  logic or_1358;
+  assign or_1358 = (select_1306[1:0] == 2'h3) | (select_1306[2] & (select_1306[0] | select_1306[1]));
+  logic or_1362;
+  assign or_1362 = (select_1306[4:3] == 2'h3) | (select_1306[5] & (select_1306[3] | select_1306[4]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1365;
+  assign parity_1365 = ^{or_1362, or_1358, or_1354};
+  // hls/stages/count_bits.hpp:23
+  logic or_1369;
+  assign or_1369 = (select_1291[4:3] == 2'h3) | (select_1291[5] & (select_1291[3] | select_1291[4]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1373;
+  assign or_1373 = (select_1306[10:9] == 2'h3) | (select_1306[11] & (select_1306[9] | select_1306[10]));
+  logic or_1377;
+  assign or_1377 = (select_1291[1:0] == 2'h3) | (select_1291[2] & (select_1291[0] | select_1291[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1380;
+  assign parity_1380 = ^{or_1377, or_1373, or_1369};
+  logic parity_1383;
+  assign parity_1383 = ^{or_1377, or_1373, or_1369, or_1362, or_1358, or_1354, or_1346, or_1342, or_1338};
+  // hls/stages/count_bits.hpp:25
+  logic or_1388;
+  assign or_1388 = (parity_1276 & parity_1279) | ((^select_1270[11:9]) & (parity_1276 | parity_1279));
+  logic and_1391;
+  assign and_1391 = (^{select_1291[11:6], select_1270[2:0]}) & (parity_1318 | parity_1330);
+  // hls/stages/count_bits.hpp:23
+  logic or_1399;
+  assign or_1399 = (select_1270[10:9] == 2'h3) | (select_1270[11] & (select_1270[9] | select_1270[10]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1403;
+  assign or_1403 = (select_1270[4:3] == 2'h3) | (select_1270[5] & (select_1270[3] | select_1270[4]));
+  logic or_1407;
+  assign or_1407 = (select_1270[7:6] == 2'h3) | (select_1270[8] & (select_1270[6] | select_1270[7]));
+  logic or_1414;
+  assign or_1414 = (parity_1294 & parity_1297) | ((^select_1270[2:0]) & (parity_1294 | parity_1297));
+  logic or_1418;
+  assign or_1418 = (parity_1312 & parity_1315) | ((^select_1306[8:6]) & (parity_1312 | parity_1315));
+  logic or_1422;
+  assign or_1422 = (parity_1324 & parity_1327) | ((^select_1291[5:3]) & (parity_1324 | parity_1327));
+  // hls/stages/agreement.hpp:247
+  logic or_1581;
+  assign or_1581 = (cfg_nearer_below_i & shift_s8_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s8_q)));
+  // hls/stages/agreement.hpp:1009
+  logic [5:0] sum_1646;
+  assign sum_1646 = {1'b0, last_s8_q[6:2]} + 6'h1;
+  // hls/stages/patches.hpp:102
+  logic [9:0] sum_1727;
+  assign sum_1727 = {2'h0, x_s8_q} + {{4{b_s8_q[5]}}, b_s8_q};
+  // hls/stages/registration.hpp:213
+  logic [9:0] select_1754;
+  assign select_1754 = b_s8_q[4] ? select_1753_s8_q[9:0] : 10'h0;
+  // hls/stages/registration.hpp:211
+  logic [12:0] sum_1759;
+  assign sum_1759 = (b_s8_q[0] ? select_1753_s8_q[13:1] : 13'h0) + (b_s8_q[1] ? select_1753_s8_q[12:0] : 13'h0);
+  // hls/stages/registration.hpp:212
+  logic [11:0] select_1760;
+  assign select_1760 = b_s8_q[2] ? select_1753_s8_q[11:0] : 12'h0;
+  // hls/stages/agreement.hpp:149
+  logic [7:0] select_2723;
+  assign select_2723 = or_578_s8_q ? (less_581_s8_q ? 8'h0 : best_left_rdata_s8_q[16:9]) : 8'h0;
+  // hls/stages/registration.hpp:33
+  logic [8:0] rise_2;
+  assign rise_2 = {1'b0, select_2725_s8_q} - {1'b0, select_2727_s8_q};
+  // hls/stages/patches.hpp:110
+  logic [5:0] select_2984;
+  assign select_2984 = right_3_s8_q ? last_s8_q[6:1] : 6'h0;
+  logic [6:0] from;
+  assign from = {1'b0, further_s8_q} + {1'b0, select_2984};
+
+  // Memory patches_left, 512 x 8, DISTANCE 24, hls/stages/patches.hpp:781; read in stage 8, written in stage 20: 8 < 20 < 8 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [7:0] patches_left_mem [0:511];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 512; i++) patches_left_mem[i] = 8'h0;
+`endif
+  logic [8:0] patches_left_raddr;
+  assign patches_left_raddr = {patches_second_s8_q, patches_code_row_s8_q[3:0], patches_column_s8_q[3:0]};
+`ifndef SYNTHESIS
+  logic patches_left_re;
+  assign patches_left_re = s8_en & and_1846_s8_q;
+`endif
+  logic [7:0] patches_left_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) patches_left_rdata_q <= patches_left_mem[patches_left_raddr];
+  end
+
+  // Memory left, write
+  logic [6:0] left_waddr;
+  assign left_waddr = x_s8_q[6:0];
+  logic left_we;
+  assign left_we = s8_en & and_649_s8_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (left_we) left_mem[left_waddr] <= {and_750_s8_q, left_rdata_s8_q[62:46], and_749_s8_q, left_rdata_s8_q[45:29], and_748_s8_q, left_rdata_s8_q[28:12], and_747_s8_q, left_rdata_s8_q[11:0], fresh_rdata_s8_q[30:26], fresh_rdata_s8_q[24], fresh_rdata_s8_q[11:0]};
+  end
+`ifndef SYNTHESIS
+  logic [6:0] left_raddr_s6_sim;
+  logic left_re_s6_sim;
+  logic [6:0] left_raddr_s7_sim;
+  logic left_re_s7_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      left_re_s6_sim <= 1'b0;
+      left_re_s7_sim <= 1'b0;
+    end else if (en_i) begin
+      left_re_s6_sim <= left_re;
+      left_raddr_s6_sim <= left_raddr;
+      left_re_s7_sim <= left_re_s6_sim;
+      left_raddr_s7_sim <= left_raddr_s6_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && left_we) begin
+      if (left_re && left_raddr == left_waddr) begin
+        $error("left: address %0d is read less than DISTANCE steps after its write", left_waddr);
+      end
+      if (left_re_s6_sim && left_raddr_s6_sim == left_waddr) begin
+        $error("left: address %0d is read less than DISTANCE steps after its write", left_waddr);
+      end
+      if (left_re_s7_sim && left_raddr_s7_sim == left_waddr) begin
+        $error("left: address %0d is read less than DISTANCE steps after its write", left_waddr);
+      end
+      if (left_waddr >= 7'd120) $error("left: write outside, address %0d", left_waddr);
+    end
+    if (rst_ni && left_re && left_raddr >= 7'd120) $error("left: read outside, address %0d", left_raddr);
+  end
+`endif
+
+  // Memory right_codes, write
+  logic [6:0] right_codes_waddr;
+  assign right_codes_waddr = x_s8_q[6:0];
+  logic right_codes_we;
+  assign right_codes_we = s8_en & and_649_s8_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_756_s8_q, right_codes_rdata_s8_q[77:66], and_755_s8_q, right_codes_rdata_s8_q[65:54], and_754_s8_q, right_codes_rdata_s8_q[53:40], and_753_s8_q, right_codes_rdata_s8_q[39:26], and_752_s8_q, right_codes_rdata_s8_q[25:12], and_751_s8_q, right_codes_rdata_s8_q[11:0], fresh_rdata_s8_q[32:31], fresh_rdata_s8_q[25], fresh_rdata_s8_q[23:12]};
+  end
+`ifndef SYNTHESIS
+  logic [6:0] right_codes_raddr_s6_sim;
+  logic right_codes_re_s6_sim;
+  logic [6:0] right_codes_raddr_s7_sim;
+  logic right_codes_re_s7_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      right_codes_re_s6_sim <= 1'b0;
+      right_codes_re_s7_sim <= 1'b0;
+    end else if (en_i) begin
+      right_codes_re_s6_sim <= right_codes_re;
+      right_codes_raddr_s6_sim <= right_codes_raddr;
+      right_codes_re_s7_sim <= right_codes_re_s6_sim;
+      right_codes_raddr_s7_sim <= right_codes_raddr_s6_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && right_codes_we) begin
+      if (right_codes_re && right_codes_raddr == right_codes_waddr) begin
+        $error("right_codes: address %0d is read less than DISTANCE steps after its write", right_codes_waddr);
+      end
+      if (right_codes_re_s6_sim && right_codes_raddr_s6_sim == right_codes_waddr) begin
+        $error("right_codes: address %0d is read less than DISTANCE steps after its write", right_codes_waddr);
+      end
+      if (right_codes_re_s7_sim && right_codes_raddr_s7_sim == right_codes_waddr) begin
+        $error("right_codes: address %0d is read less than DISTANCE steps after its write", right_codes_waddr);
+      end
+      if (right_codes_waddr >= 7'd120) $error("right_codes: write outside, address %0d", right_codes_waddr);
+    end
+    if (rst_ni && right_codes_re && right_codes_raddr >= 7'd120) $error("right_codes: read outside, address %0d", right_codes_raddr);
+  end
+`endif
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_read_searches_q <= 1'b0;
+    end else if (s8_en) begin
+      patches_read_searches_q <= equal_1783_s8_q ? select_3542_s8_q : patches_read_searches_q;
+    end
+  end
+
+  logic [7:0] pixel_0_s9_q;
+  logic [7:0] pixel_1_s9_q;
+  logic saturated_s9_q;
+  logic mask_s9_q;
+  logic marks_first_s9_q;
+  logic marks_last_s9_q;
+  logic sample_pair_whole_s9_q;
+  logic sample_present_s9_q;
+  logic [5:0] run_shift_s9_q;
+  logic [7:0] x_s9_q;
+  logic [3:0] age_s9_q;
+  logic [2:0] slot_s9_q;
+  logic ends_cell_s9_q;
+  logic lower_half_s9_q;
+  logic shift_first_s9_q;
+  logic [11:0] registration_slope_s9_q;
+  logic [4:0] patches_band_rows_number_s9_q;
+  logic patches_chooses_s9_q;
+  logic [4:0] patches_choosing_band_s9_q;
+  logic patches_lower_s9_q;
+  logic patches_second_s9_q;
+  logic [4:0] patches_code_row_s9_q;
+  logic [4:0] patches_column_s9_q;
+  logic [4:0] patches_step_s9_q;
+  logic patches_read_searches_s9_q;
+  logic row_starts_s9_q;
+  logic [3:0] select_508_s9_q;
+  logic equal_509_s9_q;
+  logic [8:0] select_512_s9_q;
+  logic and_521_s9_q;
+  logic equal_527_s9_q;
+  logic [6:0] select_542_s9_q;
+  logic [6:0] last_s9_q;
+  logic and_546_s9_q;
+  logic and_548_s9_q;
+  logic equal_567_s9_q;
+  logic equal_573_s9_q;
+  logic so_s9_q;
+  logic equal_577_s9_q;
+  logic or_578_s9_q;
+  logic less_581_s9_q;
+  logic not_582_s9_q;
+  logic equal_592_s9_q;
+  logic and_599_s9_q;
+  logic and_607_s9_q;
+  logic [6:0] x_s9_2_q;
+  logic select_616_s9_q;
+  logic [61:0] best_left_rdata_s9_q;
+  logic [6:0] select_625_s9_q;
+  logic [6:0] right_s9_q;
+  logic and_638_s9_q;
+  logic and_643_s9_q;
+  logic and_645_s9_q;
+  logic equal_678_s9_q;
+  logic xor_836_s9_q;
+  logic parity_885_s9_q;
+  logic and_886_s9_q;
+  logic or_890_s9_q;
+  logic or_894_s9_q;
+  logic or_901_s9_q;
+  logic or_905_s9_q;
+  logic or_909_s9_q;
+  logic or_916_s9_q;
+  logic or_920_s9_q;
+  logic or_924_s9_q;
+  logic and_933_s9_q;
+  logic and_935_s9_q;
+  logic or_947_s9_q;
+  logic or_951_s9_q;
+  logic or_955_s9_q;
+  logic xor_1085_s9_q;
+  logic parity_1100_s9_q;
+  logic parity_1134_s9_q;
+  logic and_1135_s9_q;
+  logic or_1139_s9_q;
+  logic or_1143_s9_q;
+  logic or_1150_s9_q;
+  logic or_1154_s9_q;
+  logic or_1158_s9_q;
+  logic or_1165_s9_q;
+  logic or_1169_s9_q;
+  logic or_1173_s9_q;
+  logic and_1182_s9_q;
+  logic or_1183_s9_q;
+  logic or_1196_s9_q;
+  logic or_1200_s9_q;
+  logic or_1204_s9_q;
+  logic xor_1334_s9_q;
+  logic parity_1349_s9_q;
+  logic parity_1383_s9_q;
+  logic and_1384_s9_q;
+  logic or_1388_s9_q;
+  logic or_1392_s9_q;
+  logic or_1399_s9_q;
+  logic or_1403_s9_q;
+  logic or_1407_s9_q;
+  logic or_1414_s9_q;
+  logic or_1418_s9_q;
+  logic or_1422_s9_q;
+  logic and_1431_s9_q;
+  logic or_1432_s9_q;
+  logic or_1445_s9_q;
+  logic or_1449_s9_q;
+  logic or_1453_s9_q;
+  logic and_1560_s9_q;
+  logic equal_1561_s9_q;
+  logic or_1581_s9_q;
+  logic less_1647_s9_q;
+  logic and_1684_s9_q;
+  logic right_3_s9_q;
+  logic less_1698_s9_q;
+  logic [5:0] b_s9_q;
+  logic less_1719_s9_q;
+  logic not_1723_s9_q;
+  logic less_1728_s9_q;
+  logic less_1729_s9_q;
+  logic select_1754_s9_q;
+  logic [8:0] difference_1756_s9_q;
+  logic [11:0] sum_1759_s9_q;
+  logic select_1760_s9_q;
+  logic [10:0] sum_1762_s9_q;
+  logic equal_1776_s9_q;
+  logic equal_1783_s9_q;
+  logic not_1784_s9_q;
+  logic equal_1785_s9_q;
+  logic not_1786_s9_q;
+  logic equal_1787_s9_q;
+  logic equal_1788_s9_q;
+  logic or_1789_s9_q;
+  logic [7:0] patches_right_0_rdata_s9_q;
+  logic [4:0] select_1813_s9_q;
+  logic select_1819_s9_q;
+  logic [7:0] patches_right_1_rdata_s9_q;
+  logic [3:0] select_1857_s9_q;
+  logic and_1867_s9_q;
+  logic [31:0] patches_columns_above_rdata_s9_q;
+  logic less_1961_s9_q;
+  logic equal_1962_s9_q;
+  logic not_1963_s9_q;
+  logic equal_1964_s9_q;
+  logic not_1965_s9_q;
+  logic [14:0] patches_rows_rdata_s9_q;
+  logic sum_1993_s9_q;
+  logic and_2014_s9_q;
+  logic and_2134_s9_q;
+  logic equal_2278_s9_q;
+  logic equal_2467_s9_q;
+  logic and_2594_s9_q;
+  logic equal_2679_s9_q;
+  logic [7:0] select_2723_s9_q;
+  logic rise_2_s9_q;
+  logic [7:0] select_2729_s9_q;
+  logic [7:0] xor_2734_s9_q;
+  logic less_2760_s9_q;
+  logic not_2987_s9_q;
+  logic or_3041_s9_q;
+  logic not_3065_s9_q;
+  logic equal_3544_s9_q;
+  logic less_3870_s9_q;
+  logic equal_4089_s9_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) begin
+      pixel_0_s9_q <= pixel_0_s8_q;
+      pixel_1_s9_q <= pixel_1_s8_q;
+      saturated_s9_q <= saturated_s8_q;
+      mask_s9_q <= mask_s8_q;
+      marks_first_s9_q <= marks_first_s8_q;
+      marks_last_s9_q <= marks_last_s8_q;
+      sample_pair_whole_s9_q <= sample_pair_whole_s8_q;
+      sample_present_s9_q <= sample_present_s8_q;
+      run_shift_s9_q <= run_shift_s8_q;
+      x_s9_q <= x_s8_q;
+      age_s9_q <= age_s8_q;
+      slot_s9_q <= slot_s8_q;
+      ends_cell_s9_q <= ends_cell_s8_q;
+      lower_half_s9_q <= lower_half_s8_q;
+      shift_first_s9_q <= shift_first_s8_q;
+      registration_slope_s9_q <= registration_slope_s8_q;
+      patches_band_rows_number_s9_q <= patches_band_rows_number_s8_q;
+      patches_chooses_s9_q <= patches_chooses_s8_q;
+      patches_choosing_band_s9_q <= patches_choosing_band_s8_q;
+      patches_lower_s9_q <= patches_lower_s8_q;
+      patches_second_s9_q <= patches_second_s8_q;
+      patches_code_row_s9_q <= patches_code_row_s8_q;
+      patches_column_s9_q <= patches_column_s8_q;
+      patches_step_s9_q <= patches_step_s8_q;
+      patches_read_searches_s9_q <= patches_read_searches_q;
+      row_starts_s9_q <= row_starts_s8_q;
+      select_508_s9_q <= select_508_s8_q;
+      equal_509_s9_q <= equal_509_s8_q;
+      select_512_s9_q <= select_512_s8_q;
+      and_521_s9_q <= and_521_s8_q;
+      equal_527_s9_q <= equal_527_s8_q;
+      select_542_s9_q <= select_542_s8_q;
+      last_s9_q <= last_s8_2_q;
+      and_546_s9_q <= and_546_s8_q;
+      and_548_s9_q <= and_548_s8_q;
+      equal_567_s9_q <= equal_567_s8_q;
+      equal_573_s9_q <= equal_573_s8_q;
+      so_s9_q <= so_s8_q;
+      equal_577_s9_q <= equal_577_s8_q;
+      or_578_s9_q <= or_578_s8_q;
+      less_581_s9_q <= less_581_s8_q;
+      not_582_s9_q <= not_582_s8_q;
+      equal_592_s9_q <= equal_592_s8_q;
+      and_599_s9_q <= and_599_s8_q;
+      and_607_s9_q <= and_607_s8_q;
+      x_s9_2_q <= x_s8_2_q;
+      select_616_s9_q <= select_616_s8_q;
+      best_left_rdata_s9_q <= best_left_rdata_s8_q;
+      select_625_s9_q <= ({1'b0, last_s8_q} < found) ? 7'h0 : found[6:0];
+      right_s9_q <= right_s8_q;
+      and_638_s9_q <= and_638_s8_q;
+      and_643_s9_q <= and_643_s8_q;
+      and_645_s9_q <= and_645_s8_q;
+      equal_678_s9_q <= equal_678_s8_q;
+      xor_836_s9_q <= parity_780 ^ parity_835;
+      parity_885_s9_q <= parity_885;
+      and_886_s9_q <= parity_780 & parity_835;
+      or_890_s9_q <= or_890;
+      or_894_s9_q <= (parity_820 & parity_832) | and_893;
+      or_901_s9_q <= or_901;
+      or_905_s9_q <= or_905;
+      or_909_s9_q <= or_909;
+      or_916_s9_q <= or_916;
+      or_920_s9_q <= or_920;
+      or_924_s9_q <= or_924;
+      and_933_s9_q <= parity_867 & parity_882;
+      and_935_s9_q <= (^{or_848, or_844, or_840}) & (parity_867 | parity_882);
+      or_947_s9_q <= (or_844 & or_848) | (or_840 & (or_844 | or_848));
+      or_951_s9_q <= (or_860 & or_864) | (or_856 & (or_860 | or_864));
+      or_955_s9_q <= (or_875 & or_879) | (or_871 & (or_875 | or_879));
+      xor_1085_s9_q <= parity_1029 ^ parity_1084;
+      parity_1100_s9_q <= ^{or_1097, or_1093, or_1089};
+      parity_1134_s9_q <= parity_1134;
+      and_1135_s9_q <= parity_1029 & parity_1084;
+      or_1139_s9_q <= or_1139;
+      or_1143_s9_q <= (parity_1069 & parity_1081) | and_1142;
+      or_1150_s9_q <= or_1150;
+      or_1154_s9_q <= or_1154;
+      or_1158_s9_q <= or_1158;
+      or_1165_s9_q <= or_1165;
+      or_1169_s9_q <= or_1169;
+      or_1173_s9_q <= or_1173;
+      and_1182_s9_q <= parity_1116 & parity_1131;
+      or_1183_s9_q <= parity_1116 | parity_1131;
+      or_1196_s9_q <= (or_1093 & or_1097) | (or_1089 & (or_1093 | or_1097));
+      or_1200_s9_q <= (or_1109 & or_1113) | (or_1105 & (or_1109 | or_1113));
+      or_1204_s9_q <= (or_1124 & or_1128) | (or_1120 & (or_1124 | or_1128));
+      xor_1334_s9_q <= parity_1282 ^ parity_1333;
+      parity_1349_s9_q <= ^{or_1346, or_1342, or_1338};
+      parity_1383_s9_q <= parity_1383;
+      and_1384_s9_q <= parity_1282 & parity_1333;
+      or_1388_s9_q <= or_1388;
+      or_1392_s9_q <= (parity_1318 & parity_1330) | and_1391;
+      or_1399_s9_q <= or_1399;
+      or_1403_s9_q <= or_1403;
+      or_1407_s9_q <= or_1407;
+      or_1414_s9_q <= or_1414;
+      or_1418_s9_q <= or_1418;
+      or_1422_s9_q <= or_1422;
+      and_1431_s9_q <= parity_1365 & parity_1380;
+      or_1432_s9_q <= parity_1365 | parity_1380;
+      or_1445_s9_q <= (or_1342 & or_1346) | (or_1338 & (or_1342 | or_1346));
+      or_1449_s9_q <= (or_1358 & or_1362) | (or_1354 & (or_1358 | or_1362));
+      or_1453_s9_q <= (or_1373 & or_1377) | (or_1369 & (or_1373 | or_1377));
+      and_1560_s9_q <= and_1560_s8_q;
+      equal_1561_s9_q <= equal_1561_s8_q;
+      or_1581_s9_q <= or_1581;
+      less_1647_s9_q <= {1'b0, sum_1646, last_s8_q[1]} < x_s8_q;
+      and_1684_s9_q <= and_1684_s8_q;
+      right_3_s9_q <= right_3_s8_q;
+      less_1698_s9_q <= less_1698_s8_q;
+      b_s9_q <= b_s8_q;
+      less_1719_s9_q <= {3'h0, last_s8_q[6:1]} < ({1'b0, x_s8_q} + 9'h1);
+      not_1723_s9_q <= ~(x_s8_q < {1'b0, last_s8_q});
+      less_1728_s9_q <= $signed(10'h0) < $signed(sum_1727);
+      less_1729_s9_q <= $signed(sum_1727) < $signed({3'h0, last_s8_q});
+      select_1754_s9_q <= select_1754[0];
+      difference_1756_s9_q <= select_1754[9:1] - (b_s8_q[5] ? select_1753_s8_q[8:0] : 9'h0);
+      sum_1759_s9_q <= sum_1759[12:1];
+      select_1760_s9_q <= select_1760[0];
+      sum_1762_s9_q <= select_1760[11:1] + (b_s8_q[3] ? select_1753_s8_q[10:0] : 11'h0);
+      equal_1776_s9_q <= x_s8_q == {1'b0, last_s8_q};
+      equal_1783_s9_q <= equal_1783_s8_q;
+      not_1784_s9_q <= not_1784_s8_q;
+      equal_1785_s9_q <= equal_1785_s8_q;
+      not_1786_s9_q <= not_1786_s8_q;
+      equal_1787_s9_q <= equal_1787_s8_q;
+      equal_1788_s9_q <= equal_1788_s8_q;
+      or_1789_s9_q <= or_1789_s8_q;
+      patches_right_0_rdata_s9_q <= patches_right_0_rdata_q;
+      select_1813_s9_q <= select_1813_s8_q;
+      select_1819_s9_q <= select_1819_s8_q;
+      patches_right_1_rdata_s9_q <= patches_right_1_rdata_q;
+      select_1857_s9_q <= select_1857_s8_q;
+      and_1867_s9_q <= and_1867_s8_q;
+      patches_columns_above_rdata_s9_q <= patches_columns_above_rdata_q;
+      less_1961_s9_q <= less_1961_s8_q;
+      equal_1962_s9_q <= equal_1962_s8_q;
+      not_1963_s9_q <= not_1963_s8_q;
+      equal_1964_s9_q <= equal_1964_s8_q;
+      not_1965_s9_q <= not_1965_s8_q;
+      patches_rows_rdata_s9_q <= patches_rows_rdata_q;
+      sum_1993_s9_q <= sum_1993_s8_q;
+      and_2014_s9_q <= and_2014_s8_q;
+      and_2134_s9_q <= and_2131_s8_q & (~({sum_1646, last_s8_q[1:0]} < x_s8_q));
+      equal_2278_s9_q <= equal_2278_s8_q;
+      equal_2467_s9_q <= equal_2467_s8_q;
+      and_2594_s9_q <= or_578_s8_q & and_2593_s8_q;
+      equal_2679_s9_q <= shift_s8_q == 6'h0;
+      select_2723_s9_q <= select_2723;
+      rise_2_s9_q <= rise_2[8];
+      select_2729_s9_q <= rise_2[8] ? select_2725_s8_q : select_2727_s8_q;
+      xor_2734_s9_q <= rise_2[7:0] ^ {8{rise_2[8]}};
+      less_2760_s9_q <= select_2725_s8_q < select_2727_s8_q;
+      not_2987_s9_q <= ~(x_s8_q < {1'b0, from});
+      or_3041_s9_q <= or_3041_s8_q;
+      not_3065_s9_q <= not_3065_s8_q;
+      equal_3544_s9_q <= equal_3544_s8_q;
+      less_3870_s9_q <= less_3870_s8_q;
+      equal_4089_s9_q <= equal_4089_s8_q;
+    end
+  end
+
+  // Stage 9 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/patches.hpp:106
+  logic equal_568;
+  assign equal_568 = x_s9_q == 8'h0;
+  // hls/stages/agreement.hpp:259
+  logic first;
+  assign first = equal_567_s9_q & equal_568;
+  // hls/stages/count_bits.hpp:24
+  logic parity_912;
+  assign parity_912 = ^{or_909_s9_q, or_905_s9_q, or_901_s9_q};
+  logic parity_927;
+  assign parity_927 = ^{or_924_s9_q, or_920_s9_q, or_916_s9_q};
+  logic parity_930;
+  assign parity_930 = ^{or_924_s9_q, or_920_s9_q, or_916_s9_q, or_909_s9_q, or_905_s9_q, or_901_s9_q, or_894_s9_q, or_890_s9_q, and_886_s9_q};
+  // hls/stages/count_bits.hpp:25
+  logic and_932;
+  assign and_932 = parity_885_s9_q & parity_930;
+  logic or_936;
+  assign or_936 = and_933_s9_q | and_935_s9_q;
+  logic and_939;
+  assign and_939 = (^{or_894_s9_q, or_890_s9_q, and_886_s9_q}) & (parity_912 | parity_927);
+  logic or_940;
+  assign or_940 = (parity_912 & parity_927) | and_939;
+  // hls/stages/count_bits.hpp:24
+  logic parity_958;
+  assign parity_958 = ^{or_955_s9_q, or_951_s9_q, or_947_s9_q};
+  // hls/stages/count_bits.hpp:25
+  logic or_962;
+  assign or_962 = (or_890_s9_q & or_894_s9_q) | (and_886_s9_q & (or_890_s9_q | or_894_s9_q));
+  logic or_966;
+  assign or_966 = (or_905_s9_q & or_909_s9_q) | (or_901_s9_q & (or_905_s9_q | or_909_s9_q));
+  logic or_970;
+  assign or_970 = (or_920_s9_q & or_924_s9_q) | (or_916_s9_q & (or_920_s9_q | or_924_s9_q));
+  // hls/stages/count_bits.hpp:24
+  logic parity_973;
+  assign parity_973 = ^{or_970, or_966, or_962};
+  logic parity_976;
+  assign parity_976 = ^{or_970, or_966, or_962, or_955_s9_q, or_951_s9_q, or_947_s9_q, or_940, or_936, and_932};
+  // hls/stages/count_bits.hpp:25
+  logic or_988;
+  assign or_988 = (or_951_s9_q & or_955_s9_q) | (or_947_s9_q & (or_951_s9_q | or_955_s9_q));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1161;
+  assign parity_1161 = ^{or_1158_s9_q, or_1154_s9_q, or_1150_s9_q};
+  logic parity_1176;
+  assign parity_1176 = ^{or_1173_s9_q, or_1169_s9_q, or_1165_s9_q};
+  logic parity_1179;
+  assign parity_1179 = ^{or_1173_s9_q, or_1169_s9_q, or_1165_s9_q, or_1158_s9_q, or_1154_s9_q, or_1150_s9_q, or_1143_s9_q, or_1139_s9_q, and_1135_s9_q};
+  // hls/stages/count_bits.hpp:25
+  logic and_1181;
+  assign and_1181 = parity_1134_s9_q & parity_1179;
+  logic or_1185;
+  assign or_1185 = and_1182_s9_q | (parity_1100_s9_q & or_1183_s9_q);
+  logic and_1188;
+  assign and_1188 = (^{or_1143_s9_q, or_1139_s9_q, and_1135_s9_q}) & (parity_1161 | parity_1176);
+  logic or_1189;
+  assign or_1189 = (parity_1161 & parity_1176) | and_1188;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1207;
+  assign parity_1207 = ^{or_1204_s9_q, or_1200_s9_q, or_1196_s9_q};
+  // hls/stages/count_bits.hpp:25
+  logic or_1211;
+  assign or_1211 = (or_1139_s9_q & or_1143_s9_q) | (and_1135_s9_q & (or_1139_s9_q | or_1143_s9_q));
+  logic or_1215;
+  assign or_1215 = (or_1154_s9_q & or_1158_s9_q) | (or_1150_s9_q & (or_1154_s9_q | or_1158_s9_q));
+  logic or_1219;
+  assign or_1219 = (or_1169_s9_q & or_1173_s9_q) | (or_1165_s9_q & (or_1169_s9_q | or_1173_s9_q));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1222;
+  assign parity_1222 = ^{or_1219, or_1215, or_1211};
+  logic parity_1225;
+  assign parity_1225 = ^{or_1219, or_1215, or_1211, or_1204_s9_q, or_1200_s9_q, or_1196_s9_q, or_1189, or_1185, and_1181};
+  // hls/stages/count_bits.hpp:25
+  logic or_1237;
+  assign or_1237 = (or_1200_s9_q & or_1204_s9_q) | (or_1196_s9_q & (or_1200_s9_q | or_1204_s9_q));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1410;
+  assign parity_1410 = ^{or_1407_s9_q, or_1403_s9_q, or_1399_s9_q};
+  logic parity_1425;
+  assign parity_1425 = ^{or_1422_s9_q, or_1418_s9_q, or_1414_s9_q};
+  logic parity_1428;
+  assign parity_1428 = ^{or_1422_s9_q, or_1418_s9_q, or_1414_s9_q, or_1407_s9_q, or_1403_s9_q, or_1399_s9_q, or_1392_s9_q, or_1388_s9_q, and_1384_s9_q};
+  // hls/stages/count_bits.hpp:25
+  logic and_1430;
+  assign and_1430 = parity_1383_s9_q & parity_1428;
+  logic or_1434;
+  assign or_1434 = and_1431_s9_q | (parity_1349_s9_q & or_1432_s9_q);
+  logic and_1437;
+  assign and_1437 = (^{or_1392_s9_q, or_1388_s9_q, and_1384_s9_q}) & (parity_1410 | parity_1425);
+  logic or_1438;
+  assign or_1438 = (parity_1410 & parity_1425) | and_1437;
+  // hls/stages/count_bits.hpp:24
+  logic parity_1456;
+  assign parity_1456 = ^{or_1453_s9_q, or_1449_s9_q, or_1445_s9_q};
+  // hls/stages/count_bits.hpp:25
+  logic or_1460;
+  assign or_1460 = (or_1388_s9_q & or_1392_s9_q) | (and_1384_s9_q & (or_1388_s9_q | or_1392_s9_q));
+  logic or_1464;
+  assign or_1464 = (or_1403_s9_q & or_1407_s9_q) | (or_1399_s9_q & (or_1403_s9_q | or_1407_s9_q));
+  logic or_1468;
+  assign or_1468 = (or_1418_s9_q & or_1422_s9_q) | (or_1414_s9_q & (or_1418_s9_q | or_1422_s9_q));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1471;
+  assign parity_1471 = ^{or_1468, or_1464, or_1460};
+  logic parity_1474;
+  assign parity_1474 = ^{or_1468, or_1464, or_1460, or_1453_s9_q, or_1449_s9_q, or_1445_s9_q, or_1438, or_1434, and_1430};
+  // hls/stages/count_bits.hpp:25
+  logic or_1486;
+  assign or_1486 = (or_1449_s9_q & or_1453_s9_q) | (or_1445_s9_q & (or_1449_s9_q | or_1453_s9_q));
+  // hls/stages/patches.hpp:104
+  logic and_1721;
+  assign and_1721 = less_1719_s9_q & (~right_3_s9_q);
+  // hls/stages/agreement.hpp:1018
+  logic and_1731;
+  assign and_1731 = (~(and_1721 | (equal_568 | not_1723_s9_q))) & (less_1728_s9_q & less_1729_s9_q);
+  // hls/stages/registration.hpp:214
+  logic [11:0] sum_1763;
+  assign sum_1763 = sum_1759_s9_q + {sum_1762_s9_q, select_1760_s9_q};
+  logic [9:0] sum_1764;
+  assign sum_1764 = {difference_1756_s9_q, select_1754_s9_q} + sum_1763[11:2];
+  // hls/stages/patches.hpp:173
+  logic [7:0] pixel;
+  assign pixel = equal_1788_s9_q ? (patches_second_s9_q ? 8'h0 : patches_right_0_rdata_s9_q) : 8'h0;
+  // hls/stages/patches.hpp:468
+  logic [8:0] sum_1914;
+  assign sum_1914 = {1'b0, patches_columns_above_rdata_s9_q[23:16]} + {3'h0, patches_columns_above_rdata_s9_q[31:26]};
+  // hls/stages/registration.hpp:35
+  logic [8:0] fall;
+  assign fall = {1'b0, select_2723_s9_q} - {1'b0, select_2729_s9_q};
+  // hls/stages/registration.hpp:36
+  logic [7:0] wide;
+  assign wide = fall[8] ? 8'h0 : fall[7:0];
+  // hls/stages/registration.hpp:34
+  logic [8:0] size_3;
+  assign size_3 = {8'h0, rise_2_s9_q} + {1'b0, xor_2734_s9_q};
+  // hls/stages/patches.hpp:557
+  logic [9:0] select_3507;
+  assign select_3507 = less_1961_s9_q ? patches_rows_rdata_s9_q[9:0] : 10'h0;
+  // hls/stages/patches.hpp:561
+  logic [9:0] select_3510;
+  assign select_3510 = equal_1964_s9_q ? (less_1961_s9_q ? (equal_1964_s9_q ? 10'h0 : select_3507) : 10'h0) : select_3507;
+  // hls/stages/patches.hpp:557
+  logic [4:0] select_3514;
+  assign select_3514 = less_1961_s9_q ? patches_rows_rdata_s9_q[14:10] : 5'h0;
+  // hls/stages/patches.hpp:561
+  logic [4:0] select_3517;
+  assign select_3517 = equal_1964_s9_q ? (less_1961_s9_q ? (equal_1964_s9_q ? 5'h0 : select_3514) : 5'h0) : select_3514;
+
+  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1376; read in stage 9, written in stage 16: 9 < 16 < 9 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  logic [28:0] best_right_mem [0:119];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 120; i++) best_right_mem[i] = 29'h0;
+`endif
+  logic [6:0] best_right_raddr;
+  assign best_right_raddr = or_578_s9_q ? select_625_s9_q : right_s9_q;
+`ifndef SYNTHESIS
+  logic best_right_re;
+  assign best_right_re = s9_en & select_616_s9_q;
+`endif
+  logic [28:0] best_right_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) best_right_rdata_q <= best_right_mem[best_right_raddr];
   end
 
   logic [7:0] pixel_0_s10_q;
@@ -1761,7 +2800,6 @@ module horopter_agreement (
   logic sample_present_s10_q;
   logic [5:0] run_shift_s10_q;
   logic [7:0] x_s10_q;
-  logic [6:0] last_s10_q;
   logic [3:0] age_s10_q;
   logic [2:0] slot_s10_q;
   logic ends_cell_s10_q;
@@ -1776,100 +2814,114 @@ module horopter_agreement (
   logic [4:0] patches_code_row_s10_q;
   logic [4:0] patches_column_s10_q;
   logic [4:0] patches_step_s10_q;
+  logic patches_read_searches_s10_q;
+  logic row_starts_s10_q;
   logic [3:0] select_508_s10_q;
   logic equal_509_s10_q;
-  logic [6:0] select_511_s10_q;
-  logic [8:0] select_515_s10_q;
-  logic and_524_s10_q;
-  logic equal_530_s10_q;
-  logic [6:0] last_s10_2_q;
+  logic [8:0] select_512_s10_q;
+  logic and_521_s10_q;
+  logic equal_527_s10_q;
+  logic [6:0] select_542_s10_q;
+  logic [6:0] last_s10_q;
+  logic and_546_s10_q;
   logic and_548_s10_q;
-  logic and_550_s10_q;
-  logic equal_569_s10_q;
-  logic equal_575_s10_q;
+  logic equal_568_s10_q;
+  logic first_s10_q;
+  logic equal_573_s10_q;
   logic so_s10_q;
-  logic equal_579_s10_q;
-  logic or_580_s10_q;
-  logic less_583_s10_q;
-  logic not_584_s10_q;
-  logic equal_594_s10_q;
-  logic [62:0] left_rdata_s10_q;
-  logic and_601_s10_q;
-  logic and_609_s10_q;
+  logic equal_577_s10_q;
+  logic or_578_s10_q;
+  logic less_581_s10_q;
+  logic not_582_s10_q;
+  logic equal_592_s10_q;
+  logic and_599_s10_q;
+  logic and_607_s10_q;
   logic [6:0] x_s10_2_q;
-  logic select_618_s10_q;
   logic [61:0] best_left_rdata_s10_q;
-  logic [5:0] shift_s10_q;
+  logic [6:0] select_625_s10_q;
   logic [6:0] right_s10_q;
-  logic and_640_s10_q;
-  logic [77:0] right_codes_rdata_s10_q;
+  logic and_638_s10_q;
+  logic and_643_s10_q;
   logic and_645_s10_q;
-  logic and_647_s10_q;
-  logic and_651_s10_q;
-  logic [32:0] fresh_rdata_s10_q;
-  logic equal_680_s10_q;
-  logic and_749_s10_q;
-  logic and_750_s10_q;
-  logic and_751_s10_q;
-  logic and_752_s10_q;
-  logic and_753_s10_q;
-  logic and_754_s10_q;
-  logic and_755_s10_q;
-  logic and_756_s10_q;
-  logic and_757_s10_q;
-  logic and_758_s10_q;
-  logic and_763_s10_q;
-  logic [11:0] select_770_s10_q;
-  logic and_786_s10_q;
-  logic [11:0] select_793_s10_q;
-  logic and_803_s10_q;
-  logic [11:0] select_810_s10_q;
-  logic [11:0] select_1018_s10_q;
-  logic [11:0] select_1041_s10_q;
-  logic [11:0] select_1058_s10_q;
-  logic [11:0] select_1271_s10_q;
-  logic [11:0] select_1292_s10_q;
-  logic [11:0] select_1307_s10_q;
-  logic and_1562_s10_q;
-  logic equal_1563_s10_q;
-  logic and_1676_s10_q;
-  logic and_1689_s10_q;
+  logic equal_678_s10_q;
+  logic xor_836_s10_q;
+  logic xor_931_s10_q;
+  logic parity_976_s10_q;
+  logic and_977_s10_q;
+  logic and_979_s10_q;
+  logic and_981_s10_q;
+  logic and_983_s10_q;
+  logic or_988_s10_q;
+  logic or_992_s10_q;
+  logic xor_1085_s10_q;
+  logic xor_1180_s10_q;
+  logic parity_1225_s10_q;
+  logic and_1226_s10_q;
+  logic and_1228_s10_q;
+  logic and_1230_s10_q;
+  logic and_1232_s10_q;
+  logic or_1237_s10_q;
+  logic or_1241_s10_q;
+  logic xor_1334_s10_q;
+  logic xor_1429_s10_q;
+  logic parity_1474_s10_q;
+  logic and_1475_s10_q;
+  logic and_1477_s10_q;
+  logic and_1479_s10_q;
+  logic and_1481_s10_q;
+  logic or_1486_s10_q;
+  logic or_1490_s10_q;
+  logic and_1560_s10_q;
+  logic equal_1561_s10_q;
+  logic or_1581_s10_q;
+  logic less_1647_s10_q;
+  logic and_1684_s10_q;
   logic right_3_s10_q;
-  logic less_1703_s10_q;
+  logic less_1698_s10_q;
   logic [5:0] b_s10_q;
-  logic [13:0] select_1758_s10_q;
+  logic and_1731_s10_q;
+  logic [7:0] sum_1764_s10_q;
+  logic equal_1776_s10_q;
+  logic or_1777_s10_q;
+  logic equal_1783_s10_q;
+  logic not_1784_s10_q;
+  logic equal_1785_s10_q;
+  logic not_1786_s10_q;
+  logic equal_1787_s10_q;
   logic equal_1788_s10_q;
-  logic not_1789_s10_q;
-  logic equal_1790_s10_q;
-  logic not_1791_s10_q;
-  logic equal_1792_s10_q;
-  logic equal_1793_s10_q;
-  logic or_1794_s10_q;
-  logic [4:0] select_1818_s10_q;
-  logic select_1824_s10_q;
-  logic and_1851_s10_q;
-  logic [3:0] select_1862_s10_q;
-  logic and_1872_s10_q;
-  logic less_1966_s10_q;
-  logic equal_1967_s10_q;
-  logic not_1968_s10_q;
-  logic equal_1969_s10_q;
-  logic not_1970_s10_q;
-  logic sum_1998_s10_q;
-  logic and_2019_s10_q;
+  logic or_1789_s10_q;
+  logic [4:0] select_1813_s10_q;
+  logic select_1819_s10_q;
+  logic [7:0] patches_left_rdata_s10_q;
+  logic [3:0] select_1857_s10_q;
+  logic and_1867_s10_q;
+  logic [31:0] patches_columns_above_rdata_s10_q;
+  logic [7:0] select_1871_s10_q;
+  logic [8:0] sum_1914_s10_q;
+  logic less_1961_s10_q;
+  logic equal_1962_s10_q;
+  logic not_1963_s10_q;
+  logic equal_1964_s10_q;
+  logic not_1965_s10_q;
+  logic [9:0] patches_rows_rdata_s10_q;
+  logic sum_1993_s10_q;
+  logic and_2014_s10_q;
   logic and_2136_s10_q;
-  logic equal_2283_s10_q;
-  logic equal_2472_s10_q;
-  logic and_2598_s10_q;
-  logic [7:0] select_2730_s10_q;
-  logic [7:0] select_2732_s10_q;
-  logic [5:0] further_s10_q;
-  logic or_3047_s10_q;
-  logic not_3071_s10_q;
-  logic select_3548_s10_q;
-  logic equal_3550_s10_q;
-  logic less_3876_s10_q;
-  logic equal_4095_s10_q;
+  logic equal_2278_s10_q;
+  logic equal_2467_s10_q;
+  logic and_2594_s10_q;
+  logic equal_2679_s10_q;
+  logic [7:0] wide_s10_q;
+  logic [8:0] size_3_s10_q;
+  logic less_2760_s10_q;
+  logic not_2987_s10_q;
+  logic or_3041_s10_q;
+  logic not_3065_s10_q;
+  logic [9:0] select_3510_s10_q;
+  logic [4:0] select_3517_s10_q;
+  logic equal_3544_s10_q;
+  logic less_3870_s10_q;
+  logic equal_4089_s10_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s10_q <= pixel_0_s9_q;
@@ -1882,1290 +2934,132 @@ module horopter_agreement (
       sample_present_s10_q <= sample_present_s9_q;
       run_shift_s10_q <= run_shift_s9_q;
       x_s10_q <= x_s9_q;
-      last_s10_q <= last_s9_q;
       age_s10_q <= age_s9_q;
       slot_s10_q <= slot_s9_q;
       ends_cell_s10_q <= ends_cell_s9_q;
-      lower_half_s10_q <= lower_half_q;
+      lower_half_s10_q <= lower_half_s9_q;
       shift_first_s10_q <= shift_first_s9_q;
       registration_slope_s10_q <= registration_slope_s9_q;
       patches_band_rows_number_s10_q <= patches_band_rows_number_s9_q;
       patches_chooses_s10_q <= patches_chooses_s9_q;
       patches_choosing_band_s10_q <= patches_choosing_band_s9_q;
-      patches_lower_s10_q <= patches_lower_q;
+      patches_lower_s10_q <= patches_lower_s9_q;
       patches_second_s10_q <= patches_second_s9_q;
-      patches_code_row_s10_q <= patches_code_row_q;
-      patches_column_s10_q <= patches_column_q;
+      patches_code_row_s10_q <= patches_code_row_s9_q;
+      patches_column_s10_q <= patches_column_s9_q;
       patches_step_s10_q <= patches_step_s9_q;
+      patches_read_searches_s10_q <= patches_read_searches_s9_q;
+      row_starts_s10_q <= row_starts_s9_q;
       select_508_s10_q <= select_508_s9_q;
       equal_509_s10_q <= equal_509_s9_q;
-      select_511_s10_q <= select_511_s9_q;
-      select_515_s10_q <= select_515_s9_q;
-      and_524_s10_q <= and_524_s9_q;
-      equal_530_s10_q <= equal_530_s9_q;
-      last_s10_2_q <= last_s9_2_q;
+      select_512_s10_q <= select_512_s9_q;
+      and_521_s10_q <= and_521_s9_q;
+      equal_527_s10_q <= equal_527_s9_q;
+      select_542_s10_q <= select_542_s9_q;
+      last_s10_q <= last_s9_q;
+      and_546_s10_q <= and_546_s9_q;
       and_548_s10_q <= and_548_s9_q;
-      and_550_s10_q <= and_550_s9_q;
-      equal_569_s10_q <= equal_569;
-      equal_575_s10_q <= equal_575_s9_q;
+      equal_568_s10_q <= equal_568;
+      first_s10_q <= first;
+      equal_573_s10_q <= equal_573_s9_q;
       so_s10_q <= so_s9_q;
-      equal_579_s10_q <= equal_579_s9_q;
-      or_580_s10_q <= or_580_s9_q;
-      less_583_s10_q <= less_583_s9_q;
-      not_584_s10_q <= not_584_s9_q;
-      equal_594_s10_q <= equal_594_s9_q;
-      left_rdata_s10_q <= {left_rdata_s9_q[65:49], left_rdata_s9_q[47:31], left_rdata_s9_q[29:13], left_rdata_s9_q[11:0]};
-      and_601_s10_q <= or_580_s9_q & (left_rdata_s9_q[70] & not_584_s9_q);
-      and_609_s10_q <= (or_580_s9_q & (left_rdata_s9_q[68] & not_584_s9_q)) & and_608;
+      equal_577_s10_q <= equal_577_s9_q;
+      or_578_s10_q <= or_578_s9_q;
+      less_581_s10_q <= less_581_s9_q;
+      not_582_s10_q <= not_582_s9_q;
+      equal_592_s10_q <= equal_592_s9_q;
+      and_599_s10_q <= and_599_s9_q;
+      and_607_s10_q <= and_607_s9_q;
       x_s10_2_q <= x_s9_2_q;
-      select_618_s10_q <= select_618_s9_q;
       best_left_rdata_s10_q <= best_left_rdata_s9_q;
-      shift_s10_q <= shift;
+      select_625_s10_q <= select_625_s9_q;
       right_s10_q <= right_s9_q;
-      and_640_s10_q <= or_580_s9_q & (left_rdata_s9_q[71] & not_584_s9_q);
-      right_codes_rdata_s10_q <= {right_codes_rdata_s9_q[84:73], right_codes_rdata_s9_q[71:60], right_codes_rdata_s9_q[56:43], right_codes_rdata_s9_q[41:28], right_codes_rdata_s9_q[26:13], right_codes_rdata_s9_q[11:0]};
-      and_645_s10_q <= or_580_s9_q & (right_codes_rdata_s9_q[58] & not_584_s9_q);
-      and_647_s10_q <= or_580_s9_q & (right_codes_rdata_s9_q[59] & not_584_s9_q);
-      and_651_s10_q <= and_651_s9_q;
-      fresh_rdata_s10_q <= fresh_rdata_q;
-      equal_680_s10_q <= row_s9_q == 7'h0;
-      and_749_s10_q <= left_rdata_s9_q[12] & not_748;
-      and_750_s10_q <= left_rdata_s9_q[30] & not_748;
-      and_751_s10_q <= left_rdata_s9_q[48] & not_748;
-      and_752_s10_q <= left_rdata_s9_q[66] & not_748;
-      and_753_s10_q <= right_codes_rdata_s9_q[12] & not_748;
-      and_754_s10_q <= right_codes_rdata_s9_q[27] & not_748;
-      and_755_s10_q <= right_codes_rdata_s9_q[42] & not_748;
-      and_756_s10_q <= right_codes_rdata_s9_q[57] & not_748;
-      and_757_s10_q <= right_codes_rdata_s9_q[72] & not_748;
-      and_758_s10_q <= right_codes_rdata_s9_q[85] & not_748;
-      and_763_s10_q <= and_763;
-      select_770_s10_q <= select_770;
-      and_786_s10_q <= and_786;
-      select_793_s10_q <= select_793;
-      and_803_s10_q <= and_803;
-      select_810_s10_q <= select_810;
-      select_1018_s10_q <= select_1018;
-      select_1041_s10_q <= select_1041;
-      select_1058_s10_q <= select_1053 ? (~(select_805 ^ select_1055)) : 12'h0;
-      select_1271_s10_q <= select_1265 ? (~(select_765 ^ select_1268)) : 12'h0;
-      select_1292_s10_q <= select_1292;
-      select_1307_s10_q <= select_1307;
-      and_1562_s10_q <= and_1562_s9_q;
-      equal_1563_s10_q <= equal_1563_s9_q;
-      and_1676_s10_q <= and_1676_s9_q;
-      and_1689_s10_q <= and_1689_s9_q;
-      right_3_s10_q <= right_3;
-      less_1703_s10_q <= 6'h4 < row_q[6:1];
-      b_s10_q <= b;
-      select_1758_s10_q <= select_1758;
+      and_638_s10_q <= and_638_s9_q;
+      and_643_s10_q <= and_643_s9_q;
+      and_645_s10_q <= and_645_s9_q;
+      equal_678_s10_q <= equal_678_s9_q;
+      xor_836_s10_q <= xor_836_s9_q;
+      xor_931_s10_q <= parity_885_s9_q ^ parity_930;
+      parity_976_s10_q <= parity_976;
+      and_977_s10_q <= parity_958 & parity_973;
+      and_979_s10_q <= (^{or_940, or_936, and_932}) & (parity_958 | parity_973);
+      and_981_s10_q <= or_936 & or_940;
+      and_983_s10_q <= and_932 & (or_936 | or_940);
+      or_988_s10_q <= or_988;
+      or_992_s10_q <= (or_966 & or_970) | (or_962 & (or_966 | or_970));
+      xor_1085_s10_q <= xor_1085_s9_q;
+      xor_1180_s10_q <= parity_1134_s9_q ^ parity_1179;
+      parity_1225_s10_q <= parity_1225;
+      and_1226_s10_q <= parity_1207 & parity_1222;
+      and_1228_s10_q <= (^{or_1189, or_1185, and_1181}) & (parity_1207 | parity_1222);
+      and_1230_s10_q <= or_1185 & or_1189;
+      and_1232_s10_q <= and_1181 & (or_1185 | or_1189);
+      or_1237_s10_q <= or_1237;
+      or_1241_s10_q <= (or_1215 & or_1219) | (or_1211 & (or_1215 | or_1219));
+      xor_1334_s10_q <= xor_1334_s9_q;
+      xor_1429_s10_q <= parity_1383_s9_q ^ parity_1428;
+      parity_1474_s10_q <= parity_1474;
+      and_1475_s10_q <= parity_1456 & parity_1471;
+      and_1477_s10_q <= (^{or_1438, or_1434, and_1430}) & (parity_1456 | parity_1471);
+      and_1479_s10_q <= or_1434 & or_1438;
+      and_1481_s10_q <= and_1430 & (or_1434 | or_1438);
+      or_1486_s10_q <= or_1486;
+      or_1490_s10_q <= (or_1464 & or_1468) | (or_1460 & (or_1464 | or_1468));
+      and_1560_s10_q <= and_1560_s9_q;
+      equal_1561_s10_q <= equal_1561_s9_q;
+      or_1581_s10_q <= or_1581_s9_q;
+      less_1647_s10_q <= less_1647_s9_q;
+      and_1684_s10_q <= and_1684_s9_q;
+      right_3_s10_q <= right_3_s9_q;
+      less_1698_s10_q <= less_1698_s9_q;
+      b_s10_q <= b_s9_q;
+      and_1731_s10_q <= and_1731;
+      sum_1764_s10_q <= sum_1764[9:2];
+      equal_1776_s10_q <= equal_1776_s9_q;
+      or_1777_s10_q <= and_1721 | equal_1776_s9_q;
+      equal_1783_s10_q <= equal_1783_s9_q;
+      not_1784_s10_q <= not_1784_s9_q;
+      equal_1785_s10_q <= equal_1785_s9_q;
+      not_1786_s10_q <= not_1786_s9_q;
+      equal_1787_s10_q <= equal_1787_s9_q;
       equal_1788_s10_q <= equal_1788_s9_q;
-      not_1789_s10_q <= not_1789;
-      equal_1790_s10_q <= equal_1790_s9_q;
-      not_1791_s10_q <= not_1791;
-      equal_1792_s10_q <= equal_1792_s9_q;
-      equal_1793_s10_q <= equal_1793_s9_q;
-      or_1794_s10_q <= or_1794_s9_q;
-      select_1818_s10_q <= select_1818_s9_q;
-      select_1824_s10_q <= select_1824_s9_q;
-      and_1851_s10_q <= not_1789 & (not_1791 & and_1849_s9_q);
-      select_1862_s10_q <= select_1862_s9_q;
-      and_1872_s10_q <= and_1872;
-      less_1966_s10_q <= less_1966_s9_q;
-      equal_1967_s10_q <= equal_1967_s9_q;
-      not_1968_s10_q <= not_1968_s9_q;
-      equal_1969_s10_q <= equal_1969_s9_q;
-      not_1970_s10_q <= not_1970_s9_q;
-      sum_1998_s10_q <= sum_1998_s9_q;
-      and_2019_s10_q <= or_580_s9_q & (left_rdata_s9_q[69] & not_584_s9_q);
-      and_2136_s10_q <= (7'h6 < row_q) & (~(x_s9_q[7:2] == 6'h0));
-      equal_2283_s10_q <= (last_s9_2_q | row_s9_q) == 7'h0;
-      equal_2472_s10_q <= equal_2472_s9_q;
-      and_2598_s10_q <= not_584_s9_q & and_608;
-      select_2730_s10_q <= select_2730;
-      select_2732_s10_q <= select_2732;
-      further_s10_q <= further;
-      or_3047_s10_q <= or_3047_s9_q;
-      not_3071_s10_q <= not_3071_s9_q;
-      select_3548_s10_q <= less_1966_s9_q ? (not_1968_s9_q & select_3546) : select_3546;
-      equal_3550_s10_q <= equal_3550_s9_q;
-      less_3876_s10_q <= 6'h2 < row_s9_q[6:1];
-      equal_4095_s10_q <= row_s9_q[6:3] == 4'h0;
+      or_1789_s10_q <= or_1789_s9_q;
+      select_1813_s10_q <= select_1813_s9_q;
+      select_1819_s10_q <= select_1819_s9_q;
+      patches_left_rdata_s10_q <= patches_left_rdata_q;
+      select_1857_s10_q <= select_1857_s9_q;
+      and_1867_s10_q <= and_1867_s9_q;
+      patches_columns_above_rdata_s10_q <= patches_columns_above_rdata_s9_q;
+      select_1871_s10_q <= patches_second_s9_q ? patches_right_1_rdata_s9_q : pixel;
+      sum_1914_s10_q <= sum_1914;
+      less_1961_s10_q <= less_1961_s9_q;
+      equal_1962_s10_q <= equal_1962_s9_q;
+      not_1963_s10_q <= not_1963_s9_q;
+      equal_1964_s10_q <= equal_1964_s9_q;
+      not_1965_s10_q <= not_1965_s9_q;
+      patches_rows_rdata_s10_q <= patches_rows_rdata_s9_q[9:0];
+      sum_1993_s10_q <= sum_1993_s9_q;
+      and_2014_s10_q <= and_2014_s9_q;
+      and_2136_s10_q <= so_s9_q & (ends_cell_s9_q & and_2134_s9_q);
+      equal_2278_s10_q <= equal_2278_s9_q;
+      equal_2467_s10_q <= equal_2467_s9_q;
+      and_2594_s10_q <= and_2594_s9_q;
+      equal_2679_s10_q <= equal_2679_s9_q;
+      wide_s10_q <= wide;
+      size_3_s10_q <= size_3;
+      less_2760_s10_q <= less_2760_s9_q;
+      not_2987_s10_q <= not_2987_s9_q;
+      or_3041_s10_q <= or_3041_s9_q;
+      not_3065_s10_q <= not_3065_s9_q;
+      select_3510_s10_q <= select_3510;
+      select_3517_s10_q <= select_3517;
+      equal_3544_s10_q <= equal_3544_s9_q;
+      less_3870_s10_q <= less_3870_s9_q;
+      equal_4089_s10_q <= equal_4089_s9_q;
     end
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
-  logic patches_read_searches_q;
-  // hls/stages/agreement.hpp:967
-  logic [7:0] found;
-  assign found = x_s10_q + {{2{shift_s10_q[5]}}, shift_s10_q};
-  // hls/stages/count_bits.hpp:24
-  logic parity_776;
-  assign parity_776 = ^select_770_s10_q[5:3];
-  logic parity_779;
-  assign parity_779 = ^select_770_s10_q[8:6];
-  logic parity_782;
-  assign parity_782 = ^select_770_s10_q[11:3];
-  logic parity_796;
-  assign parity_796 = ^select_793_s10_q[8:6];
-  logic parity_799;
-  assign parity_799 = ^select_793_s10_q[11:9];
-  logic parity_816;
-  assign parity_816 = ^select_810_s10_q[2:0];
-  logic parity_819;
-  assign parity_819 = ^select_810_s10_q[5:3];
-  logic parity_822;
-  assign parity_822 = ^select_810_s10_q[8:0];
-  logic parity_828;
-  assign parity_828 = ^select_810_s10_q[11:9];
-  logic parity_831;
-  assign parity_831 = ^select_793_s10_q[2:0];
-  logic parity_834;
-  assign parity_834 = ^{select_810_s10_q[11:9], select_793_s10_q[5:0]};
-  logic parity_837;
-  assign parity_837 = ^{select_810_s10_q, select_793_s10_q, select_770_s10_q[2:0]};
-  // hls/stages/count_bits.hpp:23
-  logic and_841;
-  assign and_841 = select_770_s10_q[2] & (select_770_s10_q[0] | select_770_s10_q[1]);
-  logic or_842;
-  assign or_842 = (select_770_s10_q[1:0] == 2'h3) | and_841;
-  // hls/stages/count_bits.hpp:25
-  logic and_845;
-  assign and_845 = select_793_s10_q[8] & (select_793_s10_q[6] | select_793_s10_q[7]);
-  logic or_846;
-  assign or_846 = (select_793_s10_q[7:6] == 2'h3) | and_845;
-  logic and_849;
-  assign and_849 = select_793_s10_q[11] & (select_793_s10_q[9] | select_793_s10_q[10]);
-  logic or_850;
-  assign or_850 = (select_793_s10_q[10:9] == 2'h3) | and_849;
-  // hls/stages/count_bits.hpp:23
-  logic or_858;
-  assign or_858 = (select_810_s10_q[7:6] == 2'h3) | (select_810_s10_q[8] & (~(select_810_s10_q[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic and_861;
-  assign and_861 = select_810_s10_q[2] & (select_810_s10_q[0] | select_810_s10_q[1]);
-  logic or_862;
-  assign or_862 = (select_810_s10_q[1:0] == 2'h3) | and_861;
-  logic and_865;
-  assign and_865 = select_810_s10_q[5] & (select_810_s10_q[3] | select_810_s10_q[4]);
-  logic or_866;
-  assign or_866 = (select_810_s10_q[4:3] == 2'h3) | and_865;
-  // hls/stages/count_bits.hpp:24
-  logic parity_869;
-  assign parity_869 = ^{or_866, or_862, or_858};
-  // hls/stages/count_bits.hpp:23
-  logic and_872;
-  assign and_872 = select_793_s10_q[5] & (select_793_s10_q[3] | select_793_s10_q[4]);
-  logic or_873;
-  assign or_873 = (select_793_s10_q[4:3] == 2'h3) | and_872;
-  // hls/stages/count_bits.hpp:25
-  logic and_876;
-  assign and_876 = select_810_s10_q[11] & (select_810_s10_q[9] | select_810_s10_q[10]);
-  logic or_877;
-  assign or_877 = (select_810_s10_q[10:9] == 2'h3) | and_876;
-  logic and_880;
-  assign and_880 = select_793_s10_q[2] & (select_793_s10_q[0] | select_793_s10_q[1]);
-  logic or_881;
-  assign or_881 = (select_793_s10_q[1:0] == 2'h3) | and_880;
-  // hls/stages/count_bits.hpp:24
-  logic parity_884;
-  assign parity_884 = ^{or_881, or_877, or_873};
-  logic parity_887;
-  assign parity_887 = ^{or_881, or_877, or_873, or_866, or_862, or_858, or_850, or_846, or_842};
-  // hls/stages/count_bits.hpp:25
-  logic or_892;
-  assign or_892 = (parity_776 & parity_779) | ((^select_770_s10_q[11:9]) & (parity_776 | parity_779));
-  logic and_895;
-  assign and_895 = (^{select_793_s10_q[11:6], select_770_s10_q[2:0]}) & (parity_822 | parity_834);
-  // hls/stages/count_bits.hpp:23
-  logic and_902;
-  assign and_902 = select_770_s10_q[11] & (select_770_s10_q[9] | select_770_s10_q[10]);
-  // hls/stages/count_bits.hpp:25
-  logic and_906;
-  assign and_906 = select_770_s10_q[5] & (select_770_s10_q[3] | select_770_s10_q[4]);
-  logic and_910;
-  assign and_910 = select_770_s10_q[8] & (select_770_s10_q[6] | select_770_s10_q[7]);
-  logic or_918;
-  assign or_918 = (parity_796 & parity_799) | ((^select_770_s10_q[2:0]) & (parity_796 | parity_799));
-  logic or_922;
-  assign or_922 = (parity_816 & parity_819) | ((^select_810_s10_q[8:6]) & (parity_816 | parity_819));
-  logic or_926;
-  assign or_926 = (parity_828 & parity_831) | ((^select_793_s10_q[5:3]) & (parity_828 | parity_831));
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1019;
-  assign select_1019 = and_763_s10_q ? select_1018_s10_q : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1025;
-  assign parity_1025 = ^select_1019[5:3];
-  logic parity_1028;
-  assign parity_1028 = ^select_1019[8:6];
-  logic parity_1031;
-  assign parity_1031 = ^select_1019[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1042;
-  assign select_1042 = and_786_s10_q ? select_1041_s10_q : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1045;
-  assign parity_1045 = ^select_1042[8:6];
-  logic parity_1048;
-  assign parity_1048 = ^select_1042[11:9];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1059;
-  assign select_1059 = and_803_s10_q ? select_1058_s10_q : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1065;
-  assign parity_1065 = ^select_1059[2:0];
-  logic parity_1068;
-  assign parity_1068 = ^select_1059[5:3];
-  logic parity_1071;
-  assign parity_1071 = ^select_1059[8:0];
-  logic parity_1077;
-  assign parity_1077 = ^select_1059[11:9];
-  logic parity_1080;
-  assign parity_1080 = ^select_1042[2:0];
-  logic parity_1083;
-  assign parity_1083 = ^{select_1059[11:9], select_1042[5:0]};
-  logic parity_1086;
-  assign parity_1086 = ^{select_1059, select_1042, select_1019[2:0]};
-  // hls/stages/count_bits.hpp:23
-  logic or_1091;
-  assign or_1091 = (select_1019[1:0] == 2'h3) | (select_1019[2] & (select_1019[0] | select_1019[1]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1095;
-  assign or_1095 = (select_1042[7:6] == 2'h3) | (select_1042[8] & (select_1042[6] | select_1042[7]));
-  logic or_1099;
-  assign or_1099 = (select_1042[10:9] == 2'h3) | (select_1042[11] & (select_1042[9] | select_1042[10]));
-  // hls/stages/count_bits.hpp:23
-  logic or_1107;
-  assign or_1107 = (select_1059[7:6] == 2'h3) | (select_1059[8] & (~(select_1059[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_1111;
-  assign or_1111 = (select_1059[1:0] == 2'h3) | (select_1059[2] & (select_1059[0] | select_1059[1]));
-  logic or_1115;
-  assign or_1115 = (select_1059[4:3] == 2'h3) | (select_1059[5] & (select_1059[3] | select_1059[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1118;
-  assign parity_1118 = ^{or_1115, or_1111, or_1107};
-  // hls/stages/count_bits.hpp:23
-  logic or_1122;
-  assign or_1122 = (select_1042[4:3] == 2'h3) | (select_1042[5] & (select_1042[3] | select_1042[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1126;
-  assign or_1126 = (select_1059[10:9] == 2'h3) | (select_1059[11] & (select_1059[9] | select_1059[10]));
-  logic or_1130;
-  assign or_1130 = (select_1042[1:0] == 2'h3) | (select_1042[2] & (select_1042[0] | select_1042[1]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1133;
-  assign parity_1133 = ^{or_1130, or_1126, or_1122};
-  logic parity_1136;
-  assign parity_1136 = ^{or_1130, or_1126, or_1122, or_1115, or_1111, or_1107, or_1099, or_1095, or_1091};
-  // hls/stages/count_bits.hpp:25
-  logic or_1141;
-  assign or_1141 = (parity_1025 & parity_1028) | ((^select_1019[11:9]) & (parity_1025 | parity_1028));
-  logic and_1144;
-  assign and_1144 = (^{select_1042[11:6], select_1019[2:0]}) & (parity_1071 | parity_1083);
-  // hls/stages/count_bits.hpp:23
-  logic or_1152;
-  assign or_1152 = (select_1019[10:9] == 2'h3) | (select_1019[11] & (select_1019[9] | select_1019[10]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1156;
-  assign or_1156 = (select_1019[4:3] == 2'h3) | (select_1019[5] & (select_1019[3] | select_1019[4]));
-  logic or_1160;
-  assign or_1160 = (select_1019[7:6] == 2'h3) | (select_1019[8] & (select_1019[6] | select_1019[7]));
-  logic or_1167;
-  assign or_1167 = (parity_1045 & parity_1048) | ((^select_1019[2:0]) & (parity_1045 | parity_1048));
-  logic or_1171;
-  assign or_1171 = (parity_1065 & parity_1068) | ((^select_1059[8:6]) & (parity_1065 | parity_1068));
-  logic or_1175;
-  assign or_1175 = (parity_1077 & parity_1080) | ((^select_1042[5:3]) & (parity_1077 | parity_1080));
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1272;
-  assign select_1272 = and_763_s10_q ? select_1271_s10_q : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1278;
-  assign parity_1278 = ^select_1272[5:3];
-  logic parity_1281;
-  assign parity_1281 = ^select_1272[8:6];
-  logic parity_1284;
-  assign parity_1284 = ^select_1272[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1293;
-  assign select_1293 = and_786_s10_q ? select_1292_s10_q : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1296;
-  assign parity_1296 = ^select_1293[8:6];
-  logic parity_1299;
-  assign parity_1299 = ^select_1293[11:9];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1308;
-  assign select_1308 = and_803_s10_q ? select_1307_s10_q : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1314;
-  assign parity_1314 = ^select_1308[2:0];
-  logic parity_1317;
-  assign parity_1317 = ^select_1308[5:3];
-  logic parity_1320;
-  assign parity_1320 = ^select_1308[8:0];
-  logic parity_1326;
-  assign parity_1326 = ^select_1308[11:9];
-  logic parity_1329;
-  assign parity_1329 = ^select_1293[2:0];
-  logic parity_1332;
-  assign parity_1332 = ^{select_1308[11:9], select_1293[5:0]};
-  logic parity_1335;
-  assign parity_1335 = ^{select_1308, select_1293, select_1272[2:0]};
-  // hls/stages/count_bits.hpp:23
-  logic or_1340;
-  assign or_1340 = (select_1272[1:0] == 2'h3) | (select_1272[2] & (select_1272[0] | select_1272[1]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1344;
-  assign or_1344 = (select_1293[7:6] == 2'h3) | (select_1293[8] & (select_1293[6] | select_1293[7]));
-  logic or_1348;
-  assign or_1348 = (select_1293[10:9] == 2'h3) | (select_1293[11] & (select_1293[9] | select_1293[10]));
-  // hls/stages/count_bits.hpp:23
-  logic or_1356;
-  assign or_1356 = (select_1308[7:6] == 2'h3) | (select_1308[8] & (~(select_1308[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_1360;
-  assign or_1360 = (select_1308[1:0] == 2'h3) | (select_1308[2] & (select_1308[0] | select_1308[1]));
-  logic or_1364;
-  assign or_1364 = (select_1308[4:3] == 2'h3) | (select_1308[5] & (select_1308[3] | select_1308[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1367;
-  assign parity_1367 = ^{or_1364, or_1360, or_1356};
-  // hls/stages/count_bits.hpp:23
-  logic or_1371;
-  assign or_1371 = (select_1293[4:3] == 2'h3) | (select_1293[5] & (select_1293[3] | select_1293[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1375;
-  assign or_1375 = (select_1308[10:9] == 2'h3) | (select_1308[11] & (select_1308[9] | select_1308[10]));
-  logic or_1379;
-  assign or_1379 = (select_1293[1:0] == 2'h3) | (select_1293[2] & (select_1293[0] | select_1293[1]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1382;
-  assign parity_1382 = ^{or_1379, or_1375, or_1371};
-  logic parity_1385;
-  assign parity_1385 = ^{or_1379, or_1375, or_1371, or_1364, or_1360, or_1356, or_1348, or_1344, or_1340};
-  // hls/stages/count_bits.hpp:25
-  logic or_1390;
-  assign or_1390 = (parity_1278 & parity_1281) | ((^select_1272[11:9]) & (parity_1278 | parity_1281));
-  logic and_1393;
-  assign and_1393 = (^{select_1293[11:6], select_1272[2:0]}) & (parity_1320 | parity_1332);
-  // hls/stages/count_bits.hpp:23
-  logic or_1401;
-  assign or_1401 = (select_1272[10:9] == 2'h3) | (select_1272[11] & (select_1272[9] | select_1272[10]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1405;
-  assign or_1405 = (select_1272[4:3] == 2'h3) | (select_1272[5] & (select_1272[3] | select_1272[4]));
-  logic or_1409;
-  assign or_1409 = (select_1272[7:6] == 2'h3) | (select_1272[8] & (select_1272[6] | select_1272[7]));
-  logic or_1416;
-  assign or_1416 = (parity_1296 & parity_1299) | ((^select_1272[2:0]) & (parity_1296 | parity_1299));
-  logic or_1420;
-  assign or_1420 = (parity_1314 & parity_1317) | ((^select_1308[8:6]) & (parity_1314 | parity_1317));
-  logic or_1424;
-  assign or_1424 = (parity_1326 & parity_1329) | ((^select_1293[5:3]) & (parity_1326 | parity_1329));
-  // hls/stages/agreement.hpp:247
-  logic or_1583;
-  assign or_1583 = (cfg_nearer_below_i & shift_s10_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s10_q)));
-  // hls/stages/agreement.hpp:1009
-  logic [5:0] sum_1648;
-  assign sum_1648 = {1'b0, last_s10_q[6:2]} + 6'h1;
-  // hls/stages/patches.hpp:102
-  logic [9:0] sum_1732;
-  assign sum_1732 = {2'h0, x_s10_q} + {{4{b_s10_q[5]}}, b_s10_q};
-  // hls/stages/registration.hpp:213
-  logic [9:0] select_1759;
-  assign select_1759 = b_s10_q[4] ? select_1758_s10_q[9:0] : 10'h0;
-  // hls/stages/registration.hpp:211
-  logic [12:0] sum_1764;
-  assign sum_1764 = (b_s10_q[0] ? select_1758_s10_q[13:1] : 13'h0) + (b_s10_q[1] ? select_1758_s10_q[12:0] : 13'h0);
-  // hls/stages/registration.hpp:212
-  logic [11:0] select_1765;
-  assign select_1765 = b_s10_q[2] ? select_1758_s10_q[11:0] : 12'h0;
-  logic [10:0] sum_1767;
-  assign sum_1767 = select_1765[11:1] + (b_s10_q[3] ? select_1758_s10_q[10:0] : 11'h0);
-  // hls/stages/agreement.hpp:149
-  logic [7:0] select_2728;
-  assign select_2728 = or_580_s10_q ? (less_583_s10_q ? 8'h0 : best_left_rdata_s10_q[16:9]) : 8'h0;
-  // hls/stages/registration.hpp:33
-  logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_2730_s10_q} - {1'b0, select_2732_s10_q};
-  // hls/stages/patches.hpp:110
-  logic [5:0] select_2989;
-  assign select_2989 = right_3_s10_q ? last_s10_q[6:1] : 6'h0;
-  logic [6:0] from;
-  assign from = {1'b0, further_s10_q} + {1'b0, select_2989};
-
-  // Memory patches_left, 512 x 8, DISTANCE 24, hls/stages/patches.hpp:781; read in stage 10, written in stage 22: 10 < 22 < 10 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [7:0] patches_left_mem [0:511];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 512; i++) patches_left_mem[i] = 8'h0;
-`endif
-  logic [8:0] patches_left_raddr;
-  assign patches_left_raddr = {patches_second_s10_q, patches_code_row_s10_q[3:0], patches_column_s10_q[3:0]};
-`ifndef SYNTHESIS
-  logic patches_left_re;
-  assign patches_left_re = s10_en & and_1851_s10_q;
-`endif
-  logic [7:0] patches_left_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) patches_left_rdata_q <= patches_left_mem[patches_left_raddr];
-  end
-
-  // Memory left, write
-  logic [6:0] left_waddr;
-  assign left_waddr = x_s10_q[6:0];
-  logic left_we;
-  assign left_we = s10_en & and_651_s10_q;
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_we) left_mem[left_waddr] <= {and_752_s10_q, left_rdata_s10_q[62:46], and_751_s10_q, left_rdata_s10_q[45:29], and_750_s10_q, left_rdata_s10_q[28:12], and_749_s10_q, left_rdata_s10_q[11:0], fresh_rdata_s10_q[30:26], fresh_rdata_s10_q[24], fresh_rdata_s10_q[11:0]};
-  end
-`ifndef SYNTHESIS
-  logic [6:0] left_raddr_s8_sim;
-  logic left_re_s8_sim;
-  logic [6:0] left_raddr_s9_sim;
-  logic left_re_s9_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      left_re_s8_sim <= 1'b0;
-      left_re_s9_sim <= 1'b0;
-    end else if (en_i) begin
-      left_re_s8_sim <= left_re;
-      left_raddr_s8_sim <= left_raddr;
-      left_re_s9_sim <= left_re_s8_sim;
-      left_raddr_s9_sim <= left_raddr_s8_sim;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && left_we) begin
-      if (left_re && left_raddr == left_waddr) begin
-        $error("left: address %0d is read less than DISTANCE steps after its write", left_waddr);
-      end
-      if (left_re_s8_sim && left_raddr_s8_sim == left_waddr) begin
-        $error("left: address %0d is read less than DISTANCE steps after its write", left_waddr);
-      end
-      if (left_re_s9_sim && left_raddr_s9_sim == left_waddr) begin
-        $error("left: address %0d is read less than DISTANCE steps after its write", left_waddr);
-      end
-      if (left_waddr >= 7'd120) $error("left: write outside, address %0d", left_waddr);
-    end
-    if (rst_ni && left_re && left_raddr >= 7'd120) $error("left: read outside, address %0d", left_raddr);
-  end
-`endif
-
-  // Memory right_codes, write
-  logic [6:0] right_codes_waddr;
-  assign right_codes_waddr = x_s10_q[6:0];
-  logic right_codes_we;
-  assign right_codes_we = s10_en & and_651_s10_q;
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_758_s10_q, right_codes_rdata_s10_q[77:66], and_757_s10_q, right_codes_rdata_s10_q[65:54], and_756_s10_q, right_codes_rdata_s10_q[53:40], and_755_s10_q, right_codes_rdata_s10_q[39:26], and_754_s10_q, right_codes_rdata_s10_q[25:12], and_753_s10_q, right_codes_rdata_s10_q[11:0], fresh_rdata_s10_q[32:31], fresh_rdata_s10_q[25], fresh_rdata_s10_q[23:12]};
-  end
-`ifndef SYNTHESIS
-  logic [6:0] right_codes_raddr_s8_sim;
-  logic right_codes_re_s8_sim;
-  logic [6:0] right_codes_raddr_s9_sim;
-  logic right_codes_re_s9_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      right_codes_re_s8_sim <= 1'b0;
-      right_codes_re_s9_sim <= 1'b0;
-    end else if (en_i) begin
-      right_codes_re_s8_sim <= right_codes_re;
-      right_codes_raddr_s8_sim <= right_codes_raddr;
-      right_codes_re_s9_sim <= right_codes_re_s8_sim;
-      right_codes_raddr_s9_sim <= right_codes_raddr_s8_sim;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && right_codes_we) begin
-      if (right_codes_re && right_codes_raddr == right_codes_waddr) begin
-        $error("right_codes: address %0d is read less than DISTANCE steps after its write", right_codes_waddr);
-      end
-      if (right_codes_re_s8_sim && right_codes_raddr_s8_sim == right_codes_waddr) begin
-        $error("right_codes: address %0d is read less than DISTANCE steps after its write", right_codes_waddr);
-      end
-      if (right_codes_re_s9_sim && right_codes_raddr_s9_sim == right_codes_waddr) begin
-        $error("right_codes: address %0d is read less than DISTANCE steps after its write", right_codes_waddr);
-      end
-      if (right_codes_waddr >= 7'd120) $error("right_codes: write outside, address %0d", right_codes_waddr);
-    end
-    if (rst_ni && right_codes_re && right_codes_raddr >= 7'd120) $error("right_codes: read outside, address %0d", right_codes_raddr);
-  end
-`endif
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      patches_read_searches_q <= 1'b0;
-    end else if (s10_en) begin
-      patches_read_searches_q <= equal_1788_s10_q ? select_3548_s10_q : patches_read_searches_q;
-    end
-  end
-
-  logic [7:0] pixel_0_s11_q;
-  logic [7:0] pixel_1_s11_q;
-  logic saturated_s11_q;
-  logic mask_s11_q;
-  logic marks_first_s11_q;
-  logic marks_last_s11_q;
-  logic sample_pair_whole_s11_q;
-  logic sample_present_s11_q;
-  logic [5:0] run_shift_s11_q;
-  logic [7:0] x_s11_q;
-  logic [3:0] age_s11_q;
-  logic [2:0] slot_s11_q;
-  logic ends_cell_s11_q;
-  logic lower_half_s11_q;
-  logic shift_first_s11_q;
-  logic [11:0] registration_slope_s11_q;
-  logic [4:0] patches_band_rows_number_s11_q;
-  logic patches_chooses_s11_q;
-  logic [4:0] patches_choosing_band_s11_q;
-  logic patches_lower_s11_q;
-  logic patches_second_s11_q;
-  logic [4:0] patches_code_row_s11_q;
-  logic [4:0] patches_column_s11_q;
-  logic [4:0] patches_step_s11_q;
-  logic patches_read_searches_s11_q;
-  logic [3:0] select_508_s11_q;
-  logic equal_509_s11_q;
-  logic [6:0] select_511_s11_q;
-  logic [8:0] select_515_s11_q;
-  logic and_524_s11_q;
-  logic equal_530_s11_q;
-  logic [6:0] last_s11_q;
-  logic and_548_s11_q;
-  logic and_550_s11_q;
-  logic equal_569_s11_q;
-  logic equal_575_s11_q;
-  logic so_s11_q;
-  logic equal_579_s11_q;
-  logic or_580_s11_q;
-  logic less_583_s11_q;
-  logic not_584_s11_q;
-  logic equal_594_s11_q;
-  logic and_601_s11_q;
-  logic and_609_s11_q;
-  logic [6:0] x_s11_2_q;
-  logic select_618_s11_q;
-  logic [61:0] best_left_rdata_s11_q;
-  logic [6:0] select_627_s11_q;
-  logic [6:0] right_s11_q;
-  logic and_640_s11_q;
-  logic and_645_s11_q;
-  logic and_647_s11_q;
-  logic equal_680_s11_q;
-  logic xor_838_s11_q;
-  logic parity_887_s11_q;
-  logic and_888_s11_q;
-  logic or_892_s11_q;
-  logic or_896_s11_q;
-  logic or_903_s11_q;
-  logic or_907_s11_q;
-  logic or_911_s11_q;
-  logic or_918_s11_q;
-  logic or_922_s11_q;
-  logic or_926_s11_q;
-  logic and_935_s11_q;
-  logic and_937_s11_q;
-  logic or_949_s11_q;
-  logic or_953_s11_q;
-  logic or_957_s11_q;
-  logic xor_1087_s11_q;
-  logic parity_1102_s11_q;
-  logic parity_1136_s11_q;
-  logic and_1137_s11_q;
-  logic or_1141_s11_q;
-  logic or_1145_s11_q;
-  logic or_1152_s11_q;
-  logic or_1156_s11_q;
-  logic or_1160_s11_q;
-  logic or_1167_s11_q;
-  logic or_1171_s11_q;
-  logic or_1175_s11_q;
-  logic and_1184_s11_q;
-  logic or_1185_s11_q;
-  logic or_1198_s11_q;
-  logic or_1202_s11_q;
-  logic or_1206_s11_q;
-  logic xor_1336_s11_q;
-  logic parity_1351_s11_q;
-  logic parity_1385_s11_q;
-  logic and_1386_s11_q;
-  logic or_1390_s11_q;
-  logic or_1394_s11_q;
-  logic or_1401_s11_q;
-  logic or_1405_s11_q;
-  logic or_1409_s11_q;
-  logic or_1416_s11_q;
-  logic or_1420_s11_q;
-  logic or_1424_s11_q;
-  logic and_1433_s11_q;
-  logic or_1434_s11_q;
-  logic or_1447_s11_q;
-  logic or_1451_s11_q;
-  logic or_1455_s11_q;
-  logic and_1562_s11_q;
-  logic equal_1563_s11_q;
-  logic or_1583_s11_q;
-  logic less_1649_s11_q;
-  logic and_1676_s11_q;
-  logic and_1689_s11_q;
-  logic right_3_s11_q;
-  logic less_1703_s11_q;
-  logic [5:0] b_s11_q;
-  logic less_1724_s11_q;
-  logic not_1728_s11_q;
-  logic less_1733_s11_q;
-  logic less_1734_s11_q;
-  logic select_1759_s11_q;
-  logic [8:0] difference_1761_s11_q;
-  logic [11:0] sum_1764_s11_q;
-  logic select_1765_s11_q;
-  logic [10:0] sum_1767_s11_q;
-  logic equal_1781_s11_q;
-  logic equal_1788_s11_q;
-  logic not_1789_s11_q;
-  logic equal_1790_s11_q;
-  logic not_1791_s11_q;
-  logic equal_1792_s11_q;
-  logic equal_1793_s11_q;
-  logic or_1794_s11_q;
-  logic [7:0] patches_right_0_rdata_s11_q;
-  logic [4:0] select_1818_s11_q;
-  logic select_1824_s11_q;
-  logic [7:0] patches_right_1_rdata_s11_q;
-  logic [3:0] select_1862_s11_q;
-  logic and_1872_s11_q;
-  logic [31:0] patches_columns_above_rdata_s11_q;
-  logic less_1966_s11_q;
-  logic equal_1967_s11_q;
-  logic not_1968_s11_q;
-  logic equal_1969_s11_q;
-  logic not_1970_s11_q;
-  logic [14:0] patches_rows_rdata_s11_q;
-  logic sum_1998_s11_q;
-  logic and_2019_s11_q;
-  logic and_2139_s11_q;
-  logic equal_2283_s11_q;
-  logic equal_2472_s11_q;
-  logic and_2599_s11_q;
-  logic equal_2684_s11_q;
-  logic [7:0] select_2728_s11_q;
-  logic rise_2_s11_q;
-  logic [7:0] select_2734_s11_q;
-  logic [7:0] xor_2739_s11_q;
-  logic less_2765_s11_q;
-  logic not_2992_s11_q;
-  logic or_3047_s11_q;
-  logic not_3071_s11_q;
-  logic equal_3550_s11_q;
-  logic less_3876_s11_q;
-  logic equal_4095_s11_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) begin
-      pixel_0_s11_q <= pixel_0_s10_q;
-      pixel_1_s11_q <= pixel_1_s10_q;
-      saturated_s11_q <= saturated_s10_q;
-      mask_s11_q <= mask_s10_q;
-      marks_first_s11_q <= marks_first_s10_q;
-      marks_last_s11_q <= marks_last_s10_q;
-      sample_pair_whole_s11_q <= sample_pair_whole_s10_q;
-      sample_present_s11_q <= sample_present_s10_q;
-      run_shift_s11_q <= run_shift_s10_q;
-      x_s11_q <= x_s10_q;
-      age_s11_q <= age_s10_q;
-      slot_s11_q <= slot_s10_q;
-      ends_cell_s11_q <= ends_cell_s10_q;
-      lower_half_s11_q <= lower_half_s10_q;
-      shift_first_s11_q <= shift_first_s10_q;
-      registration_slope_s11_q <= registration_slope_s10_q;
-      patches_band_rows_number_s11_q <= patches_band_rows_number_s10_q;
-      patches_chooses_s11_q <= patches_chooses_s10_q;
-      patches_choosing_band_s11_q <= patches_choosing_band_s10_q;
-      patches_lower_s11_q <= patches_lower_s10_q;
-      patches_second_s11_q <= patches_second_s10_q;
-      patches_code_row_s11_q <= patches_code_row_s10_q;
-      patches_column_s11_q <= patches_column_s10_q;
-      patches_step_s11_q <= patches_step_s10_q;
-      patches_read_searches_s11_q <= patches_read_searches_q;
-      select_508_s11_q <= select_508_s10_q;
-      equal_509_s11_q <= equal_509_s10_q;
-      select_511_s11_q <= select_511_s10_q;
-      select_515_s11_q <= select_515_s10_q;
-      and_524_s11_q <= and_524_s10_q;
-      equal_530_s11_q <= equal_530_s10_q;
-      last_s11_q <= last_s10_2_q;
-      and_548_s11_q <= and_548_s10_q;
-      and_550_s11_q <= and_550_s10_q;
-      equal_569_s11_q <= equal_569_s10_q;
-      equal_575_s11_q <= equal_575_s10_q;
-      so_s11_q <= so_s10_q;
-      equal_579_s11_q <= equal_579_s10_q;
-      or_580_s11_q <= or_580_s10_q;
-      less_583_s11_q <= less_583_s10_q;
-      not_584_s11_q <= not_584_s10_q;
-      equal_594_s11_q <= equal_594_s10_q;
-      and_601_s11_q <= and_601_s10_q;
-      and_609_s11_q <= and_609_s10_q;
-      x_s11_2_q <= x_s10_2_q;
-      select_618_s11_q <= select_618_s10_q;
-      best_left_rdata_s11_q <= best_left_rdata_s10_q;
-      select_627_s11_q <= ({1'b0, last_s10_q} < found) ? 7'h0 : found[6:0];
-      right_s11_q <= right_s10_q;
-      and_640_s11_q <= and_640_s10_q;
-      and_645_s11_q <= and_645_s10_q;
-      and_647_s11_q <= and_647_s10_q;
-      equal_680_s11_q <= equal_680_s10_q;
-      xor_838_s11_q <= parity_782 ^ parity_837;
-      parity_887_s11_q <= parity_887;
-      and_888_s11_q <= parity_782 & parity_837;
-      or_892_s11_q <= or_892;
-      or_896_s11_q <= (parity_822 & parity_834) | and_895;
-      or_903_s11_q <= (select_770_s10_q[10:9] == 2'h3) | and_902;
-      or_907_s11_q <= (select_770_s10_q[4:3] == 2'h3) | and_906;
-      or_911_s11_q <= (select_770_s10_q[7:6] == 2'h3) | and_910;
-      or_918_s11_q <= or_918;
-      or_922_s11_q <= or_922;
-      or_926_s11_q <= or_926;
-      and_935_s11_q <= parity_869 & parity_884;
-      and_937_s11_q <= (^{or_850, or_846, or_842}) & (parity_869 | parity_884);
-      or_949_s11_q <= (or_846 & or_850) | (or_842 & (or_846 | or_850));
-      or_953_s11_q <= (or_862 & or_866) | (or_858 & (or_862 | or_866));
-      or_957_s11_q <= (or_877 & or_881) | (or_873 & (or_877 | or_881));
-      xor_1087_s11_q <= parity_1031 ^ parity_1086;
-      parity_1102_s11_q <= ^{or_1099, or_1095, or_1091};
-      parity_1136_s11_q <= parity_1136;
-      and_1137_s11_q <= parity_1031 & parity_1086;
-      or_1141_s11_q <= or_1141;
-      or_1145_s11_q <= (parity_1071 & parity_1083) | and_1144;
-      or_1152_s11_q <= or_1152;
-      or_1156_s11_q <= or_1156;
-      or_1160_s11_q <= or_1160;
-      or_1167_s11_q <= or_1167;
-      or_1171_s11_q <= or_1171;
-      or_1175_s11_q <= or_1175;
-      and_1184_s11_q <= parity_1118 & parity_1133;
-      or_1185_s11_q <= parity_1118 | parity_1133;
-      or_1198_s11_q <= (or_1095 & or_1099) | (or_1091 & (or_1095 | or_1099));
-      or_1202_s11_q <= (or_1111 & or_1115) | (or_1107 & (or_1111 | or_1115));
-      or_1206_s11_q <= (or_1126 & or_1130) | (or_1122 & (or_1126 | or_1130));
-      xor_1336_s11_q <= parity_1284 ^ parity_1335;
-      parity_1351_s11_q <= ^{or_1348, or_1344, or_1340};
-      parity_1385_s11_q <= parity_1385;
-      and_1386_s11_q <= parity_1284 & parity_1335;
-      or_1390_s11_q <= or_1390;
-      or_1394_s11_q <= (parity_1320 & parity_1332) | and_1393;
-      or_1401_s11_q <= or_1401;
-      or_1405_s11_q <= or_1405;
-      or_1409_s11_q <= or_1409;
-      or_1416_s11_q <= or_1416;
-      or_1420_s11_q <= or_1420;
-      or_1424_s11_q <= or_1424;
-      and_1433_s11_q <= parity_1367 & parity_1382;
-      or_1434_s11_q <= parity_1367 | parity_1382;
-      or_1447_s11_q <= (or_1344 & or_1348) | (or_1340 & (or_1344 | or_1348));
-      or_1451_s11_q <= (or_1360 & or_1364) | (or_1356 & (or_1360 | or_1364));
-      or_1455_s11_q <= (or_1375 & or_1379) | (or_1371 & (or_1375 | or_1379));
-      and_1562_s11_q <= and_1562_s10_q;
-      equal_1563_s11_q <= equal_1563_s10_q;
-      or_1583_s11_q <= or_1583;
-      less_1649_s11_q <= {1'b0, sum_1648, last_s10_q[1]} < x_s10_q;
-      and_1676_s11_q <= and_1676_s10_q;
-      and_1689_s11_q <= and_1689_s10_q;
-      right_3_s11_q <= right_3_s10_q;
-      less_1703_s11_q <= less_1703_s10_q;
-      b_s11_q <= b_s10_q;
-      less_1724_s11_q <= {3'h0, last_s10_q[6:1]} < ({1'b0, x_s10_q} + 9'h1);
-      not_1728_s11_q <= ~(x_s10_q < {1'b0, last_s10_q});
-      less_1733_s11_q <= $signed(10'h0) < $signed(sum_1732);
-      less_1734_s11_q <= $signed(sum_1732) < $signed({3'h0, last_s10_q});
-      select_1759_s11_q <= select_1759[0];
-      difference_1761_s11_q <= select_1759[9:1] - (b_s10_q[5] ? select_1758_s10_q[8:0] : 9'h0);
-      sum_1764_s11_q <= sum_1764[12:1];
-      select_1765_s11_q <= select_1765[0];
-      sum_1767_s11_q <= sum_1767;
-      equal_1781_s11_q <= x_s10_q == {1'b0, last_s10_q};
-      equal_1788_s11_q <= equal_1788_s10_q;
-      not_1789_s11_q <= not_1789_s10_q;
-      equal_1790_s11_q <= equal_1790_s10_q;
-      not_1791_s11_q <= not_1791_s10_q;
-      equal_1792_s11_q <= equal_1792_s10_q;
-      equal_1793_s11_q <= equal_1793_s10_q;
-      or_1794_s11_q <= or_1794_s10_q;
-      patches_right_0_rdata_s11_q <= patches_right_0_rdata_q;
-      select_1818_s11_q <= select_1818_s10_q;
-      select_1824_s11_q <= select_1824_s10_q;
-      patches_right_1_rdata_s11_q <= patches_right_1_rdata_q;
-      select_1862_s11_q <= select_1862_s10_q;
-      and_1872_s11_q <= and_1872_s10_q;
-      patches_columns_above_rdata_s11_q <= patches_columns_above_rdata_q;
-      less_1966_s11_q <= less_1966_s10_q;
-      equal_1967_s11_q <= equal_1967_s10_q;
-      not_1968_s11_q <= not_1968_s10_q;
-      equal_1969_s11_q <= equal_1969_s10_q;
-      not_1970_s11_q <= not_1970_s10_q;
-      patches_rows_rdata_s11_q <= patches_rows_rdata_q;
-      sum_1998_s11_q <= sum_1998_s10_q;
-      and_2019_s11_q <= and_2019_s10_q;
-      and_2139_s11_q <= and_2136_s10_q & (~({sum_1648, last_s10_q[1:0]} < x_s10_q));
-      equal_2283_s11_q <= equal_2283_s10_q;
-      equal_2472_s11_q <= equal_2472_s10_q;
-      and_2599_s11_q <= or_580_s10_q & and_2598_s10_q;
-      equal_2684_s11_q <= shift_s10_q == 6'h0;
-      select_2728_s11_q <= select_2728;
-      rise_2_s11_q <= rise_2[8];
-      select_2734_s11_q <= rise_2[8] ? select_2730_s10_q : select_2732_s10_q;
-      xor_2739_s11_q <= rise_2[7:0] ^ {8{rise_2[8]}};
-      less_2765_s11_q <= select_2730_s10_q < select_2732_s10_q;
-      not_2992_s11_q <= ~(x_s10_q < {1'b0, from});
-      or_3047_s11_q <= or_3047_s10_q;
-      not_3071_s11_q <= not_3071_s10_q;
-      equal_3550_s11_q <= equal_3550_s10_q;
-      less_3876_s11_q <= less_3876_s10_q;
-      equal_4095_s11_q <= equal_4095_s10_q;
-    end
-  end
-
-  // Stage 11 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/patches.hpp:106
-  logic equal_570;
-  assign equal_570 = x_s11_q == 8'h0;
-  // hls/stages/agreement.hpp:259
-  logic first;
-  assign first = equal_569_s11_q & equal_570;
-  // hls/stages/count_bits.hpp:24
-  logic parity_914;
-  assign parity_914 = ^{or_911_s11_q, or_907_s11_q, or_903_s11_q};
-  logic parity_929;
-  assign parity_929 = ^{or_926_s11_q, or_922_s11_q, or_918_s11_q};
-  logic parity_932;
-  assign parity_932 = ^{or_926_s11_q, or_922_s11_q, or_918_s11_q, or_911_s11_q, or_907_s11_q, or_903_s11_q, or_896_s11_q, or_892_s11_q, and_888_s11_q};
-  // hls/stages/count_bits.hpp:25
-  logic and_934;
-  assign and_934 = parity_887_s11_q & parity_932;
-  logic or_938;
-  assign or_938 = and_935_s11_q | and_937_s11_q;
-  logic and_941;
-  assign and_941 = (^{or_896_s11_q, or_892_s11_q, and_888_s11_q}) & (parity_914 | parity_929);
-  logic or_942;
-  assign or_942 = (parity_914 & parity_929) | and_941;
-  // hls/stages/count_bits.hpp:24
-  logic parity_960;
-  assign parity_960 = ^{or_957_s11_q, or_953_s11_q, or_949_s11_q};
-  // hls/stages/count_bits.hpp:25
-  logic or_964;
-  assign or_964 = (or_892_s11_q & or_896_s11_q) | (and_888_s11_q & (or_892_s11_q | or_896_s11_q));
-  logic or_968;
-  assign or_968 = (or_907_s11_q & or_911_s11_q) | (or_903_s11_q & (or_907_s11_q | or_911_s11_q));
-  logic or_972;
-  assign or_972 = (or_922_s11_q & or_926_s11_q) | (or_918_s11_q & (or_922_s11_q | or_926_s11_q));
-  // hls/stages/count_bits.hpp:24
-  logic parity_975;
-  assign parity_975 = ^{or_972, or_968, or_964};
-  logic parity_978;
-  assign parity_978 = ^{or_972, or_968, or_964, or_957_s11_q, or_953_s11_q, or_949_s11_q, or_942, or_938, and_934};
-  // hls/stages/count_bits.hpp:25
-  logic or_990;
-  assign or_990 = (or_953_s11_q & or_957_s11_q) | (or_949_s11_q & (or_953_s11_q | or_957_s11_q));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1163;
-  assign parity_1163 = ^{or_1160_s11_q, or_1156_s11_q, or_1152_s11_q};
-  logic parity_1178;
-  assign parity_1178 = ^{or_1175_s11_q, or_1171_s11_q, or_1167_s11_q};
-  logic parity_1181;
-  assign parity_1181 = ^{or_1175_s11_q, or_1171_s11_q, or_1167_s11_q, or_1160_s11_q, or_1156_s11_q, or_1152_s11_q, or_1145_s11_q, or_1141_s11_q, and_1137_s11_q};
-  // hls/stages/count_bits.hpp:25
-  logic and_1183;
-  assign and_1183 = parity_1136_s11_q & parity_1181;
-  logic or_1187;
-  assign or_1187 = and_1184_s11_q | (parity_1102_s11_q & or_1185_s11_q);
-  logic and_1190;
-  assign and_1190 = (^{or_1145_s11_q, or_1141_s11_q, and_1137_s11_q}) & (parity_1163 | parity_1178);
-  logic or_1191;
-  assign or_1191 = (parity_1163 & parity_1178) | and_1190;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1209;
-  assign parity_1209 = ^{or_1206_s11_q, or_1202_s11_q, or_1198_s11_q};
-  // hls/stages/count_bits.hpp:25
-  logic or_1213;
-  assign or_1213 = (or_1141_s11_q & or_1145_s11_q) | (and_1137_s11_q & (or_1141_s11_q | or_1145_s11_q));
-  logic or_1217;
-  assign or_1217 = (or_1156_s11_q & or_1160_s11_q) | (or_1152_s11_q & (or_1156_s11_q | or_1160_s11_q));
-  logic or_1221;
-  assign or_1221 = (or_1171_s11_q & or_1175_s11_q) | (or_1167_s11_q & (or_1171_s11_q | or_1175_s11_q));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1224;
-  assign parity_1224 = ^{or_1221, or_1217, or_1213};
-  logic parity_1227;
-  assign parity_1227 = ^{or_1221, or_1217, or_1213, or_1206_s11_q, or_1202_s11_q, or_1198_s11_q, or_1191, or_1187, and_1183};
-  // hls/stages/count_bits.hpp:25
-  logic or_1239;
-  assign or_1239 = (or_1202_s11_q & or_1206_s11_q) | (or_1198_s11_q & (or_1202_s11_q | or_1206_s11_q));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1412;
-  assign parity_1412 = ^{or_1409_s11_q, or_1405_s11_q, or_1401_s11_q};
-  logic parity_1427;
-  assign parity_1427 = ^{or_1424_s11_q, or_1420_s11_q, or_1416_s11_q};
-  logic parity_1430;
-  assign parity_1430 = ^{or_1424_s11_q, or_1420_s11_q, or_1416_s11_q, or_1409_s11_q, or_1405_s11_q, or_1401_s11_q, or_1394_s11_q, or_1390_s11_q, and_1386_s11_q};
-  // hls/stages/count_bits.hpp:25
-  logic and_1432;
-  assign and_1432 = parity_1385_s11_q & parity_1430;
-  logic or_1436;
-  assign or_1436 = and_1433_s11_q | (parity_1351_s11_q & or_1434_s11_q);
-  logic and_1439;
-  assign and_1439 = (^{or_1394_s11_q, or_1390_s11_q, and_1386_s11_q}) & (parity_1412 | parity_1427);
-  logic or_1440;
-  assign or_1440 = (parity_1412 & parity_1427) | and_1439;
-  // hls/stages/count_bits.hpp:24
-  logic parity_1458;
-  assign parity_1458 = ^{or_1455_s11_q, or_1451_s11_q, or_1447_s11_q};
-  // hls/stages/count_bits.hpp:25
-  logic or_1462;
-  assign or_1462 = (or_1390_s11_q & or_1394_s11_q) | (and_1386_s11_q & (or_1390_s11_q | or_1394_s11_q));
-  logic or_1466;
-  assign or_1466 = (or_1405_s11_q & or_1409_s11_q) | (or_1401_s11_q & (or_1405_s11_q | or_1409_s11_q));
-  logic or_1470;
-  assign or_1470 = (or_1420_s11_q & or_1424_s11_q) | (or_1416_s11_q & (or_1420_s11_q | or_1424_s11_q));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1473;
-  assign parity_1473 = ^{or_1470, or_1466, or_1462};
-  logic parity_1476;
-  assign parity_1476 = ^{or_1470, or_1466, or_1462, or_1455_s11_q, or_1451_s11_q, or_1447_s11_q, or_1440, or_1436, and_1432};
-  // hls/stages/count_bits.hpp:25
-  logic or_1488;
-  assign or_1488 = (or_1451_s11_q & or_1455_s11_q) | (or_1447_s11_q & (or_1451_s11_q | or_1455_s11_q));
-  // hls/stages/patches.hpp:104
-  logic and_1726;
-  assign and_1726 = less_1724_s11_q & (~right_3_s11_q);
-  // hls/stages/agreement.hpp:1018
-  logic and_1736;
-  assign and_1736 = (~(and_1726 | (equal_570 | not_1728_s11_q))) & (less_1733_s11_q & less_1734_s11_q);
-  // hls/stages/registration.hpp:214
-  logic [11:0] sum_1768;
-  assign sum_1768 = sum_1764_s11_q + {sum_1767_s11_q, select_1765_s11_q};
-  logic [9:0] sum_1769;
-  assign sum_1769 = {difference_1761_s11_q, select_1759_s11_q} + sum_1768[11:2];
-  // hls/stages/patches.hpp:173
-  logic [7:0] pixel;
-  assign pixel = equal_1793_s11_q ? (patches_second_s11_q ? 8'h0 : patches_right_0_rdata_s11_q) : 8'h0;
-  // hls/stages/patches.hpp:468
-  logic [8:0] sum_1919;
-  assign sum_1919 = {1'b0, patches_columns_above_rdata_s11_q[23:16]} + {3'h0, patches_columns_above_rdata_s11_q[31:26]};
-  // hls/stages/registration.hpp:35
-  logic [8:0] fall;
-  assign fall = {1'b0, select_2728_s11_q} - {1'b0, select_2734_s11_q};
-  // hls/stages/registration.hpp:36
-  logic [7:0] wide;
-  assign wide = fall[8] ? 8'h0 : fall[7:0];
-  // hls/stages/registration.hpp:34
-  logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2_s11_q} + {1'b0, xor_2739_s11_q};
-  // hls/stages/patches.hpp:557
-  logic [9:0] select_3513;
-  assign select_3513 = less_1966_s11_q ? patches_rows_rdata_s11_q[9:0] : 10'h0;
-  // hls/stages/patches.hpp:558
-  logic [9:0] select_3515;
-  assign select_3515 = less_1966_s11_q ? (equal_1969_s11_q ? 10'h0 : select_3513) : 10'h0;
-  // hls/stages/patches.hpp:557
-  logic [4:0] select_3520;
-  assign select_3520 = less_1966_s11_q ? patches_rows_rdata_s11_q[14:10] : 5'h0;
-  // hls/stages/patches.hpp:561
-  logic [4:0] select_3523;
-  assign select_3523 = equal_1969_s11_q ? (less_1966_s11_q ? (equal_1969_s11_q ? 5'h0 : select_3520) : 5'h0) : select_3520;
-
-  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1376; read in stage 11, written in stage 18: 11 < 18 < 11 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  logic [28:0] best_right_mem [0:119];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 120; i++) best_right_mem[i] = 29'h0;
-`endif
-  logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_580_s11_q ? select_627_s11_q : right_s11_q;
-`ifndef SYNTHESIS
-  logic best_right_re;
-  assign best_right_re = s11_en & select_618_s11_q;
-`endif
-  logic [28:0] best_right_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) best_right_rdata_q <= best_right_mem[best_right_raddr];
-  end
-
-  logic [7:0] pixel_0_s12_q;
-  logic [7:0] pixel_1_s12_q;
-  logic saturated_s12_q;
-  logic mask_s12_q;
-  logic marks_first_s12_q;
-  logic marks_last_s12_q;
-  logic sample_pair_whole_s12_q;
-  logic sample_present_s12_q;
-  logic [5:0] run_shift_s12_q;
-  logic [7:0] x_s12_q;
-  logic [3:0] age_s12_q;
-  logic [2:0] slot_s12_q;
-  logic ends_cell_s12_q;
-  logic lower_half_s12_q;
-  logic shift_first_s12_q;
-  logic [11:0] registration_slope_s12_q;
-  logic [4:0] patches_band_rows_number_s12_q;
-  logic patches_chooses_s12_q;
-  logic [4:0] patches_choosing_band_s12_q;
-  logic patches_lower_s12_q;
-  logic patches_second_s12_q;
-  logic [4:0] patches_code_row_s12_q;
-  logic [4:0] patches_column_s12_q;
-  logic [4:0] patches_step_s12_q;
-  logic patches_read_searches_s12_q;
-  logic [3:0] select_508_s12_q;
-  logic equal_509_s12_q;
-  logic [6:0] select_511_s12_q;
-  logic [8:0] select_515_s12_q;
-  logic and_524_s12_q;
-  logic equal_530_s12_q;
-  logic [6:0] last_s12_q;
-  logic and_548_s12_q;
-  logic and_550_s12_q;
-  logic equal_570_s12_q;
-  logic first_s12_q;
-  logic equal_575_s12_q;
-  logic so_s12_q;
-  logic equal_579_s12_q;
-  logic or_580_s12_q;
-  logic less_583_s12_q;
-  logic not_584_s12_q;
-  logic equal_594_s12_q;
-  logic and_601_s12_q;
-  logic and_609_s12_q;
-  logic [6:0] x_s12_2_q;
-  logic [61:0] best_left_rdata_s12_q;
-  logic [6:0] select_627_s12_q;
-  logic [6:0] right_s12_q;
-  logic and_640_s12_q;
-  logic and_645_s12_q;
-  logic and_647_s12_q;
-  logic equal_680_s12_q;
-  logic xor_838_s12_q;
-  logic xor_933_s12_q;
-  logic parity_978_s12_q;
-  logic and_979_s12_q;
-  logic and_981_s12_q;
-  logic and_983_s12_q;
-  logic and_985_s12_q;
-  logic or_990_s12_q;
-  logic or_994_s12_q;
-  logic xor_1087_s12_q;
-  logic xor_1182_s12_q;
-  logic parity_1227_s12_q;
-  logic and_1228_s12_q;
-  logic and_1230_s12_q;
-  logic and_1232_s12_q;
-  logic and_1234_s12_q;
-  logic or_1239_s12_q;
-  logic or_1243_s12_q;
-  logic xor_1336_s12_q;
-  logic xor_1431_s12_q;
-  logic parity_1476_s12_q;
-  logic and_1477_s12_q;
-  logic and_1479_s12_q;
-  logic and_1481_s12_q;
-  logic and_1483_s12_q;
-  logic or_1488_s12_q;
-  logic or_1492_s12_q;
-  logic and_1562_s12_q;
-  logic equal_1563_s12_q;
-  logic or_1583_s12_q;
-  logic less_1649_s12_q;
-  logic and_1676_s12_q;
-  logic and_1689_s12_q;
-  logic right_3_s12_q;
-  logic less_1703_s12_q;
-  logic [5:0] b_s12_q;
-  logic and_1736_s12_q;
-  logic [7:0] sum_1769_s12_q;
-  logic equal_1781_s12_q;
-  logic or_1782_s12_q;
-  logic equal_1788_s12_q;
-  logic not_1789_s12_q;
-  logic equal_1790_s12_q;
-  logic not_1791_s12_q;
-  logic equal_1792_s12_q;
-  logic equal_1793_s12_q;
-  logic or_1794_s12_q;
-  logic [4:0] select_1818_s12_q;
-  logic select_1824_s12_q;
-  logic [7:0] patches_left_rdata_s12_q;
-  logic [3:0] select_1862_s12_q;
-  logic and_1872_s12_q;
-  logic [31:0] patches_columns_above_rdata_s12_q;
-  logic [7:0] select_1876_s12_q;
-  logic [8:0] sum_1919_s12_q;
-  logic less_1966_s12_q;
-  logic equal_1967_s12_q;
-  logic not_1968_s12_q;
-  logic equal_1969_s12_q;
-  logic not_1970_s12_q;
-  logic [9:0] patches_rows_rdata_s12_q;
-  logic sum_1998_s12_q;
-  logic and_2019_s12_q;
-  logic and_2141_s12_q;
-  logic equal_2283_s12_q;
-  logic equal_2472_s12_q;
-  logic and_2599_s12_q;
-  logic equal_2684_s12_q;
-  logic [7:0] wide_s12_q;
-  logic [8:0] size_3_s12_q;
-  logic less_2765_s12_q;
-  logic not_2992_s12_q;
-  logic or_3047_s12_q;
-  logic not_3071_s12_q;
-  logic [9:0] select_3516_s12_q;
-  logic [4:0] select_3523_s12_q;
-  logic equal_3550_s12_q;
-  logic less_3876_s12_q;
-  logic equal_4095_s12_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) begin
-      pixel_0_s12_q <= pixel_0_s11_q;
-      pixel_1_s12_q <= pixel_1_s11_q;
-      saturated_s12_q <= saturated_s11_q;
-      mask_s12_q <= mask_s11_q;
-      marks_first_s12_q <= marks_first_s11_q;
-      marks_last_s12_q <= marks_last_s11_q;
-      sample_pair_whole_s12_q <= sample_pair_whole_s11_q;
-      sample_present_s12_q <= sample_present_s11_q;
-      run_shift_s12_q <= run_shift_s11_q;
-      x_s12_q <= x_s11_q;
-      age_s12_q <= age_s11_q;
-      slot_s12_q <= slot_s11_q;
-      ends_cell_s12_q <= ends_cell_s11_q;
-      lower_half_s12_q <= lower_half_s11_q;
-      shift_first_s12_q <= shift_first_s11_q;
-      registration_slope_s12_q <= registration_slope_s11_q;
-      patches_band_rows_number_s12_q <= patches_band_rows_number_s11_q;
-      patches_chooses_s12_q <= patches_chooses_s11_q;
-      patches_choosing_band_s12_q <= patches_choosing_band_s11_q;
-      patches_lower_s12_q <= patches_lower_s11_q;
-      patches_second_s12_q <= patches_second_s11_q;
-      patches_code_row_s12_q <= patches_code_row_s11_q;
-      patches_column_s12_q <= patches_column_s11_q;
-      patches_step_s12_q <= patches_step_s11_q;
-      patches_read_searches_s12_q <= patches_read_searches_s11_q;
-      select_508_s12_q <= select_508_s11_q;
-      equal_509_s12_q <= equal_509_s11_q;
-      select_511_s12_q <= select_511_s11_q;
-      select_515_s12_q <= select_515_s11_q;
-      and_524_s12_q <= and_524_s11_q;
-      equal_530_s12_q <= equal_530_s11_q;
-      last_s12_q <= last_s11_q;
-      and_548_s12_q <= and_548_s11_q;
-      and_550_s12_q <= and_550_s11_q;
-      equal_570_s12_q <= equal_570;
-      first_s12_q <= first;
-      equal_575_s12_q <= equal_575_s11_q;
-      so_s12_q <= so_s11_q;
-      equal_579_s12_q <= equal_579_s11_q;
-      or_580_s12_q <= or_580_s11_q;
-      less_583_s12_q <= less_583_s11_q;
-      not_584_s12_q <= not_584_s11_q;
-      equal_594_s12_q <= equal_594_s11_q;
-      and_601_s12_q <= and_601_s11_q;
-      and_609_s12_q <= and_609_s11_q;
-      x_s12_2_q <= x_s11_2_q;
-      best_left_rdata_s12_q <= best_left_rdata_s11_q;
-      select_627_s12_q <= select_627_s11_q;
-      right_s12_q <= right_s11_q;
-      and_640_s12_q <= and_640_s11_q;
-      and_645_s12_q <= and_645_s11_q;
-      and_647_s12_q <= and_647_s11_q;
-      equal_680_s12_q <= equal_680_s11_q;
-      xor_838_s12_q <= xor_838_s11_q;
-      xor_933_s12_q <= parity_887_s11_q ^ parity_932;
-      parity_978_s12_q <= parity_978;
-      and_979_s12_q <= parity_960 & parity_975;
-      and_981_s12_q <= (^{or_942, or_938, and_934}) & (parity_960 | parity_975);
-      and_983_s12_q <= or_938 & or_942;
-      and_985_s12_q <= and_934 & (or_938 | or_942);
-      or_990_s12_q <= or_990;
-      or_994_s12_q <= (or_968 & or_972) | (or_964 & (or_968 | or_972));
-      xor_1087_s12_q <= xor_1087_s11_q;
-      xor_1182_s12_q <= parity_1136_s11_q ^ parity_1181;
-      parity_1227_s12_q <= parity_1227;
-      and_1228_s12_q <= parity_1209 & parity_1224;
-      and_1230_s12_q <= (^{or_1191, or_1187, and_1183}) & (parity_1209 | parity_1224);
-      and_1232_s12_q <= or_1187 & or_1191;
-      and_1234_s12_q <= and_1183 & (or_1187 | or_1191);
-      or_1239_s12_q <= or_1239;
-      or_1243_s12_q <= (or_1217 & or_1221) | (or_1213 & (or_1217 | or_1221));
-      xor_1336_s12_q <= xor_1336_s11_q;
-      xor_1431_s12_q <= parity_1385_s11_q ^ parity_1430;
-      parity_1476_s12_q <= parity_1476;
-      and_1477_s12_q <= parity_1458 & parity_1473;
-      and_1479_s12_q <= (^{or_1440, or_1436, and_1432}) & (parity_1458 | parity_1473);
-      and_1481_s12_q <= or_1436 & or_1440;
-      and_1483_s12_q <= and_1432 & (or_1436 | or_1440);
-      or_1488_s12_q <= or_1488;
-      or_1492_s12_q <= (or_1466 & or_1470) | (or_1462 & (or_1466 | or_1470));
-      and_1562_s12_q <= and_1562_s11_q;
-      equal_1563_s12_q <= equal_1563_s11_q;
-      or_1583_s12_q <= or_1583_s11_q;
-      less_1649_s12_q <= less_1649_s11_q;
-      and_1676_s12_q <= and_1676_s11_q;
-      and_1689_s12_q <= and_1689_s11_q;
-      right_3_s12_q <= right_3_s11_q;
-      less_1703_s12_q <= less_1703_s11_q;
-      b_s12_q <= b_s11_q;
-      and_1736_s12_q <= and_1736;
-      sum_1769_s12_q <= sum_1769[9:2];
-      equal_1781_s12_q <= equal_1781_s11_q;
-      or_1782_s12_q <= and_1726 | equal_1781_s11_q;
-      equal_1788_s12_q <= equal_1788_s11_q;
-      not_1789_s12_q <= not_1789_s11_q;
-      equal_1790_s12_q <= equal_1790_s11_q;
-      not_1791_s12_q <= not_1791_s11_q;
-      equal_1792_s12_q <= equal_1792_s11_q;
-      equal_1793_s12_q <= equal_1793_s11_q;
-      or_1794_s12_q <= or_1794_s11_q;
-      select_1818_s12_q <= select_1818_s11_q;
-      select_1824_s12_q <= select_1824_s11_q;
-      patches_left_rdata_s12_q <= patches_left_rdata_q;
-      select_1862_s12_q <= select_1862_s11_q;
-      and_1872_s12_q <= and_1872_s11_q;
-      patches_columns_above_rdata_s12_q <= patches_columns_above_rdata_s11_q;
-      select_1876_s12_q <= patches_second_s11_q ? patches_right_1_rdata_s11_q : pixel;
-      sum_1919_s12_q <= sum_1919;
-      less_1966_s12_q <= less_1966_s11_q;
-      equal_1967_s12_q <= equal_1967_s11_q;
-      not_1968_s12_q <= not_1968_s11_q;
-      equal_1969_s12_q <= equal_1969_s11_q;
-      not_1970_s12_q <= not_1970_s11_q;
-      patches_rows_rdata_s12_q <= patches_rows_rdata_s11_q[9:0];
-      sum_1998_s12_q <= sum_1998_s11_q;
-      and_2019_s12_q <= and_2019_s11_q;
-      and_2141_s12_q <= so_s11_q & (ends_cell_s11_q & and_2139_s11_q);
-      equal_2283_s12_q <= equal_2283_s11_q;
-      equal_2472_s12_q <= equal_2472_s11_q;
-      and_2599_s12_q <= and_2599_s11_q;
-      equal_2684_s12_q <= equal_2684_s11_q;
-      wide_s12_q <= wide;
-      size_3_s12_q <= size_3;
-      less_2765_s12_q <= less_2765_s11_q;
-      not_2992_s12_q <= not_2992_s11_q;
-      or_3047_s12_q <= or_3047_s11_q;
-      not_3071_s12_q <= not_3071_s11_q;
-      select_3516_s12_q <= equal_1969_s11_q ? select_3515 : select_3513;
-      select_3523_s12_q <= select_3523;
-      equal_3550_s12_q <= equal_3550_s11_q;
-      less_3876_s12_q <= less_3876_s11_q;
-      equal_4095_s12_q <= equal_4095_s11_q;
-    end
-  end
-
-  // Stage 12 ----------------------------------------------------------------------------------------------------------
   logic [5:0] sums_0_columns_values_0_q;
   logic [5:0] sums_0_columns_values_1_q;
   logic [5:0] sums_0_columns_values_2_q;
@@ -3198,127 +3092,127 @@ module horopter_agreement (
   logic [4:0] patches_read_row_column_q;
   // hls/stages/agreement.hpp:226
   logic inside_v;
-  assign inside_v = or_580_s12_q & not_584_s12_q;
+  assign inside_v = or_578_s10_q & not_582_s10_q;
   // hls/stages/count_bits.hpp:25
-  logic or_982;
-  assign or_982 = and_979_s12_q | and_981_s12_q;
-  logic or_986;
-  assign or_986 = and_983_s12_q | and_985_s12_q;
+  logic or_980;
+  assign or_980 = and_977_s10_q | and_979_s10_q;
+  logic or_984;
+  assign or_984 = and_981_s10_q | and_983_s10_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_999;
-  assign parity_999 = ^{or_994_s12_q, or_990_s12_q, or_986, or_982};
+  logic parity_997;
+  assign parity_997 = ^{or_992_s10_q, or_988_s10_q, or_984, or_980};
   // hls/stages/count_bits.hpp:25
-  logic or_1003;
-  assign or_1003 = (or_990_s12_q & or_994_s12_q) | (or_986 & (or_990_s12_q | or_994_s12_q));
+  logic or_1001;
+  assign or_1001 = (or_988_s10_q & or_992_s10_q) | (or_984 & (or_988_s10_q | or_992_s10_q));
+  logic and_1002;
+  assign and_1002 = or_980 & (^{or_992_s10_q, or_988_s10_q, or_984});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1003;
+  assign xor_1003 = or_1001 ^ and_1002;
+  // hls/stages/count_bits.hpp:27
   logic and_1004;
-  assign and_1004 = or_982 & (^{or_994_s12_q, or_990_s12_q, or_986});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1005;
-  assign xor_1005 = or_1003 ^ and_1004;
-  // hls/stages/count_bits.hpp:27
-  logic and_1006;
-  assign and_1006 = or_1003 & and_1004;
+  assign and_1004 = or_1001 & and_1002;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1007;
-  assign select_1007 = equal_594_s12_q ? {and_1006, xor_1005, parity_999, parity_978_s12_q, xor_933_s12_q, xor_838_s12_q} : 6'h0;
+  logic [5:0] select_1005;
+  assign select_1005 = equal_592_s10_q ? {and_1004, xor_1003, parity_997, parity_976_s10_q, xor_931_s10_q, xor_836_s10_q} : 6'h0;
   logic [5:0] column;
-  assign column = or_580_s12_q ? 6'h0 : select_1007;
+  assign column = or_578_s10_q ? 6'h0 : select_1005;
   // hls/stages/count_bits.hpp:25
-  logic or_1231;
-  assign or_1231 = and_1228_s12_q | and_1230_s12_q;
-  logic or_1235;
-  assign or_1235 = and_1232_s12_q | and_1234_s12_q;
+  logic or_1229;
+  assign or_1229 = and_1226_s10_q | and_1228_s10_q;
+  logic or_1233;
+  assign or_1233 = and_1230_s10_q | and_1232_s10_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_1248;
-  assign parity_1248 = ^{or_1243_s12_q, or_1239_s12_q, or_1235, or_1231};
+  logic parity_1246;
+  assign parity_1246 = ^{or_1241_s10_q, or_1237_s10_q, or_1233, or_1229};
   // hls/stages/count_bits.hpp:25
-  logic or_1252;
-  assign or_1252 = (or_1239_s12_q & or_1243_s12_q) | (or_1235 & (or_1239_s12_q | or_1243_s12_q));
+  logic or_1250;
+  assign or_1250 = (or_1237_s10_q & or_1241_s10_q) | (or_1233 & (or_1237_s10_q | or_1241_s10_q));
+  logic and_1251;
+  assign and_1251 = or_1229 & (^{or_1241_s10_q, or_1237_s10_q, or_1233});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1252;
+  assign xor_1252 = or_1250 ^ and_1251;
+  // hls/stages/count_bits.hpp:27
   logic and_1253;
-  assign and_1253 = or_1231 & (^{or_1243_s12_q, or_1239_s12_q, or_1235});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1254;
-  assign xor_1254 = or_1252 ^ and_1253;
-  // hls/stages/count_bits.hpp:27
-  logic and_1255;
-  assign and_1255 = or_1252 & and_1253;
+  assign and_1253 = or_1250 & and_1251;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1256;
-  assign select_1256 = equal_594_s12_q ? {and_1255, xor_1254, parity_1248, parity_1227_s12_q, xor_1182_s12_q, xor_1087_s12_q} : 6'h0;
+  logic [5:0] select_1254;
+  assign select_1254 = equal_592_s10_q ? {and_1253, xor_1252, parity_1246, parity_1225_s10_q, xor_1180_s10_q, xor_1085_s10_q} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_580_s12_q ? 6'h0 : select_1256;
+  assign column_2 = or_578_s10_q ? 6'h0 : select_1254;
   // hls/stages/count_bits.hpp:25
-  logic or_1480;
-  assign or_1480 = and_1477_s12_q | and_1479_s12_q;
-  logic or_1484;
-  assign or_1484 = and_1481_s12_q | and_1483_s12_q;
+  logic or_1478;
+  assign or_1478 = and_1475_s10_q | and_1477_s10_q;
+  logic or_1482;
+  assign or_1482 = and_1479_s10_q | and_1481_s10_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_1497;
-  assign parity_1497 = ^{or_1492_s12_q, or_1488_s12_q, or_1484, or_1480};
+  logic parity_1495;
+  assign parity_1495 = ^{or_1490_s10_q, or_1486_s10_q, or_1482, or_1478};
   // hls/stages/count_bits.hpp:25
-  logic or_1501;
-  assign or_1501 = (or_1488_s12_q & or_1492_s12_q) | (or_1484 & (or_1488_s12_q | or_1492_s12_q));
-  logic and_1502;
-  assign and_1502 = or_1480 & (^{or_1492_s12_q, or_1488_s12_q, or_1484});
+  logic or_1499;
+  assign or_1499 = (or_1486_s10_q & or_1490_s10_q) | (or_1482 & (or_1486_s10_q | or_1490_s10_q));
+  logic and_1500;
+  assign and_1500 = or_1478 & (^{or_1490_s10_q, or_1486_s10_q, or_1482});
   // hls/stages/count_bits.hpp:24
-  logic xor_1503;
-  assign xor_1503 = or_1501 ^ and_1502;
+  logic xor_1501;
+  assign xor_1501 = or_1499 ^ and_1500;
   // hls/stages/count_bits.hpp:27
-  logic and_1504;
-  assign and_1504 = or_1501 & and_1502;
+  logic and_1502;
+  assign and_1502 = or_1499 & and_1500;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1505;
-  assign select_1505 = equal_594_s12_q ? {and_1504, xor_1503, parity_1497, parity_1476_s12_q, xor_1431_s12_q, xor_1336_s12_q} : 6'h0;
+  logic [5:0] select_1503;
+  assign select_1503 = equal_592_s10_q ? {and_1502, xor_1501, parity_1495, parity_1474_s10_q, xor_1429_s10_q, xor_1334_s10_q} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_580_s12_q ? 6'h0 : select_1505;
+  assign column_3 = or_578_s10_q ? 6'h0 : select_1503;
   // hls/stages/agreement.hpp:779
   logic [5:0] before_v_2;
-  assign before_v_2 = age_s12_q[1] ? sums_0_columns_values_7_q : 6'h0;
+  assign before_v_2 = age_s10_q[1] ? sums_0_columns_values_7_q : 6'h0;
   // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1541;
-  assign sum_1541 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
+  logic [6:0] sum_1539;
+  assign sum_1539 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
   // hls/stages/agreement.hpp:779
   logic [5:0] before_v_3;
-  assign before_v_3 = age_s12_q[1] ? sums_1_columns_values_7_q : 6'h0;
+  assign before_v_3 = age_s10_q[1] ? sums_1_columns_values_7_q : 6'h0;
   // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1544;
-  assign sum_1544 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
+  logic [6:0] sum_1542;
+  assign sum_1542 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
   // hls/stages/agreement.hpp:262
   logic right_2;
-  assign right_2 = inside_v & less_1649_s12_q;
+  assign right_2 = inside_v & less_1647_s10_q;
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_1770;
-  assign sum_1770 = {registration_slope_s12_q[11], registration_slope_s12_q} + {{5{sum_1769_s12_q[7]}}, sum_1769_s12_q};
+  logic [12:0] sum_1765;
+  assign sum_1765 = {registration_slope_s10_q[11], registration_slope_s10_q} + {{5{sum_1764_s10_q[7]}}, sum_1764_s10_q};
   // hls/stages/patches.hpp:173
   logic [7:0] pixel_2;
-  assign pixel_2 = equal_1793_s12_q ? select_1876_s12_q : patches_left_rdata_s12_q;
+  assign pixel_2 = equal_1788_s10_q ? select_1871_s10_q : patches_left_rdata_s10_q;
   // hls/stages/patches.hpp:468
-  logic [9:0] sum_1920;
-  assign sum_1920 = {2'h0, patches_columns_above_rdata_s12_q[15:8]} + {1'b0, sum_1919_s12_q};
+  logic [9:0] sum_1915;
+  assign sum_1915 = {2'h0, patches_columns_above_rdata_s10_q[15:8]} + {1'b0, sum_1914_s10_q};
   // hls/stages/registration.hpp:40
-  logic [8:0] select_2742;
-  assign select_2742 = ({wide_s12_q, 1'b0} < size_3_s12_q) ? {wide_s12_q, 1'b0} : size_3_s12_q;
+  logic [8:0] select_2737;
+  assign select_2737 = ({wide_s10_q, 1'b0} < size_3_s10_q) ? {wide_s10_q, 1'b0} : size_3_s10_q;
   logic [8:0] taken;
-  assign taken = ~select_2742;
+  assign taken = ~select_2737;
   // hls/stages/patches.hpp:561
-  logic [9:0] select_3518;
-  assign select_3518 = less_1966_s12_q ? (equal_1967_s12_q ? 10'h0 : select_3516_s12_q) : select_3516_s12_q;
-  logic [4:0] select_3525;
-  assign select_3525 = less_1966_s12_q ? (equal_1967_s12_q ? 5'h0 : select_3523_s12_q) : select_3523_s12_q;
+  logic [9:0] select_3512;
+  assign select_3512 = less_1961_s10_q ? (equal_1962_s10_q ? 10'h0 : select_3510_s10_q) : select_3510_s10_q;
+  logic [4:0] select_3519;
+  assign select_3519 = less_1961_s10_q ? (equal_1962_s10_q ? 5'h0 : select_3517_s10_q) : select_3517_s10_q;
   // hls/stages/patches.hpp:557
-  logic and_3535;
-  assign and_3535 = less_1966_s12_q & (patches_step_s12_q == 5'h0);
+  logic and_3529;
+  assign and_3529 = less_1961_s10_q & (patches_step_s10_q == 5'h0);
   // hls/stages/patches.hpp:561
-  logic select_3538;
-  assign select_3538 = equal_1969_s12_q ? (less_1966_s12_q ? (not_1970_s12_q & and_3535) : and_3535) : and_3535;
+  logic select_3532;
+  assign select_3532 = equal_1964_s10_q ? (less_1961_s10_q ? (not_1965_s10_q & and_3529) : and_3529) : and_3529;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       patches_read_row_differing_q <= 10'h0;
       patches_read_row_column_q <= 5'h0;
-    end else if (s12_en) begin
-      patches_read_row_differing_q <= equal_1788_s12_q ? select_3518 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_1788_s12_q ? select_3525 : patches_read_row_column_q;
+    end else if (s10_en) begin
+      patches_read_row_differing_q <= equal_1783_s10_q ? select_3512 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_1783_s10_q ? select_3519 : patches_read_row_column_q;
     end
   end
 
@@ -3356,7 +3250,7 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s12_en) begin
+    if (s10_en) begin
       sums_0_columns_values_0_q <= column_2;
       sums_0_columns_values_1_q <= sums_0_columns_values_0_q;
       sums_0_columns_values_2_q <= sums_0_columns_values_1_q;
@@ -3388,240 +3282,240 @@ module horopter_agreement (
     end
   end
 
-  logic [7:0] pixel_0_s13_q;
-  logic [7:0] pixel_1_s13_q;
-  logic saturated_s13_q;
-  logic mask_s13_q;
-  logic marks_first_s13_q;
-  logic marks_last_s13_q;
-  logic sample_pair_whole_s13_q;
-  logic sample_present_s13_q;
-  logic [5:0] run_shift_s13_q;
-  logic [7:0] x_s13_q;
-  logic [3:0] age_s13_q;
-  logic [2:0] slot_s13_q;
-  logic ends_cell_s13_q;
-  logic lower_half_s13_q;
-  logic shift_first_s13_q;
-  logic [4:0] patches_band_rows_number_s13_q;
-  logic patches_chooses_s13_q;
-  logic [4:0] patches_choosing_band_s13_q;
-  logic patches_lower_s13_q;
-  logic patches_second_s13_q;
-  logic [4:0] patches_code_row_s13_q;
-  logic [4:0] patches_column_s13_q;
-  logic [4:0] patches_step_s13_q;
-  logic [9:0] patches_read_row_differing_s13_q;
-  logic [4:0] patches_read_row_column_s13_q;
-  logic patches_read_searches_s13_q;
-  logic [3:0] select_508_s13_q;
-  logic equal_509_s13_q;
-  logic [6:0] select_511_s13_q;
-  logic [8:0] select_515_s13_q;
-  logic and_524_s13_q;
-  logic equal_530_s13_q;
-  logic [6:0] last_s13_q;
-  logic and_548_s13_q;
-  logic and_550_s13_q;
-  logic equal_570_s13_q;
-  logic first_s13_q;
-  logic equal_575_s13_q;
-  logic so_s13_q;
-  logic equal_579_s13_q;
-  logic or_580_s13_q;
-  logic less_583_s13_q;
-  logic not_584_s13_q;
-  logic inside_v_s13_q;
-  logic and_601_s13_q;
-  logic and_609_s13_q;
-  logic [6:0] x_s13_2_q;
-  logic [61:0] best_left_rdata_s13_q;
-  logic [6:0] select_627_s13_q;
-  logic [6:0] right_s13_q;
-  logic [28:0] best_right_rdata_s13_q;
-  logic and_640_s13_q;
-  logic and_645_s13_q;
-  logic and_647_s13_q;
-  logic equal_680_s13_q;
-  logic [5:0] column_s13_q;
-  logic [5:0] select_1258_s13_q;
-  logic [5:0] select_1507_s13_q;
-  logic [6:0] sum_1542_s13_q;
-  logic [6:0] sum_1545_s13_q;
-  logic and_1562_s13_q;
-  logic equal_1563_s13_q;
-  logic or_1583_s13_q;
-  logic right_2_s13_q;
-  logic and_1676_s13_q;
-  logic and_1689_s13_q;
-  logic and_1701_s13_q;
-  logic less_1703_s13_q;
-  logic [5:0] b_s13_q;
-  logic and_1736_s13_q;
-  logic [7:0] sum_1770_s13_q;
-  logic less_1771_s13_q;
-  logic less_1772_s13_q;
-  logic equal_1781_s13_q;
-  logic and_1785_s13_q;
-  logic equal_1788_s13_q;
-  logic not_1789_s13_q;
-  logic equal_1790_s13_q;
-  logic not_1791_s13_q;
-  logic equal_1792_s13_q;
-  logic equal_1793_s13_q;
-  logic or_1794_s13_q;
-  logic [4:0] select_1818_s13_q;
-  logic select_1824_s13_q;
-  logic [3:0] select_1862_s13_q;
-  logic and_1872_s13_q;
-  logic [31:0] patches_columns_above_rdata_s13_q;
-  logic [7:0] pixel_2_s13_q;
-  logic [9:0] sum_1920_s13_q;
-  logic less_1966_s13_q;
-  logic equal_1967_s13_q;
-  logic not_1968_s13_q;
-  logic equal_1969_s13_q;
-  logic not_1970_s13_q;
-  logic [9:0] patches_rows_rdata_s13_q;
-  logic sum_1998_s13_q;
-  logic and_2019_s13_q;
-  logic and_2141_s13_q;
-  logic equal_2283_s13_q;
-  logic equal_2472_s13_q;
-  logic and_2599_s13_q;
-  logic equal_2684_s13_q;
-  logic less_2726_s13_q;
-  logic [7:0] wide_s13_q;
-  logic [8:0] taken_s13_q;
-  logic [7:0] not_2744_s13_q;
-  logic less_2765_s13_q;
-  logic and_2995_s13_q;
-  logic or_3047_s13_q;
-  logic not_3071_s13_q;
-  logic select_3538_s13_q;
-  logic equal_3550_s13_q;
-  logic less_3876_s13_q;
-  logic equal_4095_s13_q;
+  logic [7:0] pixel_0_s11_q;
+  logic [7:0] pixel_1_s11_q;
+  logic saturated_s11_q;
+  logic mask_s11_q;
+  logic marks_first_s11_q;
+  logic marks_last_s11_q;
+  logic sample_pair_whole_s11_q;
+  logic sample_present_s11_q;
+  logic [5:0] run_shift_s11_q;
+  logic [7:0] x_s11_q;
+  logic [3:0] age_s11_q;
+  logic [2:0] slot_s11_q;
+  logic ends_cell_s11_q;
+  logic lower_half_s11_q;
+  logic shift_first_s11_q;
+  logic [4:0] patches_band_rows_number_s11_q;
+  logic patches_chooses_s11_q;
+  logic [4:0] patches_choosing_band_s11_q;
+  logic patches_lower_s11_q;
+  logic patches_second_s11_q;
+  logic [4:0] patches_code_row_s11_q;
+  logic [4:0] patches_column_s11_q;
+  logic [4:0] patches_step_s11_q;
+  logic [9:0] patches_read_row_differing_s11_q;
+  logic [4:0] patches_read_row_column_s11_q;
+  logic patches_read_searches_s11_q;
+  logic row_starts_s11_q;
+  logic [3:0] select_508_s11_q;
+  logic equal_509_s11_q;
+  logic [8:0] select_512_s11_q;
+  logic and_521_s11_q;
+  logic equal_527_s11_q;
+  logic [6:0] select_542_s11_q;
+  logic [6:0] last_s11_q;
+  logic and_546_s11_q;
+  logic and_548_s11_q;
+  logic equal_568_s11_q;
+  logic first_s11_q;
+  logic equal_573_s11_q;
+  logic so_s11_q;
+  logic equal_577_s11_q;
+  logic or_578_s11_q;
+  logic less_581_s11_q;
+  logic not_582_s11_q;
+  logic inside_v_s11_q;
+  logic and_599_s11_q;
+  logic and_607_s11_q;
+  logic [6:0] x_s11_2_q;
+  logic [61:0] best_left_rdata_s11_q;
+  logic [6:0] select_625_s11_q;
+  logic [6:0] right_s11_q;
+  logic [28:0] best_right_rdata_s11_q;
+  logic and_638_s11_q;
+  logic and_643_s11_q;
+  logic and_645_s11_q;
+  logic equal_678_s11_q;
+  logic [5:0] column_s11_q;
+  logic [5:0] select_1256_s11_q;
+  logic [5:0] select_1505_s11_q;
+  logic [6:0] sum_1540_s11_q;
+  logic [6:0] sum_1543_s11_q;
+  logic and_1560_s11_q;
+  logic equal_1561_s11_q;
+  logic or_1581_s11_q;
+  logic right_2_s11_q;
+  logic and_1684_s11_q;
+  logic and_1696_s11_q;
+  logic less_1698_s11_q;
+  logic [5:0] b_s11_q;
+  logic and_1731_s11_q;
+  logic [7:0] sum_1765_s11_q;
+  logic less_1766_s11_q;
+  logic less_1767_s11_q;
+  logic equal_1776_s11_q;
+  logic and_1780_s11_q;
+  logic equal_1783_s11_q;
+  logic not_1784_s11_q;
+  logic equal_1785_s11_q;
+  logic not_1786_s11_q;
+  logic equal_1787_s11_q;
+  logic equal_1788_s11_q;
+  logic or_1789_s11_q;
+  logic [4:0] select_1813_s11_q;
+  logic select_1819_s11_q;
+  logic [3:0] select_1857_s11_q;
+  logic and_1867_s11_q;
+  logic [31:0] patches_columns_above_rdata_s11_q;
+  logic [7:0] pixel_2_s11_q;
+  logic [9:0] sum_1915_s11_q;
+  logic less_1961_s11_q;
+  logic equal_1962_s11_q;
+  logic not_1963_s11_q;
+  logic equal_1964_s11_q;
+  logic not_1965_s11_q;
+  logic [9:0] patches_rows_rdata_s11_q;
+  logic sum_1993_s11_q;
+  logic and_2014_s11_q;
+  logic and_2136_s11_q;
+  logic equal_2278_s11_q;
+  logic equal_2467_s11_q;
+  logic and_2594_s11_q;
+  logic equal_2679_s11_q;
+  logic less_2721_s11_q;
+  logic [7:0] wide_s11_q;
+  logic [8:0] taken_s11_q;
+  logic [7:0] not_2739_s11_q;
+  logic less_2760_s11_q;
+  logic and_2990_s11_q;
+  logic or_3041_s11_q;
+  logic not_3065_s11_q;
+  logic select_3532_s11_q;
+  logic equal_3544_s11_q;
+  logic less_3870_s11_q;
+  logic equal_4089_s11_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s13_q <= pixel_0_s12_q;
-      pixel_1_s13_q <= pixel_1_s12_q;
-      saturated_s13_q <= saturated_s12_q;
-      mask_s13_q <= mask_s12_q;
-      marks_first_s13_q <= marks_first_s12_q;
-      marks_last_s13_q <= marks_last_s12_q;
-      sample_pair_whole_s13_q <= sample_pair_whole_s12_q;
-      sample_present_s13_q <= sample_present_s12_q;
-      run_shift_s13_q <= run_shift_s12_q;
-      x_s13_q <= x_s12_q;
-      age_s13_q <= age_s12_q;
-      slot_s13_q <= slot_s12_q;
-      ends_cell_s13_q <= ends_cell_s12_q;
-      lower_half_s13_q <= lower_half_s12_q;
-      shift_first_s13_q <= shift_first_s12_q;
-      patches_band_rows_number_s13_q <= patches_band_rows_number_s12_q;
-      patches_chooses_s13_q <= patches_chooses_s12_q;
-      patches_choosing_band_s13_q <= patches_choosing_band_s12_q;
-      patches_lower_s13_q <= patches_lower_s12_q;
-      patches_second_s13_q <= patches_second_s12_q;
-      patches_code_row_s13_q <= patches_code_row_s12_q;
-      patches_column_s13_q <= patches_column_s12_q;
-      patches_step_s13_q <= patches_step_s12_q;
-      patches_read_row_differing_s13_q <= patches_read_row_differing_q;
-      patches_read_row_column_s13_q <= patches_read_row_column_q;
-      patches_read_searches_s13_q <= patches_read_searches_s12_q;
-      select_508_s13_q <= select_508_s12_q;
-      equal_509_s13_q <= equal_509_s12_q;
-      select_511_s13_q <= select_511_s12_q;
-      select_515_s13_q <= select_515_s12_q;
-      and_524_s13_q <= and_524_s12_q;
-      equal_530_s13_q <= equal_530_s12_q;
-      last_s13_q <= last_s12_q;
-      and_548_s13_q <= and_548_s12_q;
-      and_550_s13_q <= and_550_s12_q;
-      equal_570_s13_q <= equal_570_s12_q;
-      first_s13_q <= first_s12_q;
-      equal_575_s13_q <= equal_575_s12_q;
-      so_s13_q <= so_s12_q;
-      equal_579_s13_q <= equal_579_s12_q;
-      or_580_s13_q <= or_580_s12_q;
-      less_583_s13_q <= less_583_s12_q;
-      not_584_s13_q <= not_584_s12_q;
-      inside_v_s13_q <= inside_v;
-      and_601_s13_q <= and_601_s12_q;
-      and_609_s13_q <= and_609_s12_q;
-      x_s13_2_q <= x_s12_2_q;
-      best_left_rdata_s13_q <= best_left_rdata_s12_q;
-      select_627_s13_q <= select_627_s12_q;
-      right_s13_q <= right_s12_q;
-      best_right_rdata_s13_q <= best_right_rdata_q;
-      and_640_s13_q <= and_640_s12_q;
-      and_645_s13_q <= and_645_s12_q;
-      and_647_s13_q <= and_647_s12_q;
-      equal_680_s13_q <= equal_680_s12_q;
-      column_s13_q <= column;
-      select_1258_s13_q <= age_s12_q[3] ? sums_0_columns_values_13_q : 6'h0;
-      select_1507_s13_q <= age_s12_q[3] ? sums_1_columns_values_13_q : 6'h0;
-      sum_1542_s13_q <= {1'b0, before_v_2} + sum_1541;
-      sum_1545_s13_q <= {1'b0, before_v_3} + sum_1544;
-      and_1562_s13_q <= and_1562_s12_q;
-      equal_1563_s13_q <= equal_1563_s12_q;
-      or_1583_s13_q <= or_1583_s12_q;
-      right_2_s13_q <= right_2;
-      and_1676_s13_q <= and_1676_s12_q;
-      and_1689_s13_q <= and_1689_s12_q;
-      and_1701_s13_q <= so_s12_q & (ends_cell_s12_q & (inside_v & right_3_s12_q));
-      less_1703_s13_q <= less_1703_s12_q;
-      b_s13_q <= b_s12_q;
-      and_1736_s13_q <= and_1736_s12_q;
-      sum_1770_s13_q <= sum_1770[7:0];
-      less_1771_s13_q <= $signed(6'h0) < $signed(sum_1770[12:7]);
-      less_1772_s13_q <= $signed(sum_1770[12:7]) < $signed(6'h3f);
-      equal_1781_s13_q <= equal_1781_s12_q;
-      and_1785_s13_q <= so_s12_q & (ends_cell_s12_q & (inside_v & or_1782_s12_q));
-      equal_1788_s13_q <= equal_1788_s12_q;
-      not_1789_s13_q <= not_1789_s12_q;
-      equal_1790_s13_q <= equal_1790_s12_q;
-      not_1791_s13_q <= not_1791_s12_q;
-      equal_1792_s13_q <= equal_1792_s12_q;
-      equal_1793_s13_q <= equal_1793_s12_q;
-      or_1794_s13_q <= or_1794_s12_q;
-      select_1818_s13_q <= select_1818_s12_q;
-      select_1824_s13_q <= select_1824_s12_q;
-      select_1862_s13_q <= select_1862_s12_q;
-      and_1872_s13_q <= and_1872_s12_q;
-      patches_columns_above_rdata_s13_q <= patches_columns_above_rdata_s12_q;
-      pixel_2_s13_q <= pixel_2;
-      sum_1920_s13_q <= sum_1920;
-      less_1966_s13_q <= less_1966_s12_q;
-      equal_1967_s13_q <= equal_1967_s12_q;
-      not_1968_s13_q <= not_1968_s12_q;
-      equal_1969_s13_q <= equal_1969_s12_q;
-      not_1970_s13_q <= not_1970_s12_q;
-      patches_rows_rdata_s13_q <= patches_rows_rdata_s12_q;
-      sum_1998_s13_q <= sum_1998_s12_q;
-      and_2019_s13_q <= and_2019_s12_q;
-      and_2141_s13_q <= and_2141_s12_q;
-      equal_2283_s13_q <= equal_2283_s12_q;
-      equal_2472_s13_q <= equal_2472_s12_q;
-      and_2599_s13_q <= and_2599_s12_q;
-      equal_2684_s13_q <= equal_2684_s12_q;
-      less_2726_s13_q <= slot_s12_q < 3'h3;
-      wide_s13_q <= wide_s12_q;
-      taken_s13_q <= taken;
-      not_2744_s13_q <= ~wide_s12_q;
-      less_2765_s13_q <= less_2765_s12_q;
-      and_2995_s13_q <= so_s12_q & (ends_cell_s12_q & (inside_v & not_2992_s12_q));
-      or_3047_s13_q <= or_3047_s12_q;
-      not_3071_s13_q <= not_3071_s12_q;
-      select_3538_s13_q <= select_3538;
-      equal_3550_s13_q <= equal_3550_s12_q;
-      less_3876_s13_q <= less_3876_s12_q;
-      equal_4095_s13_q <= equal_4095_s12_q;
+      pixel_0_s11_q <= pixel_0_s10_q;
+      pixel_1_s11_q <= pixel_1_s10_q;
+      saturated_s11_q <= saturated_s10_q;
+      mask_s11_q <= mask_s10_q;
+      marks_first_s11_q <= marks_first_s10_q;
+      marks_last_s11_q <= marks_last_s10_q;
+      sample_pair_whole_s11_q <= sample_pair_whole_s10_q;
+      sample_present_s11_q <= sample_present_s10_q;
+      run_shift_s11_q <= run_shift_s10_q;
+      x_s11_q <= x_s10_q;
+      age_s11_q <= age_s10_q;
+      slot_s11_q <= slot_s10_q;
+      ends_cell_s11_q <= ends_cell_s10_q;
+      lower_half_s11_q <= lower_half_s10_q;
+      shift_first_s11_q <= shift_first_s10_q;
+      patches_band_rows_number_s11_q <= patches_band_rows_number_s10_q;
+      patches_chooses_s11_q <= patches_chooses_s10_q;
+      patches_choosing_band_s11_q <= patches_choosing_band_s10_q;
+      patches_lower_s11_q <= patches_lower_s10_q;
+      patches_second_s11_q <= patches_second_s10_q;
+      patches_code_row_s11_q <= patches_code_row_s10_q;
+      patches_column_s11_q <= patches_column_s10_q;
+      patches_step_s11_q <= patches_step_s10_q;
+      patches_read_row_differing_s11_q <= patches_read_row_differing_q;
+      patches_read_row_column_s11_q <= patches_read_row_column_q;
+      patches_read_searches_s11_q <= patches_read_searches_s10_q;
+      row_starts_s11_q <= row_starts_s10_q;
+      select_508_s11_q <= select_508_s10_q;
+      equal_509_s11_q <= equal_509_s10_q;
+      select_512_s11_q <= select_512_s10_q;
+      and_521_s11_q <= and_521_s10_q;
+      equal_527_s11_q <= equal_527_s10_q;
+      select_542_s11_q <= select_542_s10_q;
+      last_s11_q <= last_s10_q;
+      and_546_s11_q <= and_546_s10_q;
+      and_548_s11_q <= and_548_s10_q;
+      equal_568_s11_q <= equal_568_s10_q;
+      first_s11_q <= first_s10_q;
+      equal_573_s11_q <= equal_573_s10_q;
+      so_s11_q <= so_s10_q;
+      equal_577_s11_q <= equal_577_s10_q;
+      or_578_s11_q <= or_578_s10_q;
+      less_581_s11_q <= less_581_s10_q;
+      not_582_s11_q <= not_582_s10_q;
+      inside_v_s11_q <= inside_v;
+      and_599_s11_q <= and_599_s10_q;
+      and_607_s11_q <= and_607_s10_q;
+      x_s11_2_q <= x_s10_2_q;
+      best_left_rdata_s11_q <= best_left_rdata_s10_q;
+      select_625_s11_q <= select_625_s10_q;
+      right_s11_q <= right_s10_q;
+      best_right_rdata_s11_q <= best_right_rdata_q;
+      and_638_s11_q <= and_638_s10_q;
+      and_643_s11_q <= and_643_s10_q;
+      and_645_s11_q <= and_645_s10_q;
+      equal_678_s11_q <= equal_678_s10_q;
+      column_s11_q <= column;
+      select_1256_s11_q <= age_s10_q[3] ? sums_0_columns_values_13_q : 6'h0;
+      select_1505_s11_q <= age_s10_q[3] ? sums_1_columns_values_13_q : 6'h0;
+      sum_1540_s11_q <= {1'b0, before_v_2} + sum_1539;
+      sum_1543_s11_q <= {1'b0, before_v_3} + sum_1542;
+      and_1560_s11_q <= and_1560_s10_q;
+      equal_1561_s11_q <= equal_1561_s10_q;
+      or_1581_s11_q <= or_1581_s10_q;
+      right_2_s11_q <= right_2;
+      and_1684_s11_q <= and_1684_s10_q;
+      and_1696_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & right_3_s10_q));
+      less_1698_s11_q <= less_1698_s10_q;
+      b_s11_q <= b_s10_q;
+      and_1731_s11_q <= and_1731_s10_q;
+      sum_1765_s11_q <= sum_1765[7:0];
+      less_1766_s11_q <= $signed(6'h0) < $signed(sum_1765[12:7]);
+      less_1767_s11_q <= $signed(sum_1765[12:7]) < $signed(6'h3f);
+      equal_1776_s11_q <= equal_1776_s10_q;
+      and_1780_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & or_1777_s10_q));
+      equal_1783_s11_q <= equal_1783_s10_q;
+      not_1784_s11_q <= not_1784_s10_q;
+      equal_1785_s11_q <= equal_1785_s10_q;
+      not_1786_s11_q <= not_1786_s10_q;
+      equal_1787_s11_q <= equal_1787_s10_q;
+      equal_1788_s11_q <= equal_1788_s10_q;
+      or_1789_s11_q <= or_1789_s10_q;
+      select_1813_s11_q <= select_1813_s10_q;
+      select_1819_s11_q <= select_1819_s10_q;
+      select_1857_s11_q <= select_1857_s10_q;
+      and_1867_s11_q <= and_1867_s10_q;
+      patches_columns_above_rdata_s11_q <= patches_columns_above_rdata_s10_q;
+      pixel_2_s11_q <= pixel_2;
+      sum_1915_s11_q <= sum_1915;
+      less_1961_s11_q <= less_1961_s10_q;
+      equal_1962_s11_q <= equal_1962_s10_q;
+      not_1963_s11_q <= not_1963_s10_q;
+      equal_1964_s11_q <= equal_1964_s10_q;
+      not_1965_s11_q <= not_1965_s10_q;
+      patches_rows_rdata_s11_q <= patches_rows_rdata_s10_q;
+      sum_1993_s11_q <= sum_1993_s10_q;
+      and_2014_s11_q <= and_2014_s10_q;
+      and_2136_s11_q <= and_2136_s10_q;
+      equal_2278_s11_q <= equal_2278_s10_q;
+      equal_2467_s11_q <= equal_2467_s10_q;
+      and_2594_s11_q <= and_2594_s10_q;
+      equal_2679_s11_q <= equal_2679_s10_q;
+      less_2721_s11_q <= slot_s10_q < 3'h3;
+      wide_s11_q <= wide_s10_q;
+      taken_s11_q <= taken;
+      not_2739_s11_q <= ~wide_s10_q;
+      less_2760_s11_q <= less_2760_s10_q;
+      and_2990_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & not_2987_s10_q));
+      or_3041_s11_q <= or_3041_s10_q;
+      not_3065_s11_q <= not_3065_s10_q;
+      select_3532_s11_q <= select_3532;
+      equal_3544_s11_q <= equal_3544_s10_q;
+      less_3870_s11_q <= less_3870_s10_q;
+      equal_4089_s11_q <= equal_4089_s10_q;
     end
   end
 
-  // Stage 13 ----------------------------------------------------------------------------------------------------------
+  // Stage 11 ----------------------------------------------------------------------------------------------------------
   logic [13:0] moments_place_q;
   logic moments_taken_q;
   logic moments_starts_q;
@@ -3645,166 +3539,166 @@ module horopter_agreement (
   logic patches_read_first_q;
   logic [9:0] patches_peak_best_differing_q;
   logic [4:0] patches_peak_best_column_q;
-  // hls/stages/census.hpp:124
-  logic and_525;
-  assign and_525 = sample_pair_whole_s13_q & and_524_s13_q;
+  // hls/stages/census.hpp:127
+  logic and_522;
+  assign and_522 = sample_pair_whole_s11_q & and_521_s11_q;
   // hls/stages/moments.hpp:57
-  logic [13:0] select_573;
-  assign select_573 = moments_starts_q ? 14'h1 : (moments_place_q + {13'h0, moments_taken_q});
+  logic [13:0] select_571;
+  assign select_571 = moments_starts_q ? 14'h1 : (moments_place_q + {13'h0, moments_taken_q});
   // hls/stages/agreement.hpp:1009
-  logic not_576;
-  assign not_576 = ~equal_575_s13_q;
+  logic not_574;
+  assign not_574 = ~equal_573_s11_q;
   // hls/stages/agreement.hpp:201
-  logic not_578;
-  assign not_578 = ~so_s13_q;
+  logic not_576;
+  assign not_576 = ~so_s11_q;
   // hls/stages/agreement.hpp:979
   logic [6:0] chosen;
-  assign chosen = slot_s13_q[2] ? best_right_rdata_s13_q[14:8] : best_right_rdata_s13_q[28:22];
+  assign chosen = slot_s11_q[2] ? best_right_rdata_s11_q[14:8] : best_right_rdata_s11_q[28:22];
   // hls/stages/agreement.hpp:807
-  logic or_760;
-  assign or_760 = shift_first_s13_q | (~shift_not_right_q);
+  logic or_758;
+  assign or_758 = shift_first_s11_q | (~shift_not_right_q);
   // hls/stages/agreement.hpp:778
-  logic [5:0] select_1009;
-  assign select_1009 = age_s13_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [5:0] select_1007;
+  assign select_1007 = age_s11_q[3] ? middle_sum_columns_values_6_q : 6'h0;
   // hls/stages/agreement.hpp:779
   logic [5:0] before_v;
-  assign before_v = age_s13_q[1] ? middle_sum_columns_values_3_q : 6'h0;
+  assign before_v = age_s11_q[1] ? middle_sum_columns_values_3_q : 6'h0;
   // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1537;
-  assign sum_1537 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
+  logic [6:0] sum_1535;
+  assign sum_1535 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
   // hls/stages/agreement.hpp:751
-  logic [6:0] select_1547;
-  assign select_1547 = (sum_1542_s13_q < sum_1545_s13_q) ? sum_1545_s13_q : sum_1542_s13_q;
+  logic [6:0] select_1545;
+  assign select_1545 = (sum_1540_s11_q < sum_1543_s11_q) ? sum_1543_s11_q : sum_1540_s11_q;
   // hls/stages/agreement.hpp:788
+  logic and_1571;
+  assign and_1571 = ends_cell_s11_q & inside_v_s11_q;
   logic and_1573;
-  assign and_1573 = ends_cell_s13_q & inside_v_s13_q;
-  logic and_1575;
-  assign and_1575 = not_576 & (so_s13_q & and_1573);
+  assign and_1573 = not_574 & (so_s11_q & and_1571);
   // hls/stages/registration.hpp:83
-  logic equal_1704;
-  assign equal_1704 = slot_s13_q == 3'h7;
+  logic equal_1699;
+  assign equal_1699 = slot_s11_q == 3'h7;
   // hls/stages/registration.hpp:211
-  logic [6:0] select_1707;
-  assign select_1707 = b_s13_q[0] ? registration_slope_here_q[7:1] : 7'h0;
-  logic [7:0] select_1708;
-  assign select_1708 = b_s13_q[1] ? registration_slope_here_q : 8'h0;
-  logic [8:0] sum_1709;
-  assign sum_1709 = {{2{select_1707[6]}}, select_1707} + {select_1708[7], select_1708};
+  logic [6:0] select_1702;
+  assign select_1702 = b_s11_q[0] ? registration_slope_here_q[7:1] : 7'h0;
+  logic [7:0] select_1703;
+  assign select_1703 = b_s11_q[1] ? registration_slope_here_q : 8'h0;
+  logic [8:0] sum_1704;
+  assign sum_1704 = {{2{select_1702[6]}}, select_1702} + {select_1703[7], select_1703};
   // hls/stages/registration.hpp:212
-  logic [7:0] select_1710;
-  assign select_1710 = b_s13_q[2] ? registration_slope_here_q : 8'h0;
-  logic [7:0] select_1711;
-  assign select_1711 = b_s13_q[3] ? registration_slope_here_q : 8'h0;
-  logic [8:0] sum_1712;
-  assign sum_1712 = {{2{select_1710[7]}}, select_1710[7:1]} + {select_1711[7], select_1711};
+  logic [7:0] select_1705;
+  assign select_1705 = b_s11_q[2] ? registration_slope_here_q : 8'h0;
+  logic [7:0] select_1706;
+  assign select_1706 = b_s11_q[3] ? registration_slope_here_q : 8'h0;
+  logic [8:0] sum_1707;
+  assign sum_1707 = {{2{select_1705[7]}}, select_1705[7:1]} + {select_1706[7], select_1706};
   // hls/stages/registration.hpp:213
-  logic [7:0] select_1714;
-  assign select_1714 = b_s13_q[4] ? registration_slope_here_q : 8'h0;
-  logic [7:0] select_1715;
-  assign select_1715 = b_s13_q[5] ? registration_slope_here_q : 8'h0;
-  logic [8:0] difference_1716;
-  assign difference_1716 = {{2{select_1714[7]}}, select_1714[7:1]} - {select_1715[7], select_1715};
+  logic [7:0] select_1709;
+  assign select_1709 = b_s11_q[4] ? registration_slope_here_q : 8'h0;
+  logic [7:0] select_1710;
+  assign select_1710 = b_s11_q[5] ? registration_slope_here_q : 8'h0;
+  logic [8:0] difference_1711;
+  assign difference_1711 = {{2{select_1709[7]}}, select_1709[7:1]} - {select_1710[7], select_1710};
   // hls/stages/agreement.hpp:788
-  logic [5:0] select_1752;
-  assign select_1752 = so_s13_q ? (ends_cell_s13_q ? (inside_v_s13_q ? b_s13_q : 6'h0) : 6'h0) : 6'h0;
+  logic [5:0] select_1747;
+  assign select_1747 = so_s11_q ? (ends_cell_s11_q ? (inside_v_s11_q ? b_s11_q : 6'h0) : 6'h0) : 6'h0;
   // hls/stages/registration.hpp:218
-  logic [7:0] select_1774;
-  assign select_1774 = less_1771_s13_q ? 8'h7f : (less_1772_s13_q ? 8'h80 : sum_1770_s13_q);
+  logic [7:0] select_1769;
+  assign select_1769 = less_1766_s11_q ? 8'h7f : (less_1767_s11_q ? 8'h80 : sum_1765_s11_q);
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
-  assign slope = equal_1704 ? registration_slope_here_q : select_1774;
+  assign slope = equal_1699 ? registration_slope_here_q : select_1769;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_1778;
-  assign select_1778 = so_s13_q ? (ends_cell_s13_q ? (inside_v_s13_q ? slope : 8'h0) : 8'h0) : 8'h0;
-  logic and_1786;
-  assign and_1786 = not_576 & and_1785_s13_q;
+  logic [7:0] select_1773;
+  assign select_1773 = so_s11_q ? (ends_cell_s11_q ? (inside_v_s11_q ? slope : 8'h0) : 8'h0) : 8'h0;
+  logic and_1781;
+  assign and_1781 = not_574 & and_1780_s11_q;
   // hls/stages/patches.hpp:470
-  logic [8:0] sum_1900;
-  assign sum_1900 = {1'b0, patches_columns_above_rdata_s13_q[7:0]} + {2'h0, pixel_2_s13_q[7:1]};
-  logic [8:0] sum_1901;
-  assign sum_1901 = {1'b0, patches_columns_above_rdata_s13_q[23:16]} + {2'h0, patches_columns_above_rdata_s13_q[31:25]};
+  logic [8:0] sum_1895;
+  assign sum_1895 = {1'b0, patches_columns_above_rdata_s11_q[7:0]} + {2'h0, pixel_2_s11_q[7:1]};
+  logic [8:0] sum_1896;
+  assign sum_1896 = {1'b0, patches_columns_above_rdata_s11_q[23:16]} + {2'h0, patches_columns_above_rdata_s11_q[31:25]};
   // hls/stages/patches.hpp:468
-  logic [10:0] sum_1921;
-  assign sum_1921 = {3'h0, patches_columns_above_rdata_s13_q[15:8]} + {sum_1920_s13_q, patches_columns_above_rdata_s13_q[25]};
+  logic [10:0] sum_1916;
+  assign sum_1916 = {3'h0, patches_columns_above_rdata_s11_q[15:8]} + {sum_1915_s11_q, patches_columns_above_rdata_s11_q[25]};
   // hls/stages/agreement.hpp:788
-  logic and_2335;
-  assign and_2335 = not_576 & (not_578 & (equal_579_s13_q & (inside_v_s13_q & first_s13_q)));
+  logic and_2330;
+  assign and_2330 = not_574 & (not_576 & (equal_577_s11_q & (inside_v_s11_q & first_s11_q)));
   // hls/stages/agreement.hpp:239
+  logic [5:0] select_2567;
+  assign select_2567 = slot_s11_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
+  logic [5:0] select_2568;
+  assign select_2568 = slot_s11_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
+  logic [5:0] select_2569;
+  assign select_2569 = slot_s11_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  logic [5:0] select_2570;
+  assign select_2570 = slot_s11_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_2571;
+  assign select_2571 = slot_s11_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
   logic [5:0] select_2572;
-  assign select_2572 = slot_s13_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_2573;
-  assign select_2573 = slot_s13_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
-  logic [5:0] select_2574;
-  assign select_2574 = slot_s13_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
-  logic [5:0] select_2575;
-  assign select_2575 = slot_s13_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
-  logic [5:0] select_2576;
-  assign select_2576 = slot_s13_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
-  logic [5:0] select_2577;
-  assign select_2577 = slot_s13_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  assign select_2572 = slot_s11_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
   // hls/stages/agreement.hpp:986
   logic [8:0] rise;
-  assign rise = {1'b0, best_left_rdata_s13_q[61:54]} - {1'b0, best_left_rdata_s13_q[53:46]};
+  assign rise = {1'b0, best_left_rdata_s11_q[61:54]} - {1'b0, best_left_rdata_s11_q[53:46]};
   // hls/stages/registration.hpp:37
-  logic not_2737;
-  assign not_2737 = ~registration_displacement_over_q[9];
+  logic not_2732;
+  assign not_2732 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2726_s13_q ? {1'b0, wide_s13_q, 1'b0} : {registration_displacement_over_q[8:0], not_2737};
+  assign left = less_2721_s11_q ? {1'b0, wide_s11_q, 1'b0} : {registration_displacement_over_q[8:0], not_2732};
   // hls/stages/registration.hpp:40
-  logic [7:0] select_2745;
-  assign select_2745 = registration_displacement_over_q[9] ? wide_s13_q : not_2744_s13_q;
+  logic [7:0] select_2740;
+  assign select_2740 = registration_displacement_over_q[9] ? wide_s11_q : not_2739_s11_q;
   logic [9:0] taken_2;
-  assign taken_2 = less_2726_s13_q ? {taken_s13_q, 1'b1} : {not_2737, select_2745, not_2737};
+  assign taken_2 = less_2721_s11_q ? {taken_s11_q, 1'b1} : {not_2732, select_2740, not_2732};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2747;
-  assign sum_2747 = {left, 1'b1} + {taken_2, less_2726_s13_q};
+  logic [10:0] sum_2742;
+  assign sum_2742 = {left, 1'b1} + {taken_2, less_2721_s11_q};
   // hls/stages/agreement.hpp:257
-  logic [4:0] select_2749;
-  assign select_2749 = so_s13_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  logic [4:0] select_2744;
+  assign select_2744 = so_s11_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_2751;
-  assign select_2751 = equal_575_s13_q ? registration_slope_here_q : (so_s13_q ? slope : registration_slope_here_q);
+  logic [7:0] select_2746;
+  assign select_2746 = equal_573_s11_q ? registration_slope_here_q : (so_s11_q ? slope : registration_slope_here_q);
   // hls/stages/agreement.hpp:149
-  logic [2:0] select_2760;
-  assign select_2760 = or_580_s13_q ? (less_583_s13_q ? 3'h0 : best_left_rdata_s13_q[8:6]) : 3'h0;
+  logic [2:0] select_2755;
+  assign select_2755 = or_578_s11_q ? (less_581_s11_q ? 3'h0 : best_left_rdata_s11_q[8:6]) : 3'h0;
   // hls/stages/patches.hpp:188
-  logic select_3086;
-  assign select_3086 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3080;
+  assign select_3080 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/patches.hpp:176
-  logic and_3147;
-  assign and_3147 = patches_along_ends_q & patches_match_row_ends_q;
+  logic and_3141;
+  assign and_3141 = patches_along_ends_q & patches_match_row_ends_q;
   // hls/stages/patches.hpp:414
-  logic [4:0] select_3152;
-  assign select_3152 = or_3047_s13_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  logic [4:0] select_3146;
+  assign select_3146 = or_3041_s11_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:416
-  logic [3:0] select_3154;
-  assign select_3154 = and_3147 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  logic [3:0] select_3148;
+  assign select_3148 = and_3141 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/patches.hpp:557
-  logic [4:0] select_3527;
-  assign select_3527 = less_1966_s13_q ? patches_step_s13_q : 5'h0;
+  logic [4:0] select_3521;
+  assign select_3521 = less_1961_s11_q ? patches_step_s11_q : 5'h0;
   // hls/stages/patches.hpp:561
-  logic [4:0] select_3530;
-  assign select_3530 = equal_1969_s13_q ? (less_1966_s13_q ? (equal_1969_s13_q ? 5'h0 : select_3527) : 5'h0) : select_3527;
-  logic [4:0] select_3532;
-  assign select_3532 = less_1966_s13_q ? (equal_1967_s13_q ? 5'h0 : select_3530) : select_3530;
-  logic select_3540;
-  assign select_3540 = less_1966_s13_q ? (not_1968_s13_q & select_3538_s13_q) : select_3538_s13_q;
+  logic [4:0] select_3524;
+  assign select_3524 = equal_1964_s11_q ? (less_1961_s11_q ? (equal_1964_s11_q ? 5'h0 : select_3521) : 5'h0) : select_3521;
+  logic [4:0] select_3526;
+  assign select_3526 = less_1961_s11_q ? (equal_1962_s11_q ? 5'h0 : select_3524) : select_3524;
+  logic select_3534;
+  assign select_3534 = less_1961_s11_q ? (not_1963_s11_q & select_3532_s11_q) : select_3532_s11_q;
   // hls/stages/patches.hpp:179
-  logic or_3552;
-  assign or_3552 = patches_read_first_q | (patches_read_row_differing_s13_q < patches_peak_best_differing_q);
-  logic and_3553;
-  assign and_3553 = patches_read_searches_s13_q & or_3552;
+  logic or_3546;
+  assign or_3546 = patches_read_first_q | (patches_read_row_differing_s11_q < patches_peak_best_differing_q);
+  logic and_3547;
+  assign and_3547 = patches_read_searches_s11_q & or_3546;
   // hls/stages/patches.hpp:540
-  logic [14:0] select_3585;
-  assign select_3585 = and_3553 ? {patches_read_row_column_s13_q, patches_read_row_differing_s13_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  logic [14:0] select_3579;
+  assign select_3579 = and_3547 ? {patches_read_row_column_s11_q, patches_read_row_differing_s11_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/patches.hpp:185
-  logic [9:0] select_3586;
-  assign select_3586 = equal_1788_s13_q ? select_3585[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3587;
-  assign select_3587 = equal_1788_s13_q ? select_3585[14:10] : patches_peak_best_column_q;
+  logic [9:0] select_3580;
+  assign select_3580 = equal_1783_s11_q ? select_3579[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3581;
+  assign select_3581 = equal_1783_s11_q ? select_3579[14:10] : patches_peak_best_column_q;
 
-  // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:235; read in stage 13, written in stage 16: 13 < 16 < 13 + DISTANCE.
+  // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:238; read in stage 11, written in stage 14: 11 < 14 < 11 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] averager_memory_mem [0:479];
@@ -3812,17 +3706,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 480; i++) averager_memory_mem[i] = 30'h0;
 `endif
   logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_515_s13_q;
+  assign averager_memory_raddr = select_512_s11_q;
 `ifndef SYNTHESIS
   logic averager_memory_re;
-  assign averager_memory_re = s13_en & and_525;
+  assign averager_memory_re = s11_en & and_522;
 `endif
   logic [29:0] averager_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
-  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1405; read in stage 13, written in stage 17: 13 < 17 < 13 + DISTANCE.
+  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1405; read in stage 11, written in stage 15: 11 < 15 < 11 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] seen_columns_mem [0:119];
@@ -3830,10 +3724,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) seen_columns_mem[i] = 18'h0;
 `endif
   logic [6:0] seen_columns_raddr;
-  assign seen_columns_raddr = x_s13_q[6:0];
+  assign seen_columns_raddr = x_s11_q[6:0];
 `ifndef SYNTHESIS
   logic seen_columns_re;
-  assign seen_columns_re = s13_en & and_1575;
+  assign seen_columns_re = s11_en & and_1573;
 `endif
   logic [17:0] seen_columns_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -3842,31 +3736,31 @@ module horopter_agreement (
 
   // Memory patches_columns_above, write
   logic [4:0] patches_columns_above_waddr;
-  assign patches_columns_above_waddr = patches_column_s13_q;
+  assign patches_columns_above_waddr = patches_column_s11_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s13_en & and_1872_s13_q;
+  assign patches_columns_above_we = s11_en & and_1867_s11_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_columns_above_we) patches_columns_above_mem[patches_columns_above_waddr] <= {patches_columns_above_rdata_s13_q[23:0], pixel_2_s13_q};
+    if (patches_columns_above_we) patches_columns_above_mem[patches_columns_above_waddr] <= {patches_columns_above_rdata_s11_q[23:0], pixel_2_s11_q};
   end
 `ifndef SYNTHESIS
+  logic [4:0] patches_columns_above_raddr_s8_sim;
+  logic patches_columns_above_re_s8_sim;
+  logic [4:0] patches_columns_above_raddr_s9_sim;
+  logic patches_columns_above_re_s9_sim;
   logic [4:0] patches_columns_above_raddr_s10_sim;
   logic patches_columns_above_re_s10_sim;
-  logic [4:0] patches_columns_above_raddr_s11_sim;
-  logic patches_columns_above_re_s11_sim;
-  logic [4:0] patches_columns_above_raddr_s12_sim;
-  logic patches_columns_above_re_s12_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      patches_columns_above_re_s8_sim <= 1'b0;
+      patches_columns_above_re_s9_sim <= 1'b0;
       patches_columns_above_re_s10_sim <= 1'b0;
-      patches_columns_above_re_s11_sim <= 1'b0;
-      patches_columns_above_re_s12_sim <= 1'b0;
     end else if (en_i) begin
-      patches_columns_above_re_s10_sim <= patches_columns_above_re;
-      patches_columns_above_raddr_s10_sim <= patches_columns_above_raddr;
-      patches_columns_above_re_s11_sim <= patches_columns_above_re_s10_sim;
-      patches_columns_above_raddr_s11_sim <= patches_columns_above_raddr_s10_sim;
-      patches_columns_above_re_s12_sim <= patches_columns_above_re_s11_sim;
-      patches_columns_above_raddr_s12_sim <= patches_columns_above_raddr_s11_sim;
+      patches_columns_above_re_s8_sim <= patches_columns_above_re;
+      patches_columns_above_raddr_s8_sim <= patches_columns_above_raddr;
+      patches_columns_above_re_s9_sim <= patches_columns_above_re_s8_sim;
+      patches_columns_above_raddr_s9_sim <= patches_columns_above_raddr_s8_sim;
+      patches_columns_above_re_s10_sim <= patches_columns_above_re_s9_sim;
+      patches_columns_above_raddr_s10_sim <= patches_columns_above_raddr_s9_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -3874,13 +3768,13 @@ module horopter_agreement (
       if (patches_columns_above_re && patches_columns_above_raddr == patches_columns_above_waddr) begin
         $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
       end
+      if (patches_columns_above_re_s8_sim && patches_columns_above_raddr_s8_sim == patches_columns_above_waddr) begin
+        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
+      end
+      if (patches_columns_above_re_s9_sim && patches_columns_above_raddr_s9_sim == patches_columns_above_waddr) begin
+        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
+      end
       if (patches_columns_above_re_s10_sim && patches_columns_above_raddr_s10_sim == patches_columns_above_waddr) begin
-        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
-      end
-      if (patches_columns_above_re_s11_sim && patches_columns_above_raddr_s11_sim == patches_columns_above_waddr) begin
-        $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
-      end
-      if (patches_columns_above_re_s12_sim && patches_columns_above_raddr_s12_sim == patches_columns_above_waddr) begin
         $error("patches_columns_above: address %0d is read less than DISTANCE steps after its write", patches_columns_above_waddr);
       end
     end
@@ -3905,23 +3799,23 @@ module horopter_agreement (
       patches_read_first_q <= 1'b0;
       patches_peak_best_differing_q <= 10'h0;
       patches_peak_best_column_q <= 5'h0;
-    end else if (s13_en) begin
-      moments_place_q <= select_573;
-      moments_taken_q <= not_576 & (not_578 & (equal_579_s13_q & inside_v_s13_q));
-      moments_starts_q <= and_2335;
-      shift_not_right_q <= $signed(run_shift_s13_q) < $signed(6'h1);
-      registration_displacement_over_q <= so_s13_q ? sum_2747[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2749;
-      registration_slope_here_q <= select_2751;
-      patches_along_ends_q <= not_3071_s13_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3071_s13_q & select_3086;
-      patches_down_by_q <= or_3047_s13_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3147});
-      patches_along_q <= select_3152;
-      patches_match_row_q <= or_3047_s13_q ? 4'h0 : select_3154;
-      patches_summed_last_q <= not_1789_s13_q & (equal_1790_s13_q & and_3147);
-      patches_read_first_q <= equal_1788_s13_q ? select_3540 : patches_read_first_q;
-      patches_peak_best_differing_q <= select_3586;
-      patches_peak_best_column_q <= select_3587;
+    end else if (s11_en) begin
+      moments_place_q <= select_571;
+      moments_taken_q <= not_574 & (not_576 & (equal_577_s11_q & inside_v_s11_q));
+      moments_starts_q <= and_2330;
+      shift_not_right_q <= $signed(run_shift_s11_q) < $signed(6'h1);
+      registration_displacement_over_q <= so_s11_q ? sum_2742[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2744;
+      registration_slope_here_q <= select_2746;
+      patches_along_ends_q <= not_3065_s11_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3065_s11_q & select_3080;
+      patches_down_by_q <= or_3041_s11_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3141});
+      patches_along_q <= select_3146;
+      patches_match_row_q <= or_3041_s11_q ? 4'h0 : select_3148;
+      patches_summed_last_q <= not_1784_s11_q & (equal_1785_s11_q & and_3141);
+      patches_read_first_q <= equal_1783_s11_q ? select_3534 : patches_read_first_q;
+      patches_peak_best_differing_q <= select_3580;
+      patches_peak_best_column_q <= select_3581;
     end
   end
 
@@ -3938,293 +3832,293 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s13_en) begin
-      middle_sum_columns_values_0_q <= slot_s13_q[0] ? middle_sum_columns_values_0_q : column_s13_q;
-      middle_sum_columns_values_1_q <= select_2572;
-      middle_sum_columns_values_2_q <= select_2573;
-      middle_sum_columns_values_3_q <= select_2574;
-      middle_sum_columns_values_4_q <= select_2575;
-      middle_sum_columns_values_5_q <= select_2576;
-      middle_sum_columns_values_6_q <= select_2577;
+    if (s11_en) begin
+      middle_sum_columns_values_0_q <= slot_s11_q[0] ? middle_sum_columns_values_0_q : column_s11_q;
+      middle_sum_columns_values_1_q <= select_2567;
+      middle_sum_columns_values_2_q <= select_2568;
+      middle_sum_columns_values_3_q <= select_2569;
+      middle_sum_columns_values_4_q <= select_2570;
+      middle_sum_columns_values_5_q <= select_2571;
+      middle_sum_columns_values_6_q <= select_2572;
     end
   end
 
-  logic [7:0] pixel_0_s14_q;
-  logic [7:0] pixel_1_s14_q;
-  logic saturated_s14_q;
-  logic mask_s14_q;
-  logic marks_first_s14_q;
-  logic marks_last_s14_q;
-  logic sample_pair_whole_s14_q;
-  logic sample_present_s14_q;
-  logic moments_starts_s14_q;
-  logic [5:0] run_shift_s14_q;
-  logic [7:0] x_s14_q;
-  logic [1:0] age_s14_q;
-  logic [2:0] slot_s14_q;
-  logic ends_cell_s14_q;
-  logic lower_half_s14_q;
-  logic shift_not_right_s14_q;
-  logic [4:0] patches_band_rows_number_s14_q;
-  logic [4:0] patches_choosing_band_s14_q;
-  logic patches_lower_s14_q;
-  logic patches_second_s14_q;
-  logic [4:0] patches_code_row_s14_q;
-  logic [4:0] patches_column_s14_q;
-  logic patches_match_row_ends_s14_q;
-  logic [4:0] patches_down_by_s14_q;
-  logic [4:0] patches_along_s14_q;
-  logic [3:0] patches_match_row_s14_q;
-  logic patches_summed_last_s14_q;
-  logic [4:0] patches_step_s14_q;
-  logic [9:0] patches_read_row_differing_s14_q;
-  logic patches_read_first_s14_q;
-  logic [3:0] select_508_s14_q;
-  logic equal_509_s14_q;
-  logic [6:0] select_511_s14_q;
-  logic [8:0] select_515_s14_q;
-  logic and_524_s14_q;
-  logic and_525_s14_q;
-  logic equal_530_s14_q;
-  logic [6:0] last_s14_q;
-  logic and_548_s14_q;
-  logic and_550_s14_q;
-  logic equal_570_s14_q;
-  logic first_s14_q;
-  logic equal_575_s14_q;
-  logic not_576_s14_q;
-  logic so_s14_q;
-  logic not_578_s14_q;
-  logic equal_579_s14_q;
-  logic or_580_s14_q;
-  logic less_583_s14_q;
-  logic not_584_s14_q;
-  logic inside_v_s14_q;
-  logic and_601_s14_q;
-  logic and_609_s14_q;
-  logic [6:0] x_s14_2_q;
-  logic [61:0] best_left_rdata_s14_q;
-  logic less_620_s14_q;
-  logic [6:0] select_627_s14_q;
-  logic [6:0] right_s14_q;
-  logic [28:0] best_right_rdata_s14_q;
-  logic [6:0] chosen_s14_q;
-  logic and_640_s14_q;
-  logic and_645_s14_q;
-  logic and_647_s14_q;
-  logic equal_680_s14_q;
-  logic select_762_s14_q;
-  logic [6:0] difference_1010_s14_q;
-  logic [6:0] difference_1259_s14_q;
-  logic equal_1260_s14_q;
-  logic [6:0] difference_1508_s14_q;
-  logic [6:0] sum_1538_s14_q;
-  logic [6:0] select_1547_s14_q;
-  logic and_1562_s14_q;
-  logic select_1564_s14_q;
-  logic and_1573_s14_q;
-  logic and_1575_s14_q;
-  logic or_1583_s14_q;
-  logic right_2_s14_q;
-  logic and_1676_s14_q;
-  logic and_1689_s14_q;
-  logic and_1702_s14_q;
-  logic less_1703_s14_q;
-  logic equal_1704_s14_q;
-  logic [7:0] sum_1709_s14_q;
-  logic select_1710_s14_q;
-  logic [8:0] sum_1712_s14_q;
-  logic select_1714_s14_q;
-  logic [8:0] difference_1716_s14_q;
-  logic and_1736_s14_q;
-  logic [5:0] select_1753_s14_q;
-  logic [7:0] select_1779_s14_q;
-  logic equal_1781_s14_q;
-  logic and_1786_s14_q;
-  logic and_1787_s14_q;
-  logic equal_1788_s14_q;
-  logic not_1789_s14_q;
-  logic equal_1790_s14_q;
-  logic not_1791_s14_q;
-  logic equal_1792_s14_q;
-  logic equal_1793_s14_q;
-  logic or_1794_s14_q;
-  logic [4:0] select_1818_s14_q;
-  logic select_1824_s14_q;
-  logic [3:0] select_1862_s14_q;
-  logic [8:0] patches_columns_above_rdata_s14_q;
-  logic [7:0] pixel_2_s14_q;
-  logic [4:0] sum_1886_s14_q;
-  logic [8:0] sum_1900_s14_q;
-  logic [8:0] sum_1901_s14_q;
-  logic [10:0] sum_1921_s14_q;
-  logic less_1966_s14_q;
-  logic equal_1967_s14_q;
-  logic not_1968_s14_q;
-  logic equal_1969_s14_q;
-  logic not_1970_s14_q;
-  logic [9:0] patches_rows_rdata_s14_q;
-  logic sum_1998_s14_q;
-  logic and_2019_s14_q;
-  logic and_2142_s14_q;
-  logic equal_2283_s14_q;
-  logic equal_2472_s14_q;
-  logic and_2599_s14_q;
-  logic equal_2684_s14_q;
-  logic rise_s14_q;
-  logic [7:0] xor_2689_s14_q;
-  logic select_2760_s14_q;
-  logic or_2763_s14_q;
-  logic [1:0] sum_2764_s14_q;
-  logic less_2765_s14_q;
-  logic and_2996_s14_q;
-  logic [4:0] select_3532_s14_q;
-  logic equal_3550_s14_q;
-  logic and_3553_s14_q;
-  logic [14:0] select_3585_s14_q;
-  logic less_3876_s14_q;
-  logic equal_4095_s14_q;
+  logic [7:0] pixel_0_s12_q;
+  logic [7:0] pixel_1_s12_q;
+  logic saturated_s12_q;
+  logic mask_s12_q;
+  logic marks_first_s12_q;
+  logic marks_last_s12_q;
+  logic sample_pair_whole_s12_q;
+  logic sample_present_s12_q;
+  logic moments_starts_s12_q;
+  logic [5:0] run_shift_s12_q;
+  logic [7:0] x_s12_q;
+  logic [1:0] age_s12_q;
+  logic [2:0] slot_s12_q;
+  logic ends_cell_s12_q;
+  logic lower_half_s12_q;
+  logic shift_not_right_s12_q;
+  logic [4:0] patches_band_rows_number_s12_q;
+  logic [4:0] patches_choosing_band_s12_q;
+  logic patches_lower_s12_q;
+  logic patches_second_s12_q;
+  logic [4:0] patches_code_row_s12_q;
+  logic [4:0] patches_column_s12_q;
+  logic patches_match_row_ends_s12_q;
+  logic [4:0] patches_down_by_s12_q;
+  logic [4:0] patches_along_s12_q;
+  logic [3:0] patches_match_row_s12_q;
+  logic patches_summed_last_s12_q;
+  logic [4:0] patches_step_s12_q;
+  logic [9:0] patches_read_row_differing_s12_q;
+  logic patches_read_first_s12_q;
+  logic row_starts_s12_q;
+  logic [3:0] select_508_s12_q;
+  logic equal_509_s12_q;
+  logic [8:0] select_512_s12_q;
+  logic and_521_s12_q;
+  logic and_522_s12_q;
+  logic equal_527_s12_q;
+  logic [6:0] select_542_s12_q;
+  logic [6:0] last_s12_q;
+  logic and_546_s12_q;
+  logic and_548_s12_q;
+  logic equal_568_s12_q;
+  logic first_s12_q;
+  logic equal_573_s12_q;
+  logic not_574_s12_q;
+  logic so_s12_q;
+  logic not_576_s12_q;
+  logic equal_577_s12_q;
+  logic or_578_s12_q;
+  logic less_581_s12_q;
+  logic not_582_s12_q;
+  logic inside_v_s12_q;
+  logic and_599_s12_q;
+  logic and_607_s12_q;
+  logic [6:0] x_s12_2_q;
+  logic [61:0] best_left_rdata_s12_q;
+  logic less_618_s12_q;
+  logic [6:0] select_625_s12_q;
+  logic [6:0] right_s12_q;
+  logic [28:0] best_right_rdata_s12_q;
+  logic [6:0] chosen_s12_q;
+  logic and_638_s12_q;
+  logic and_643_s12_q;
+  logic and_645_s12_q;
+  logic equal_678_s12_q;
+  logic select_760_s12_q;
+  logic [6:0] difference_1008_s12_q;
+  logic [6:0] difference_1257_s12_q;
+  logic equal_1258_s12_q;
+  logic [6:0] difference_1506_s12_q;
+  logic [6:0] sum_1536_s12_q;
+  logic [6:0] select_1545_s12_q;
+  logic and_1560_s12_q;
+  logic select_1562_s12_q;
+  logic and_1571_s12_q;
+  logic and_1573_s12_q;
+  logic or_1581_s12_q;
+  logic right_2_s12_q;
+  logic and_1684_s12_q;
+  logic and_1697_s12_q;
+  logic less_1698_s12_q;
+  logic equal_1699_s12_q;
+  logic [7:0] sum_1704_s12_q;
+  logic select_1705_s12_q;
+  logic [8:0] sum_1707_s12_q;
+  logic select_1709_s12_q;
+  logic [8:0] difference_1711_s12_q;
+  logic and_1731_s12_q;
+  logic [5:0] select_1748_s12_q;
+  logic [7:0] select_1774_s12_q;
+  logic equal_1776_s12_q;
+  logic and_1781_s12_q;
+  logic and_1782_s12_q;
+  logic equal_1783_s12_q;
+  logic not_1784_s12_q;
+  logic equal_1785_s12_q;
+  logic not_1786_s12_q;
+  logic equal_1787_s12_q;
+  logic equal_1788_s12_q;
+  logic or_1789_s12_q;
+  logic [4:0] select_1813_s12_q;
+  logic select_1819_s12_q;
+  logic [3:0] select_1857_s12_q;
+  logic [8:0] patches_columns_above_rdata_s12_q;
+  logic [7:0] pixel_2_s12_q;
+  logic [4:0] sum_1881_s12_q;
+  logic [8:0] sum_1895_s12_q;
+  logic [8:0] sum_1896_s12_q;
+  logic [10:0] sum_1916_s12_q;
+  logic less_1961_s12_q;
+  logic equal_1962_s12_q;
+  logic not_1963_s12_q;
+  logic equal_1964_s12_q;
+  logic not_1965_s12_q;
+  logic [9:0] patches_rows_rdata_s12_q;
+  logic sum_1993_s12_q;
+  logic and_2014_s12_q;
+  logic and_2137_s12_q;
+  logic equal_2278_s12_q;
+  logic equal_2467_s12_q;
+  logic and_2594_s12_q;
+  logic equal_2679_s12_q;
+  logic rise_s12_q;
+  logic [7:0] xor_2684_s12_q;
+  logic select_2755_s12_q;
+  logic or_2758_s12_q;
+  logic [1:0] sum_2759_s12_q;
+  logic less_2760_s12_q;
+  logic and_2991_s12_q;
+  logic [4:0] select_3526_s12_q;
+  logic equal_3544_s12_q;
+  logic and_3547_s12_q;
+  logic [14:0] select_3579_s12_q;
+  logic less_3870_s12_q;
+  logic equal_4089_s12_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s14_q <= pixel_0_s13_q;
-      pixel_1_s14_q <= pixel_1_s13_q;
-      saturated_s14_q <= saturated_s13_q;
-      mask_s14_q <= mask_s13_q;
-      marks_first_s14_q <= marks_first_s13_q;
-      marks_last_s14_q <= marks_last_s13_q;
-      sample_pair_whole_s14_q <= sample_pair_whole_s13_q;
-      sample_present_s14_q <= sample_present_s13_q;
-      moments_starts_s14_q <= moments_starts_q;
-      run_shift_s14_q <= run_shift_s13_q;
-      x_s14_q <= x_s13_q;
-      age_s14_q <= {age_s13_q[2], age_s13_q[0]};
-      slot_s14_q <= slot_s13_q;
-      ends_cell_s14_q <= ends_cell_s13_q;
-      lower_half_s14_q <= lower_half_s13_q;
-      shift_not_right_s14_q <= shift_not_right_q;
-      patches_band_rows_number_s14_q <= patches_band_rows_number_s13_q;
-      patches_choosing_band_s14_q <= patches_choosing_band_s13_q;
-      patches_lower_s14_q <= patches_lower_s13_q;
-      patches_second_s14_q <= patches_second_s13_q;
-      patches_code_row_s14_q <= patches_code_row_s13_q;
-      patches_column_s14_q <= patches_column_s13_q;
-      patches_match_row_ends_s14_q <= patches_match_row_ends_q;
-      patches_down_by_s14_q <= patches_down_by_q;
-      patches_along_s14_q <= patches_along_q;
-      patches_match_row_s14_q <= patches_match_row_q;
-      patches_summed_last_s14_q <= patches_summed_last_q;
-      patches_step_s14_q <= patches_step_s13_q;
-      patches_read_row_differing_s14_q <= patches_read_row_differing_s13_q;
-      patches_read_first_s14_q <= patches_read_first_q;
-      select_508_s14_q <= select_508_s13_q;
-      equal_509_s14_q <= equal_509_s13_q;
-      select_511_s14_q <= select_511_s13_q;
-      select_515_s14_q <= select_515_s13_q;
-      and_524_s14_q <= and_524_s13_q;
-      and_525_s14_q <= and_525;
-      equal_530_s14_q <= equal_530_s13_q;
-      last_s14_q <= last_s13_q;
-      and_548_s14_q <= and_548_s13_q;
-      and_550_s14_q <= and_550_s13_q;
-      equal_570_s14_q <= equal_570_s13_q;
-      first_s14_q <= first_s13_q;
-      equal_575_s14_q <= equal_575_s13_q;
-      not_576_s14_q <= not_576;
-      so_s14_q <= so_s13_q;
-      not_578_s14_q <= not_578;
-      equal_579_s14_q <= equal_579_s13_q;
-      or_580_s14_q <= or_580_s13_q;
-      less_583_s14_q <= less_583_s13_q;
-      not_584_s14_q <= not_584_s13_q;
-      inside_v_s14_q <= inside_v_s13_q;
-      and_601_s14_q <= and_601_s13_q;
-      and_609_s14_q <= and_609_s13_q;
-      x_s14_2_q <= x_s13_2_q;
-      best_left_rdata_s14_q <= best_left_rdata_s13_q;
-      less_620_s14_q <= 8'hb6 < best_left_rdata_s13_q[16:9];
-      select_627_s14_q <= select_627_s13_q;
-      right_s14_q <= right_s13_q;
-      best_right_rdata_s14_q <= best_right_rdata_s13_q;
-      chosen_s14_q <= chosen;
-      and_640_s14_q <= and_640_s13_q;
-      and_645_s14_q <= and_645_s13_q;
-      and_647_s14_q <= and_647_s13_q;
-      equal_680_s14_q <= equal_680_s13_q;
-      select_762_s14_q <= or_760 ? shift_first_s13_q : (~age_s13_q[1]);
-      difference_1010_s14_q <= {1'b0, column_s13_q} - {1'b0, select_1009};
-      difference_1259_s14_q <= {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1258_s13_q};
-      equal_1260_s14_q <= {age_s13_q[0], slot_s13_q[0]} == 2'h0;
-      difference_1508_s14_q <= {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1507_s13_q};
-      sum_1538_s14_q <= {1'b0, before_v} + sum_1537;
-      select_1547_s14_q <= select_1547;
-      and_1562_s14_q <= and_1562_s13_q;
-      select_1564_s14_q <= or_760 ? shift_first_s13_q : equal_1563_s13_q;
-      and_1573_s14_q <= and_1573;
-      and_1575_s14_q <= and_1575;
-      or_1583_s14_q <= or_1583_s13_q;
-      right_2_s14_q <= right_2_s13_q;
-      and_1676_s14_q <= and_1676_s13_q;
-      and_1689_s14_q <= and_1689_s13_q;
-      and_1702_s14_q <= not_576 & and_1701_s13_q;
-      less_1703_s14_q <= less_1703_s13_q;
-      equal_1704_s14_q <= equal_1704;
-      sum_1709_s14_q <= sum_1709[8:1];
-      select_1710_s14_q <= select_1710[0];
-      sum_1712_s14_q <= sum_1712;
-      select_1714_s14_q <= select_1714[0];
-      difference_1716_s14_q <= difference_1716;
-      and_1736_s14_q <= and_1736_s13_q;
-      select_1753_s14_q <= equal_575_s13_q ? 6'h0 : select_1752;
-      select_1779_s14_q <= equal_575_s13_q ? 8'h0 : select_1778;
-      equal_1781_s14_q <= equal_1781_s13_q;
-      and_1786_s14_q <= and_1786;
-      and_1787_s14_q <= patches_chooses_s13_q & and_1786;
-      equal_1788_s14_q <= equal_1788_s13_q;
-      not_1789_s14_q <= not_1789_s13_q;
-      equal_1790_s14_q <= equal_1790_s13_q;
-      not_1791_s14_q <= not_1791_s13_q;
-      equal_1792_s14_q <= equal_1792_s13_q;
-      equal_1793_s14_q <= equal_1793_s13_q;
-      or_1794_s14_q <= or_1794_s13_q;
-      select_1818_s14_q <= select_1818_s13_q;
-      select_1824_s14_q <= select_1824_s13_q;
-      select_1862_s14_q <= select_1862_s13_q;
-      patches_columns_above_rdata_s14_q <= {patches_columns_above_rdata_s13_q[24], patches_columns_above_rdata_s13_q[7:0]};
-      pixel_2_s14_q <= pixel_2_s13_q;
-      sum_1886_s14_q <= patches_down_by_q + {1'b0, patches_match_row_q};
-      sum_1900_s14_q <= sum_1900;
-      sum_1901_s14_q <= sum_1901;
-      sum_1921_s14_q <= sum_1921;
-      less_1966_s14_q <= less_1966_s13_q;
-      equal_1967_s14_q <= equal_1967_s13_q;
-      not_1968_s14_q <= not_1968_s13_q;
-      equal_1969_s14_q <= equal_1969_s13_q;
-      not_1970_s14_q <= not_1970_s13_q;
-      patches_rows_rdata_s14_q <= patches_rows_rdata_s13_q;
-      sum_1998_s14_q <= sum_1998_s13_q;
-      and_2019_s14_q <= and_2019_s13_q;
-      and_2142_s14_q <= not_576 & and_2141_s13_q;
-      equal_2283_s14_q <= equal_2283_s13_q;
-      equal_2472_s14_q <= equal_2472_s13_q;
-      and_2599_s14_q <= and_2599_s13_q;
-      equal_2684_s14_q <= equal_2684_s13_q;
-      rise_s14_q <= rise[8];
-      xor_2689_s14_q <= rise[7:0] ^ {8{rise[8]}};
-      select_2760_s14_q <= select_2760[0];
-      or_2763_s14_q <= (select_2760 == 3'h0) | (select_2760 == 3'h4);
-      sum_2764_s14_q <= select_2760[2:1] + 2'h3;
-      less_2765_s14_q <= less_2765_s13_q;
-      and_2996_s14_q <= not_576 & and_2995_s13_q;
-      select_3532_s14_q <= select_3532;
-      equal_3550_s14_q <= equal_3550_s13_q;
-      and_3553_s14_q <= and_3553;
-      select_3585_s14_q <= select_3585;
-      less_3876_s14_q <= less_3876_s13_q;
-      equal_4095_s14_q <= equal_4095_s13_q;
+      pixel_0_s12_q <= pixel_0_s11_q;
+      pixel_1_s12_q <= pixel_1_s11_q;
+      saturated_s12_q <= saturated_s11_q;
+      mask_s12_q <= mask_s11_q;
+      marks_first_s12_q <= marks_first_s11_q;
+      marks_last_s12_q <= marks_last_s11_q;
+      sample_pair_whole_s12_q <= sample_pair_whole_s11_q;
+      sample_present_s12_q <= sample_present_s11_q;
+      moments_starts_s12_q <= moments_starts_q;
+      run_shift_s12_q <= run_shift_s11_q;
+      x_s12_q <= x_s11_q;
+      age_s12_q <= {age_s11_q[2], age_s11_q[0]};
+      slot_s12_q <= slot_s11_q;
+      ends_cell_s12_q <= ends_cell_s11_q;
+      lower_half_s12_q <= lower_half_s11_q;
+      shift_not_right_s12_q <= shift_not_right_q;
+      patches_band_rows_number_s12_q <= patches_band_rows_number_s11_q;
+      patches_choosing_band_s12_q <= patches_choosing_band_s11_q;
+      patches_lower_s12_q <= patches_lower_s11_q;
+      patches_second_s12_q <= patches_second_s11_q;
+      patches_code_row_s12_q <= patches_code_row_s11_q;
+      patches_column_s12_q <= patches_column_s11_q;
+      patches_match_row_ends_s12_q <= patches_match_row_ends_q;
+      patches_down_by_s12_q <= patches_down_by_q;
+      patches_along_s12_q <= patches_along_q;
+      patches_match_row_s12_q <= patches_match_row_q;
+      patches_summed_last_s12_q <= patches_summed_last_q;
+      patches_step_s12_q <= patches_step_s11_q;
+      patches_read_row_differing_s12_q <= patches_read_row_differing_s11_q;
+      patches_read_first_s12_q <= patches_read_first_q;
+      row_starts_s12_q <= row_starts_s11_q;
+      select_508_s12_q <= select_508_s11_q;
+      equal_509_s12_q <= equal_509_s11_q;
+      select_512_s12_q <= select_512_s11_q;
+      and_521_s12_q <= and_521_s11_q;
+      and_522_s12_q <= and_522;
+      equal_527_s12_q <= equal_527_s11_q;
+      select_542_s12_q <= select_542_s11_q;
+      last_s12_q <= last_s11_q;
+      and_546_s12_q <= and_546_s11_q;
+      and_548_s12_q <= and_548_s11_q;
+      equal_568_s12_q <= equal_568_s11_q;
+      first_s12_q <= first_s11_q;
+      equal_573_s12_q <= equal_573_s11_q;
+      not_574_s12_q <= not_574;
+      so_s12_q <= so_s11_q;
+      not_576_s12_q <= not_576;
+      equal_577_s12_q <= equal_577_s11_q;
+      or_578_s12_q <= or_578_s11_q;
+      less_581_s12_q <= less_581_s11_q;
+      not_582_s12_q <= not_582_s11_q;
+      inside_v_s12_q <= inside_v_s11_q;
+      and_599_s12_q <= and_599_s11_q;
+      and_607_s12_q <= and_607_s11_q;
+      x_s12_2_q <= x_s11_2_q;
+      best_left_rdata_s12_q <= best_left_rdata_s11_q;
+      less_618_s12_q <= 8'hb6 < best_left_rdata_s11_q[16:9];
+      select_625_s12_q <= select_625_s11_q;
+      right_s12_q <= right_s11_q;
+      best_right_rdata_s12_q <= best_right_rdata_s11_q;
+      chosen_s12_q <= chosen;
+      and_638_s12_q <= and_638_s11_q;
+      and_643_s12_q <= and_643_s11_q;
+      and_645_s12_q <= and_645_s11_q;
+      equal_678_s12_q <= equal_678_s11_q;
+      select_760_s12_q <= or_758 ? shift_first_s11_q : (~age_s11_q[1]);
+      difference_1008_s12_q <= {1'b0, column_s11_q} - {1'b0, select_1007};
+      difference_1257_s12_q <= {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1256_s11_q};
+      equal_1258_s12_q <= {age_s11_q[0], slot_s11_q[0]} == 2'h0;
+      difference_1506_s12_q <= {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1505_s11_q};
+      sum_1536_s12_q <= {1'b0, before_v} + sum_1535;
+      select_1545_s12_q <= select_1545;
+      and_1560_s12_q <= and_1560_s11_q;
+      select_1562_s12_q <= or_758 ? shift_first_s11_q : equal_1561_s11_q;
+      and_1571_s12_q <= and_1571;
+      and_1573_s12_q <= and_1573;
+      or_1581_s12_q <= or_1581_s11_q;
+      right_2_s12_q <= right_2_s11_q;
+      and_1684_s12_q <= and_1684_s11_q;
+      and_1697_s12_q <= not_574 & and_1696_s11_q;
+      less_1698_s12_q <= less_1698_s11_q;
+      equal_1699_s12_q <= equal_1699;
+      sum_1704_s12_q <= sum_1704[8:1];
+      select_1705_s12_q <= select_1705[0];
+      sum_1707_s12_q <= sum_1707;
+      select_1709_s12_q <= select_1709[0];
+      difference_1711_s12_q <= difference_1711;
+      and_1731_s12_q <= and_1731_s11_q;
+      select_1748_s12_q <= equal_573_s11_q ? 6'h0 : select_1747;
+      select_1774_s12_q <= equal_573_s11_q ? 8'h0 : select_1773;
+      equal_1776_s12_q <= equal_1776_s11_q;
+      and_1781_s12_q <= and_1781;
+      and_1782_s12_q <= patches_chooses_s11_q & and_1781;
+      equal_1783_s12_q <= equal_1783_s11_q;
+      not_1784_s12_q <= not_1784_s11_q;
+      equal_1785_s12_q <= equal_1785_s11_q;
+      not_1786_s12_q <= not_1786_s11_q;
+      equal_1787_s12_q <= equal_1787_s11_q;
+      equal_1788_s12_q <= equal_1788_s11_q;
+      or_1789_s12_q <= or_1789_s11_q;
+      select_1813_s12_q <= select_1813_s11_q;
+      select_1819_s12_q <= select_1819_s11_q;
+      select_1857_s12_q <= select_1857_s11_q;
+      patches_columns_above_rdata_s12_q <= {patches_columns_above_rdata_s11_q[24], patches_columns_above_rdata_s11_q[7:0]};
+      pixel_2_s12_q <= pixel_2_s11_q;
+      sum_1881_s12_q <= patches_down_by_q + {1'b0, patches_match_row_q};
+      sum_1895_s12_q <= sum_1895;
+      sum_1896_s12_q <= sum_1896;
+      sum_1916_s12_q <= sum_1916;
+      less_1961_s12_q <= less_1961_s11_q;
+      equal_1962_s12_q <= equal_1962_s11_q;
+      not_1963_s12_q <= not_1963_s11_q;
+      equal_1964_s12_q <= equal_1964_s11_q;
+      not_1965_s12_q <= not_1965_s11_q;
+      patches_rows_rdata_s12_q <= patches_rows_rdata_s11_q;
+      sum_1993_s12_q <= sum_1993_s11_q;
+      and_2014_s12_q <= and_2014_s11_q;
+      and_2137_s12_q <= not_574 & and_2136_s11_q;
+      equal_2278_s12_q <= equal_2278_s11_q;
+      equal_2467_s12_q <= equal_2467_s11_q;
+      and_2594_s12_q <= and_2594_s11_q;
+      equal_2679_s12_q <= equal_2679_s11_q;
+      rise_s12_q <= rise[8];
+      xor_2684_s12_q <= rise[7:0] ^ {8{rise[8]}};
+      select_2755_s12_q <= select_2755[0];
+      or_2758_s12_q <= (select_2755 == 3'h0) | (select_2755 == 3'h4);
+      sum_2759_s12_q <= select_2755[2:1] + 2'h3;
+      less_2760_s12_q <= less_2760_s11_q;
+      and_2991_s12_q <= not_574 & and_2990_s11_q;
+      select_3526_s12_q <= select_3526;
+      equal_3544_s12_q <= equal_3544_s11_q;
+      and_3547_s12_q <= and_3547;
+      select_3579_s12_q <= select_3579;
+      less_3870_s12_q <= less_3870_s11_q;
+      equal_4089_s12_q <= equal_4089_s11_q;
     end
   end
 
-  // Stage 14 ----------------------------------------------------------------------------------------------------------
+  // Stage 12 ----------------------------------------------------------------------------------------------------------
   logic [7:0] sample_pair_pixel_0_q;
   logic [7:0] sample_pair_pixel_1_q;
   logic [13:0] averager_running_0_q;
@@ -4238,119 +4132,119 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_q;
   logic [4:0] patches_read_at_q;
   logic [4:0] patches_peak_row_q;
-  // hls/stages/census.hpp:113
-  logic [13:0] select_528;
-  assign select_528 = equal_509_s14_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
-  logic [13:0] sum_534;
-  assign sum_534 = {6'h0, sample_pair_pixel_1_q} + (equal_509_s14_q ? 14'h0 : averager_running_1_q);
+  // hls/stages/census.hpp:117
+  logic [13:0] select_525;
+  assign select_525 = equal_509_s12_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
+  logic [13:0] sum_531;
+  assign sum_531 = {6'h0, sample_pair_pixel_1_q} + (equal_509_s12_q ? 14'h0 : averager_running_1_q);
   // hls/stages/moments.hpp:63
   logic [10:0] place;
-  assign place = first_s14_q ? 11'h0 : moments_place_q[13:3];
+  assign place = first_s12_q ? 11'h0 : moments_place_q[13:3];
   // hls/stages/moments.hpp:104
-  logic not_588;
-  assign not_588 = ~(11'h3ec < place);
+  logic not_586;
+  assign not_586 = ~(11'h3ec < place);
   // hls/stages/agreement.hpp:978
-  logic select_622;
-  assign select_622 = slot_s14_q[2] ? less_620_s14_q : (6'h2a < best_left_rdata_s14_q[39:34]);
+  logic select_620;
+  assign select_620 = slot_s12_q[2] ? less_618_s12_q : (6'h2a < best_left_rdata_s12_q[39:34]);
   // hls/stages/agreement.hpp:992
-  logic [8:0] difference_632;
-  assign difference_632 = {2'h0, chosen_s14_q} - {1'b0, x_s14_q};
+  logic [8:0] difference_630;
+  assign difference_630 = {2'h0, chosen_s12_q} - {1'b0, x_s12_q};
   // hls/stages/agreement.hpp:778
-  logic [7:0] sum_1012;
-  assign sum_1012 = {difference_1010_s14_q[6], difference_1010_s14_q} + (age_s14_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
-  logic [7:0] sum_1262;
-  assign sum_1262 = {difference_1259_s14_q[6], difference_1259_s14_q} + (equal_1260_s14_q ? 8'h0 : sums_0_sum_sums_values_1_q);
-  logic [7:0] sum_1510;
-  assign sum_1510 = {difference_1508_s14_q[6], difference_1508_s14_q} + (equal_1260_s14_q ? 8'h0 : sums_1_sum_sums_values_1_q);
+  logic [7:0] sum_1010;
+  assign sum_1010 = {difference_1008_s12_q[6], difference_1008_s12_q} + (age_s12_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  logic [7:0] sum_1260;
+  assign sum_1260 = {difference_1257_s12_q[6], difference_1257_s12_q} + (equal_1258_s12_q ? 8'h0 : sums_0_sum_sums_values_1_q);
+  logic [7:0] sum_1508;
+  assign sum_1508 = {difference_1506_s12_q[6], difference_1506_s12_q} + (equal_1258_s12_q ? 8'h0 : sums_1_sum_sums_values_1_q);
   // hls/stages/agreement.hpp:755
-  logic [6:0] select_1539;
-  assign select_1539 = slot_s14_q[0] ? chosen_near_q : sum_1538_s14_q;
+  logic [6:0] select_1537;
+  assign select_1537 = slot_s12_q[0] ? chosen_near_q : sum_1536_s12_q;
   // hls/stages/agreement.hpp:751
-  logic [6:0] select_1549;
-  assign select_1549 = (select_1539 < select_1547_s14_q) ? select_1547_s14_q : select_1539;
+  logic [6:0] select_1547;
+  assign select_1547 = (select_1537 < select_1545_s12_q) ? select_1545_s12_q : select_1537;
   // hls/stages/agreement.hpp:788
-  logic [6:0] select_1579;
-  assign select_1579 = so_s14_q ? x_s14_q[6:0] : (or_580_s14_q ? (less_583_s14_q ? 7'h0 : select_627_s14_q) : 7'h0);
+  logic [6:0] select_1577;
+  assign select_1577 = so_s12_q ? x_s12_q[6:0] : (or_578_s12_q ? (less_581_s12_q ? 7'h0 : select_625_s12_q) : 7'h0);
   // hls/stages/agreement.hpp:149
-  logic and_1592;
-  assign and_1592 = or_580_s14_q & (slot_s14_q[2] & not_584_s14_q);
+  logic and_1590;
+  assign and_1590 = or_578_s12_q & (slot_s12_q[2] & not_582_s12_q);
   // hls/stages/registration.hpp:214
-  logic [10:0] sum_1713;
-  assign sum_1713 = {{3{sum_1709_s14_q[7]}}, sum_1709_s14_q} + {sum_1712_s14_q[8], sum_1712_s14_q, select_1710_s14_q};
-  logic [9:0] sum_1717;
-  assign sum_1717 = {difference_1716_s14_q, select_1714_s14_q} + {sum_1713[10], sum_1713[10:2]};
+  logic [10:0] sum_1708;
+  assign sum_1708 = {{3{sum_1704_s12_q[7]}}, sum_1704_s12_q} + {sum_1707_s12_q[8], sum_1707_s12_q, select_1705_s12_q};
+  logic [9:0] sum_1712;
+  assign sum_1712 = {difference_1711_s12_q, select_1709_s12_q} + {sum_1708[10], sum_1708[10:2]};
   // hls/stages/patches.hpp:501
-  logic less_1878;
-  assign less_1878 = 5'he < patches_along_s14_q;
+  logic less_1873;
+  assign less_1873 = 5'he < patches_along_s12_q;
   // hls/stages/patches.hpp:502
-  logic or_1879;
-  assign or_1879 = equal_1792_s14_q | less_1878;
+  logic or_1874;
+  assign or_1874 = equal_1787_s12_q | less_1873;
   // hls/stages/patches.hpp:505
   logic new_row;
-  assign new_row = patches_along_s14_q == 5'h0;
-  logic select_1884;
-  assign select_1884 = equal_1792_s14_q ? patches_column_s14_q[0] : (or_1879 ? (patches_along_s14_q == 5'h10) : (~new_row));
+  assign new_row = patches_along_s12_q == 5'h0;
+  logic select_1879;
+  assign select_1879 = equal_1787_s12_q ? patches_column_s12_q[0] : (or_1874 ? (patches_along_s12_q == 5'h10) : (~new_row));
   // hls/stages/patches.hpp:503
-  logic [4:0] select_1887;
-  assign select_1887 = patches_match_row_ends_s14_q ? patches_down_by_s14_q : sum_1886_s14_q;
+  logic [4:0] select_1882;
+  assign select_1882 = patches_match_row_ends_s12_q ? patches_down_by_s12_q : sum_1881_s12_q;
   // hls/stages/patches.hpp:506
-  logic [4:0] select_1890;
-  assign select_1890 = equal_1792_s14_q ? 5'h0 : (or_1879 ? (select_1887 + 5'h1) : sum_1886_s14_q);
+  logic [4:0] select_1885;
+  assign select_1885 = equal_1787_s12_q ? 5'h0 : (or_1874 ? (select_1882 + 5'h1) : sum_1881_s12_q);
   // hls/stages/patches.hpp:482
-  logic equal_1893;
-  assign equal_1893 = patches_column_s14_q == 5'h1f;
+  logic equal_1888;
+  assign equal_1888 = patches_column_s12_q == 5'h1f;
   logic of_row;
-  assign of_row = patches_column_s14_q == 5'h11;
-  logic equal_1895;
-  assign equal_1895 = patches_column_s14_q == 5'h18;
+  assign of_row = patches_column_s12_q == 5'h11;
+  logic equal_1890;
+  assign equal_1890 = patches_column_s12_q == 5'h18;
   // hls/stages/patches.hpp:484
-  logic and_1897;
-  assign and_1897 = of_row & (~equal_1895);
+  logic and_1892;
+  assign and_1892 = of_row & (~equal_1890);
   logic [1:0] of_row_2;
-  assign of_row_2 = equal_1893 ? 2'h3 : {equal_1895, and_1897};
+  assign of_row_2 = equal_1888 ? 2'h3 : {equal_1890, and_1892};
   // hls/stages/patches.hpp:470
   logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_1900_s14_q, pixel_2_s14_q[0]} - {1'b0, sum_1901_s14_q, patches_columns_above_rdata_s14_q[8]};
+  assign down_2 = {1'b0, sum_1895_s12_q, pixel_2_s12_q[0]} - {1'b0, sum_1896_s12_q, patches_columns_above_rdata_s12_q[8]};
   // hls/stages/patches.hpp:468
-  logic [9:0] sum_1922;
-  assign sum_1922 = {2'h0, patches_columns_above_rdata_s14_q[7:0]} + sum_1921_s14_q[10:1];
+  logic [9:0] sum_1917;
+  assign sum_1917 = {2'h0, patches_columns_above_rdata_s12_q[7:0]} + sum_1916_s12_q[10:1];
   // hls/stages/patches.hpp:483
-  logic or_1941;
-  assign or_1941 = (((patches_column_s14_q == 5'ha) | of_row) | equal_1895) | equal_1893;
+  logic or_1936;
+  assign or_1936 = (((patches_column_s12_q == 5'ha) | of_row) | equal_1890) | equal_1888;
   // hls/stages/patches.hpp:478
-  logic and_1946;
-  assign and_1946 = (~(patches_code_row_s14_q[4:2] == 3'h0)) & (~(patches_column_s14_q[4:2] == 3'h0));
+  logic and_1941;
+  assign and_1941 = (~(patches_code_row_s12_q[4:2] == 3'h0)) & (~(patches_column_s12_q[4:2] == 3'h0));
   // hls/stages/patches.hpp:173
-  logic and_1960;
-  assign and_1960 = (~(equal_1793_s14_q | (~and_1946))) & (~patches_column_s14_q[4]);
+  logic and_1955;
+  assign and_1955 = (~(equal_1788_s12_q | (~and_1941))) & (~patches_column_s12_q[4]);
   // hls/stages/agreement.hpp:239
-  logic [6:0] select_2584;
-  assign select_2584 = slot_s14_q[0] ? 7'h0 : sum_1538_s14_q;
+  logic [6:0] select_2579;
+  assign select_2579 = slot_s12_q[0] ? 7'h0 : sum_1536_s12_q;
   // hls/stages/agreement.hpp:751
-  logic [6:0] select_2586;
-  assign select_2586 = (select_2584 < select_1547_s14_q) ? select_1547_s14_q : select_2584;
+  logic [6:0] select_2581;
+  assign select_2581 = (select_2579 < select_1545_s12_q) ? select_1545_s12_q : select_2579;
   // hls/stages/agreement.hpp:987
   logic [7:0] lower;
-  assign lower = rise_s14_q ? best_left_rdata_s14_q[61:54] : best_left_rdata_s14_q[53:46];
+  assign lower = rise_s12_q ? best_left_rdata_s12_q[61:54] : best_left_rdata_s12_q[53:46];
   // hls/stages/registration.hpp:47
-  logic [7:0] difference_2766;
-  assign difference_2766 = {sum_2764_s14_q, select_2760_s14_q, 5'h0} - {3'h0, registration_displacement_fraction_q};
+  logic [7:0] difference_2761;
+  assign difference_2761 = {sum_2759_s12_q, select_2755_s12_q, 5'h0} - {3'h0, registration_displacement_fraction_q};
   // hls/stages/registration.hpp:102
-  logic [7:0] select_2767;
-  assign select_2767 = less_2765_s14_q ? difference_2766 : {sum_2764_s14_q, select_2760_s14_q, registration_displacement_fraction_q};
-  logic [7:0] select_2768;
-  assign select_2768 = or_2763_s14_q ? {sum_2764_s14_q, select_2760_s14_q, 5'h0} : select_2767;
+  logic [7:0] select_2762;
+  assign select_2762 = less_2760_s12_q ? difference_2761 : {sum_2759_s12_q, select_2755_s12_q, registration_displacement_fraction_q};
+  logic [7:0] select_2763;
+  assign select_2763 = or_2758_s12_q ? {sum_2759_s12_q, select_2755_s12_q, 5'h0} : select_2762;
   // hls/stages/patches.hpp:185
-  logic [4:0] select_3509;
-  assign select_3509 = equal_1790_s14_q ? patches_down_by_s14_q : patches_summed_down_by_q;
+  logic [4:0] select_3503;
+  assign select_3503 = equal_1785_s12_q ? patches_down_by_s12_q : patches_summed_down_by_q;
   // hls/stages/patches.hpp:541
-  logic [4:0] select_3554;
-  assign select_3554 = and_3553_s14_q ? patches_read_at_q : patches_peak_row_q;
+  logic [4:0] select_3548;
+  assign select_3548 = and_3547_s12_q ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:548
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s14_q} - {1'b0, select_3554};
+  assign away = {1'b0, patches_step_s12_q} - {1'b0, select_3548};
 
-  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1377; read in stage 14, written in stage 17: 14 < 17 < 14 + DISTANCE.
+  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1377; read in stage 12, written in stage 15: 12 < 15 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] shown_right_mem [0:119];
@@ -4358,17 +4252,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) shown_right_mem[i] = 2'h0;
 `endif
   logic [6:0] shown_right_raddr;
-  assign shown_right_raddr = x_s14_q[6:0];
+  assign shown_right_raddr = x_s12_q[6:0];
 `ifndef SYNTHESIS
   logic shown_right_re;
-  assign shown_right_re = s14_en & and_1575_s14_q;
+  assign shown_right_re = s12_en & and_1573_s12_q;
 `endif
   logic [1:0] shown_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory left_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1378; read in stage 14, written in stage 18: 14 < 18 < 14 + DISTANCE.
+  // Memory left_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1378; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] left_turns_mem [0:119];
@@ -4376,17 +4270,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) left_turns_mem[i] = 2'h0;
 `endif
   logic [6:0] left_turns_raddr;
-  assign left_turns_raddr = x_s14_q[6:0];
+  assign left_turns_raddr = x_s12_q[6:0];
 `ifndef SYNTHESIS
   logic left_turns_re;
-  assign left_turns_re = s14_en & and_1592;
+  assign left_turns_re = s12_en & and_1590;
 `endif
   logic [1:0] left_turns_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) left_turns_rdata_q <= left_turns_mem[left_turns_raddr];
   end
 
-  // Memory right_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1378; read in stage 14, written in stage 18: 14 < 18 < 14 + DISTANCE.
+  // Memory right_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1378; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] right_turns_mem [0:119];
@@ -4394,10 +4288,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) right_turns_mem[i] = 2'h0;
 `endif
   logic [6:0] right_turns_raddr;
-  assign right_turns_raddr = select_627_s14_q;
+  assign right_turns_raddr = select_625_s12_q;
 `ifndef SYNTHESIS
   logic right_turns_re;
-  assign right_turns_re = s14_en & and_1592;
+  assign right_turns_re = s12_en & and_1590;
 `endif
   logic [1:0] right_turns_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4412,13 +4306,13 @@ module horopter_agreement (
       patches_summed_down_by_q <= 5'h0;
       patches_read_at_q <= 5'h0;
       patches_peak_row_q <= 5'h0;
-    end else if (s14_en) begin
-      sample_pair_pixel_0_q <= pixel_0_s14_q;
-      sample_pair_pixel_1_q <= pixel_1_s14_q;
-      chosen_near_q <= select_2586;
-      patches_summed_down_by_q <= equal_1788_s14_q ? patches_summed_down_by_q : select_3509;
-      patches_read_at_q <= equal_1788_s14_q ? select_3532_s14_q : patches_read_at_q;
-      patches_peak_row_q <= equal_1788_s14_q ? select_3554 : patches_peak_row_q;
+    end else if (s12_en) begin
+      sample_pair_pixel_0_q <= pixel_0_s12_q;
+      sample_pair_pixel_1_q <= pixel_1_s12_q;
+      chosen_near_q <= select_2581;
+      patches_summed_down_by_q <= equal_1783_s12_q ? patches_summed_down_by_q : select_3503;
+      patches_read_at_q <= equal_1783_s12_q ? select_3526_s12_q : patches_read_at_q;
+      patches_peak_row_q <= equal_1783_s12_q ? select_3548 : patches_peak_row_q;
     end
   end
 
@@ -4435,309 +4329,309 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s14_en) begin
-      averager_running_0_q <= sample_pair_whole_s14_q ? select_528 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s14_q ? sum_534 : averager_running_1_q;
-      middle_sum_sum_sums_values_0_q <= slot_s14_q[0] ? middle_sum_sum_sums_values_0_q : sum_1012;
-      sums_0_sum_sums_values_0_q <= sum_1262;
-      sums_0_sum_sums_values_1_q <= equal_1260_s14_q ? 8'h0 : sums_0_sum_sums_values_0_q;
-      sums_1_sum_sums_values_0_q <= sum_1510;
-      sums_1_sum_sums_values_1_q <= equal_1260_s14_q ? 8'h0 : sums_1_sum_sums_values_0_q;
+    if (s12_en) begin
+      averager_running_0_q <= sample_pair_whole_s12_q ? select_525 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s12_q ? sum_531 : averager_running_1_q;
+      middle_sum_sum_sums_values_0_q <= slot_s12_q[0] ? middle_sum_sum_sums_values_0_q : sum_1010;
+      sums_0_sum_sums_values_0_q <= sum_1260;
+      sums_0_sum_sums_values_1_q <= equal_1258_s12_q ? 8'h0 : sums_0_sum_sums_values_0_q;
+      sums_1_sum_sums_values_0_q <= sum_1508;
+      sums_1_sum_sums_values_1_q <= equal_1258_s12_q ? 8'h0 : sums_1_sum_sums_values_0_q;
     end
   end
 
-  logic saturated_s15_q;
-  logic mask_s15_q;
-  logic marks_first_s15_q;
-  logic marks_last_s15_q;
-  logic [7:0] sample_pair_pixel_0_s15_q;
-  logic [7:0] sample_pair_pixel_1_s15_q;
-  logic sample_pair_whole_s15_q;
-  logic sample_present_s15_q;
-  logic moments_starts_s15_q;
-  logic [5:0] run_shift_s15_q;
-  logic [7:0] x_s15_q;
-  logic age_s15_q;
-  logic [2:0] slot_s15_q;
-  logic ends_cell_s15_q;
-  logic lower_half_s15_q;
-  logic shift_not_right_s15_q;
-  logic [4:0] patches_band_rows_number_s15_q;
-  logic [4:0] patches_choosing_band_s15_q;
-  logic patches_lower_s15_q;
-  logic patches_second_s15_q;
-  logic [4:0] patches_code_row_s15_q;
-  logic [4:0] patches_along_s15_q;
-  logic [3:0] patches_match_row_s15_q;
-  logic patches_summed_last_s15_q;
-  logic [4:0] patches_summed_down_by_s15_q;
-  logic [9:0] patches_read_row_differing_s15_q;
-  logic patches_read_first_s15_q;
-  logic [3:0] select_508_s15_q;
-  logic equal_509_s15_q;
-  logic [6:0] select_511_s15_q;
-  logic [8:0] select_515_s15_q;
-  logic and_524_s15_q;
-  logic and_525_s15_q;
-  logic [29:0] averager_memory_rdata_s15_q;
-  logic [13:0] select_528_s15_q;
-  logic equal_530_s15_q;
-  logic [13:0] sum_534_s15_q;
-  logic [6:0] last_s15_q;
-  logic and_548_s15_q;
-  logic and_550_s15_q;
-  logic equal_570_s15_q;
-  logic [12:0] select_574_s15_q;
-  logic equal_575_s15_q;
-  logic not_576_s15_q;
-  logic so_s15_q;
-  logic not_578_s15_q;
-  logic equal_579_s15_q;
-  logic or_580_s15_q;
-  logic less_583_s15_q;
-  logic not_584_s15_q;
-  logic inside_v_s15_q;
-  logic not_588_s15_q;
-  logic and_591_s15_q;
-  logic and_601_s15_q;
-  logic and_609_s15_q;
-  logic [6:0] x_s15_2_q;
-  logic [45:0] best_left_rdata_s15_q;
-  logic select_622_s15_q;
-  logic [6:0] right_s15_q;
-  logic [28:0] best_right_rdata_s15_q;
-  logic [9:0] sum_633_s15_q;
-  logic and_640_s15_q;
-  logic and_645_s15_q;
-  logic and_647_s15_q;
-  logic equal_680_s15_q;
-  logic select_762_s15_q;
-  logic [7:0] sum_1012_s15_q;
-  logic less_1511_s15_q;
-  logic [6:0] select_1549_s15_q;
-  logic [7:0] select_1557_s15_q;
-  logic [7:0] select_1560_s15_q;
-  logic and_1562_s15_q;
-  logic select_1564_s15_q;
-  logic and_1573_s15_q;
-  logic and_1575_s15_q;
-  logic [6:0] select_1579_s15_q;
-  logic or_1583_s15_q;
-  logic and_1601_s15_q;
-  logic right_2_s15_q;
-  logic and_1676_s15_q;
-  logic and_1689_s15_q;
-  logic and_1702_s15_q;
-  logic less_1703_s15_q;
-  logic equal_1704_s15_q;
-  logic sum_1713_s15_q;
-  logic [9:0] sum_1717_s15_q;
-  logic and_1736_s15_q;
-  logic [5:0] select_1753_s15_q;
-  logic [7:0] select_1779_s15_q;
-  logic equal_1781_s15_q;
-  logic and_1786_s15_q;
-  logic and_1787_s15_q;
-  logic equal_1788_s15_q;
-  logic not_1789_s15_q;
-  logic equal_1790_s15_q;
-  logic not_1791_s15_q;
-  logic equal_1793_s15_q;
-  logic or_1794_s15_q;
-  logic [4:0] select_1818_s15_q;
-  logic select_1824_s15_q;
-  logic [3:0] select_1862_s15_q;
-  logic patches_columns_above_rdata_s15_q;
-  logic [7:0] pixel_2_s15_q;
-  logic less_1878_s15_q;
-  logic new_row_s15_q;
-  logic select_1884_s15_q;
-  logic not_1885_s15_q;
-  logic [4:0] select_1890_s15_q;
-  logic or_1891_s15_q;
-  logic [1:0] of_row_2_s15_q;
-  logic [10:0] down_2_s15_q;
-  logic sum_1921_s15_q;
-  logic [9:0] sum_1922_s15_q;
-  logic and_1949_s15_q;
-  logic and_1960_s15_q;
-  logic and_1963_s15_q;
-  logic less_1966_s15_q;
-  logic equal_1967_s15_q;
-  logic not_1968_s15_q;
-  logic equal_1969_s15_q;
-  logic not_1970_s15_q;
-  logic [9:0] patches_rows_rdata_s15_q;
-  logic sum_1998_s15_q;
-  logic and_2019_s15_q;
-  logic [17:0] seen_columns_rdata_s15_q;
-  logic and_2142_s15_q;
-  logic equal_2283_s15_q;
-  logic equal_2472_s15_q;
-  logic and_2599_s15_q;
-  logic equal_2684_s15_q;
-  logic [7:0] lower_s15_q;
-  logic [7:0] sum_2690_s15_q;
-  logic [7:0] select_2768_s15_q;
-  logic and_2996_s15_q;
-  logic less_3123_s15_q;
-  logic equal_3550_s15_q;
-  logic [4:0] select_3554_s15_q;
-  logic [5:0] away_s15_q;
-  logic equal_3556_s15_q;
-  logic equal_3565_s15_q;
-  logic [14:0] select_3585_s15_q;
-  logic less_3876_s15_q;
-  logic equal_4095_s15_q;
+  logic saturated_s13_q;
+  logic mask_s13_q;
+  logic marks_first_s13_q;
+  logic marks_last_s13_q;
+  logic [7:0] sample_pair_pixel_0_s13_q;
+  logic [7:0] sample_pair_pixel_1_s13_q;
+  logic sample_pair_whole_s13_q;
+  logic sample_present_s13_q;
+  logic moments_starts_s13_q;
+  logic [5:0] run_shift_s13_q;
+  logic [7:0] x_s13_q;
+  logic age_s13_q;
+  logic [2:0] slot_s13_q;
+  logic ends_cell_s13_q;
+  logic lower_half_s13_q;
+  logic shift_not_right_s13_q;
+  logic [4:0] patches_band_rows_number_s13_q;
+  logic [4:0] patches_choosing_band_s13_q;
+  logic patches_lower_s13_q;
+  logic patches_second_s13_q;
+  logic [4:0] patches_code_row_s13_q;
+  logic [4:0] patches_along_s13_q;
+  logic [3:0] patches_match_row_s13_q;
+  logic patches_summed_last_s13_q;
+  logic [4:0] patches_summed_down_by_s13_q;
+  logic [9:0] patches_read_row_differing_s13_q;
+  logic patches_read_first_s13_q;
+  logic row_starts_s13_q;
+  logic [3:0] select_508_s13_q;
+  logic equal_509_s13_q;
+  logic [8:0] select_512_s13_q;
+  logic and_521_s13_q;
+  logic and_522_s13_q;
+  logic [29:0] averager_memory_rdata_s13_q;
+  logic [13:0] select_525_s13_q;
+  logic equal_527_s13_q;
+  logic [13:0] sum_531_s13_q;
+  logic [6:0] select_542_s13_q;
+  logic [6:0] last_s13_q;
+  logic and_546_s13_q;
+  logic and_548_s13_q;
+  logic equal_568_s13_q;
+  logic [12:0] select_572_s13_q;
+  logic equal_573_s13_q;
+  logic not_574_s13_q;
+  logic so_s13_q;
+  logic not_576_s13_q;
+  logic equal_577_s13_q;
+  logic or_578_s13_q;
+  logic less_581_s13_q;
+  logic not_582_s13_q;
+  logic inside_v_s13_q;
+  logic not_586_s13_q;
+  logic and_589_s13_q;
+  logic and_599_s13_q;
+  logic and_607_s13_q;
+  logic [6:0] x_s13_2_q;
+  logic [45:0] best_left_rdata_s13_q;
+  logic select_620_s13_q;
+  logic [6:0] right_s13_q;
+  logic [28:0] best_right_rdata_s13_q;
+  logic [9:0] sum_631_s13_q;
+  logic and_638_s13_q;
+  logic and_643_s13_q;
+  logic and_645_s13_q;
+  logic equal_678_s13_q;
+  logic select_760_s13_q;
+  logic [7:0] sum_1010_s13_q;
+  logic less_1509_s13_q;
+  logic [6:0] select_1547_s13_q;
+  logic [7:0] select_1555_s13_q;
+  logic [7:0] select_1558_s13_q;
+  logic and_1560_s13_q;
+  logic select_1562_s13_q;
+  logic and_1571_s13_q;
+  logic and_1573_s13_q;
+  logic [6:0] select_1577_s13_q;
+  logic or_1581_s13_q;
+  logic and_1599_s13_q;
+  logic right_2_s13_q;
+  logic and_1684_s13_q;
+  logic and_1697_s13_q;
+  logic less_1698_s13_q;
+  logic equal_1699_s13_q;
+  logic sum_1708_s13_q;
+  logic [9:0] sum_1712_s13_q;
+  logic and_1731_s13_q;
+  logic [5:0] select_1748_s13_q;
+  logic [7:0] select_1774_s13_q;
+  logic equal_1776_s13_q;
+  logic and_1781_s13_q;
+  logic and_1782_s13_q;
+  logic equal_1783_s13_q;
+  logic not_1784_s13_q;
+  logic equal_1785_s13_q;
+  logic not_1786_s13_q;
+  logic equal_1788_s13_q;
+  logic or_1789_s13_q;
+  logic [4:0] select_1813_s13_q;
+  logic select_1819_s13_q;
+  logic [3:0] select_1857_s13_q;
+  logic patches_columns_above_rdata_s13_q;
+  logic [7:0] pixel_2_s13_q;
+  logic less_1873_s13_q;
+  logic new_row_s13_q;
+  logic select_1879_s13_q;
+  logic not_1880_s13_q;
+  logic [4:0] select_1885_s13_q;
+  logic or_1886_s13_q;
+  logic [1:0] of_row_2_s13_q;
+  logic [10:0] down_2_s13_q;
+  logic sum_1916_s13_q;
+  logic [9:0] sum_1917_s13_q;
+  logic and_1944_s13_q;
+  logic and_1955_s13_q;
+  logic and_1958_s13_q;
+  logic less_1961_s13_q;
+  logic equal_1962_s13_q;
+  logic not_1963_s13_q;
+  logic equal_1964_s13_q;
+  logic not_1965_s13_q;
+  logic [9:0] patches_rows_rdata_s13_q;
+  logic sum_1993_s13_q;
+  logic and_2014_s13_q;
+  logic [17:0] seen_columns_rdata_s13_q;
+  logic and_2137_s13_q;
+  logic equal_2278_s13_q;
+  logic equal_2467_s13_q;
+  logic and_2594_s13_q;
+  logic equal_2679_s13_q;
+  logic [7:0] lower_s13_q;
+  logic [7:0] sum_2685_s13_q;
+  logic [7:0] select_2763_s13_q;
+  logic and_2991_s13_q;
+  logic less_3117_s13_q;
+  logic equal_3544_s13_q;
+  logic [4:0] select_3548_s13_q;
+  logic [5:0] away_s13_q;
+  logic equal_3550_s13_q;
+  logic equal_3559_s13_q;
+  logic [14:0] select_3579_s13_q;
+  logic less_3870_s13_q;
+  logic equal_4089_s13_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      saturated_s15_q <= saturated_s14_q;
-      mask_s15_q <= mask_s14_q;
-      marks_first_s15_q <= marks_first_s14_q;
-      marks_last_s15_q <= marks_last_s14_q;
-      sample_pair_pixel_0_s15_q <= sample_pair_pixel_0_q;
-      sample_pair_pixel_1_s15_q <= sample_pair_pixel_1_q;
-      sample_pair_whole_s15_q <= sample_pair_whole_s14_q;
-      sample_present_s15_q <= sample_present_s14_q;
-      moments_starts_s15_q <= moments_starts_s14_q;
-      run_shift_s15_q <= run_shift_s14_q;
-      x_s15_q <= x_s14_q;
-      age_s15_q <= age_s14_q[1];
-      slot_s15_q <= slot_s14_q;
-      ends_cell_s15_q <= ends_cell_s14_q;
-      lower_half_s15_q <= lower_half_s14_q;
-      shift_not_right_s15_q <= shift_not_right_s14_q;
-      patches_band_rows_number_s15_q <= patches_band_rows_number_s14_q;
-      patches_choosing_band_s15_q <= patches_choosing_band_s14_q;
-      patches_lower_s15_q <= patches_lower_s14_q;
-      patches_second_s15_q <= patches_second_s14_q;
-      patches_code_row_s15_q <= patches_code_row_s14_q;
-      patches_along_s15_q <= patches_along_s14_q;
-      patches_match_row_s15_q <= patches_match_row_s14_q;
-      patches_summed_last_s15_q <= patches_summed_last_s14_q;
-      patches_summed_down_by_s15_q <= patches_summed_down_by_q;
-      patches_read_row_differing_s15_q <= patches_read_row_differing_s14_q;
-      patches_read_first_s15_q <= patches_read_first_s14_q;
-      select_508_s15_q <= select_508_s14_q;
-      equal_509_s15_q <= equal_509_s14_q;
-      select_511_s15_q <= select_511_s14_q;
-      select_515_s15_q <= select_515_s14_q;
-      and_524_s15_q <= and_524_s14_q;
-      and_525_s15_q <= and_525_s14_q;
-      averager_memory_rdata_s15_q <= averager_memory_rdata_q;
-      select_528_s15_q <= select_528;
-      equal_530_s15_q <= equal_530_s14_q;
-      sum_534_s15_q <= sum_534;
-      last_s15_q <= last_s14_q;
-      and_548_s15_q <= and_548_s14_q;
-      and_550_s15_q <= and_550_s14_q;
-      equal_570_s15_q <= equal_570_s14_q;
-      select_574_s15_q <= first_s14_q ? 13'h0 : moments_place_q[12:0];
-      equal_575_s15_q <= equal_575_s14_q;
-      not_576_s15_q <= not_576_s14_q;
-      so_s15_q <= so_s14_q;
-      not_578_s15_q <= not_578_s14_q;
-      equal_579_s15_q <= equal_579_s14_q;
-      or_580_s15_q <= or_580_s14_q;
-      less_583_s15_q <= less_583_s14_q;
-      not_584_s15_q <= not_584_s14_q;
-      inside_v_s15_q <= inside_v_s14_q;
-      not_588_s15_q <= not_588;
-      and_591_s15_q <= not_578_s14_q & (equal_579_s14_q & (inside_v_s14_q & not_588));
-      and_601_s15_q <= and_601_s14_q;
-      and_609_s15_q <= and_609_s14_q;
-      x_s15_2_q <= x_s14_2_q;
-      best_left_rdata_s15_q <= best_left_rdata_s14_q[45:0];
-      select_622_s15_q <= select_622;
-      right_s15_q <= right_s14_q;
-      best_right_rdata_s15_q <= best_right_rdata_s14_q;
-      sum_633_s15_q <= {difference_632[8], difference_632} + 10'h1;
-      and_640_s15_q <= and_640_s14_q;
-      and_645_s15_q <= and_645_s14_q;
-      and_647_s15_q <= and_647_s14_q;
-      equal_680_s15_q <= equal_680_s14_q;
-      select_762_s15_q <= select_762_s14_q;
-      sum_1012_s15_q <= sum_1012;
-      less_1511_s15_q <= sum_1262 < sum_1510;
-      select_1549_s15_q <= select_1549;
-      select_1557_s15_q <= select_762_s14_q ? 8'h0 : best_left_rdata_s14_q[53:46];
-      select_1560_s15_q <= select_762_s14_q ? 8'h0 : best_left_rdata_s14_q[61:54];
-      and_1562_s15_q <= and_1562_s14_q;
-      select_1564_s15_q <= select_1564_s14_q;
-      and_1573_s15_q <= and_1573_s14_q;
-      and_1575_s15_q <= and_1575_s14_q;
-      select_1579_s15_q <= select_1579;
-      or_1583_s15_q <= or_1583_s14_q;
-      and_1601_s15_q <= moments_taken_q;
-      right_2_s15_q <= right_2_s14_q;
-      and_1676_s15_q <= and_1676_s14_q;
-      and_1689_s15_q <= and_1689_s14_q;
-      and_1702_s15_q <= and_1702_s14_q;
-      less_1703_s15_q <= less_1703_s14_q;
-      equal_1704_s15_q <= equal_1704_s14_q;
-      sum_1713_s15_q <= sum_1713[1];
-      sum_1717_s15_q <= sum_1717;
-      and_1736_s15_q <= and_1736_s14_q;
-      select_1753_s15_q <= select_1753_s14_q;
-      select_1779_s15_q <= select_1779_s14_q;
-      equal_1781_s15_q <= equal_1781_s14_q;
-      and_1786_s15_q <= and_1786_s14_q;
-      and_1787_s15_q <= and_1787_s14_q;
-      equal_1788_s15_q <= equal_1788_s14_q;
-      not_1789_s15_q <= not_1789_s14_q;
-      equal_1790_s15_q <= equal_1790_s14_q;
-      not_1791_s15_q <= not_1791_s14_q;
-      equal_1793_s15_q <= equal_1793_s14_q;
-      or_1794_s15_q <= or_1794_s14_q;
-      select_1818_s15_q <= select_1818_s14_q;
-      select_1824_s15_q <= select_1824_s14_q;
-      select_1862_s15_q <= select_1862_s14_q;
-      patches_columns_above_rdata_s15_q <= patches_columns_above_rdata_s14_q[8];
-      pixel_2_s15_q <= pixel_2_s14_q;
-      less_1878_s15_q <= less_1878;
-      new_row_s15_q <= new_row;
-      select_1884_s15_q <= select_1884;
-      not_1885_s15_q <= ~or_1879;
-      select_1890_s15_q <= select_1890;
-      or_1891_s15_q <= equal_1792_s14_q | equal_1790_s14_q;
-      of_row_2_s15_q <= of_row_2;
-      down_2_s15_q <= down_2;
-      sum_1921_s15_q <= sum_1921_s14_q[0];
-      sum_1922_s15_q <= sum_1922;
-      and_1949_s15_q <= or_1794_s14_q & (or_1941 & (equal_1793_s14_q & and_1946));
-      and_1960_s15_q <= and_1960;
-      and_1963_s15_q <= or_1794_s14_q & (and_1960 & (patches_column_s14_q == 5'hf));
-      less_1966_s15_q <= less_1966_s14_q;
-      equal_1967_s15_q <= equal_1967_s14_q;
-      not_1968_s15_q <= not_1968_s14_q;
-      equal_1969_s15_q <= equal_1969_s14_q;
-      not_1970_s15_q <= not_1970_s14_q;
-      patches_rows_rdata_s15_q <= patches_rows_rdata_s14_q;
-      sum_1998_s15_q <= sum_1998_s14_q;
-      and_2019_s15_q <= and_2019_s14_q;
-      seen_columns_rdata_s15_q <= seen_columns_rdata_q;
-      and_2142_s15_q <= and_2142_s14_q;
-      equal_2283_s15_q <= equal_2283_s14_q;
-      equal_2472_s15_q <= equal_2472_s14_q;
-      and_2599_s15_q <= and_2599_s14_q;
-      equal_2684_s15_q <= equal_2684_s14_q;
-      lower_s15_q <= lower;
-      sum_2690_s15_q <= {7'h0, rise_s14_q} + xor_2689_s14_q;
-      select_2768_s15_q <= select_2768;
-      and_2996_s15_q <= and_2996_s14_q;
-      less_3123_s15_q <= 4'he < patches_column_s14_q[4:1];
-      equal_3550_s15_q <= equal_3550_s14_q;
-      select_3554_s15_q <= select_3554;
-      away_s15_q <= away;
-      equal_3556_s15_q <= away == 6'h3f;
-      equal_3565_s15_q <= away == 6'h1;
-      select_3585_s15_q <= select_3585_s14_q;
-      less_3876_s15_q <= less_3876_s14_q;
-      equal_4095_s15_q <= equal_4095_s14_q;
+      saturated_s13_q <= saturated_s12_q;
+      mask_s13_q <= mask_s12_q;
+      marks_first_s13_q <= marks_first_s12_q;
+      marks_last_s13_q <= marks_last_s12_q;
+      sample_pair_pixel_0_s13_q <= sample_pair_pixel_0_q;
+      sample_pair_pixel_1_s13_q <= sample_pair_pixel_1_q;
+      sample_pair_whole_s13_q <= sample_pair_whole_s12_q;
+      sample_present_s13_q <= sample_present_s12_q;
+      moments_starts_s13_q <= moments_starts_s12_q;
+      run_shift_s13_q <= run_shift_s12_q;
+      x_s13_q <= x_s12_q;
+      age_s13_q <= age_s12_q[1];
+      slot_s13_q <= slot_s12_q;
+      ends_cell_s13_q <= ends_cell_s12_q;
+      lower_half_s13_q <= lower_half_s12_q;
+      shift_not_right_s13_q <= shift_not_right_s12_q;
+      patches_band_rows_number_s13_q <= patches_band_rows_number_s12_q;
+      patches_choosing_band_s13_q <= patches_choosing_band_s12_q;
+      patches_lower_s13_q <= patches_lower_s12_q;
+      patches_second_s13_q <= patches_second_s12_q;
+      patches_code_row_s13_q <= patches_code_row_s12_q;
+      patches_along_s13_q <= patches_along_s12_q;
+      patches_match_row_s13_q <= patches_match_row_s12_q;
+      patches_summed_last_s13_q <= patches_summed_last_s12_q;
+      patches_summed_down_by_s13_q <= patches_summed_down_by_q;
+      patches_read_row_differing_s13_q <= patches_read_row_differing_s12_q;
+      patches_read_first_s13_q <= patches_read_first_s12_q;
+      row_starts_s13_q <= row_starts_s12_q;
+      select_508_s13_q <= select_508_s12_q;
+      equal_509_s13_q <= equal_509_s12_q;
+      select_512_s13_q <= select_512_s12_q;
+      and_521_s13_q <= and_521_s12_q;
+      and_522_s13_q <= and_522_s12_q;
+      averager_memory_rdata_s13_q <= averager_memory_rdata_q;
+      select_525_s13_q <= select_525;
+      equal_527_s13_q <= equal_527_s12_q;
+      sum_531_s13_q <= sum_531;
+      select_542_s13_q <= select_542_s12_q;
+      last_s13_q <= last_s12_q;
+      and_546_s13_q <= and_546_s12_q;
+      and_548_s13_q <= and_548_s12_q;
+      equal_568_s13_q <= equal_568_s12_q;
+      select_572_s13_q <= first_s12_q ? 13'h0 : moments_place_q[12:0];
+      equal_573_s13_q <= equal_573_s12_q;
+      not_574_s13_q <= not_574_s12_q;
+      so_s13_q <= so_s12_q;
+      not_576_s13_q <= not_576_s12_q;
+      equal_577_s13_q <= equal_577_s12_q;
+      or_578_s13_q <= or_578_s12_q;
+      less_581_s13_q <= less_581_s12_q;
+      not_582_s13_q <= not_582_s12_q;
+      inside_v_s13_q <= inside_v_s12_q;
+      not_586_s13_q <= not_586;
+      and_589_s13_q <= not_576_s12_q & (equal_577_s12_q & (inside_v_s12_q & not_586));
+      and_599_s13_q <= and_599_s12_q;
+      and_607_s13_q <= and_607_s12_q;
+      x_s13_2_q <= x_s12_2_q;
+      best_left_rdata_s13_q <= best_left_rdata_s12_q[45:0];
+      select_620_s13_q <= select_620;
+      right_s13_q <= right_s12_q;
+      best_right_rdata_s13_q <= best_right_rdata_s12_q;
+      sum_631_s13_q <= {difference_630[8], difference_630} + 10'h1;
+      and_638_s13_q <= and_638_s12_q;
+      and_643_s13_q <= and_643_s12_q;
+      and_645_s13_q <= and_645_s12_q;
+      equal_678_s13_q <= equal_678_s12_q;
+      select_760_s13_q <= select_760_s12_q;
+      sum_1010_s13_q <= sum_1010;
+      less_1509_s13_q <= sum_1260 < sum_1508;
+      select_1547_s13_q <= select_1547;
+      select_1555_s13_q <= select_760_s12_q ? 8'h0 : best_left_rdata_s12_q[53:46];
+      select_1558_s13_q <= select_760_s12_q ? 8'h0 : best_left_rdata_s12_q[61:54];
+      and_1560_s13_q <= and_1560_s12_q;
+      select_1562_s13_q <= select_1562_s12_q;
+      and_1571_s13_q <= and_1571_s12_q;
+      and_1573_s13_q <= and_1573_s12_q;
+      select_1577_s13_q <= select_1577;
+      or_1581_s13_q <= or_1581_s12_q;
+      and_1599_s13_q <= moments_taken_q;
+      right_2_s13_q <= right_2_s12_q;
+      and_1684_s13_q <= and_1684_s12_q;
+      and_1697_s13_q <= and_1697_s12_q;
+      less_1698_s13_q <= less_1698_s12_q;
+      equal_1699_s13_q <= equal_1699_s12_q;
+      sum_1708_s13_q <= sum_1708[1];
+      sum_1712_s13_q <= sum_1712;
+      and_1731_s13_q <= and_1731_s12_q;
+      select_1748_s13_q <= select_1748_s12_q;
+      select_1774_s13_q <= select_1774_s12_q;
+      equal_1776_s13_q <= equal_1776_s12_q;
+      and_1781_s13_q <= and_1781_s12_q;
+      and_1782_s13_q <= and_1782_s12_q;
+      equal_1783_s13_q <= equal_1783_s12_q;
+      not_1784_s13_q <= not_1784_s12_q;
+      equal_1785_s13_q <= equal_1785_s12_q;
+      not_1786_s13_q <= not_1786_s12_q;
+      equal_1788_s13_q <= equal_1788_s12_q;
+      or_1789_s13_q <= or_1789_s12_q;
+      select_1813_s13_q <= select_1813_s12_q;
+      select_1819_s13_q <= select_1819_s12_q;
+      select_1857_s13_q <= select_1857_s12_q;
+      patches_columns_above_rdata_s13_q <= patches_columns_above_rdata_s12_q[8];
+      pixel_2_s13_q <= pixel_2_s12_q;
+      less_1873_s13_q <= less_1873;
+      new_row_s13_q <= new_row;
+      select_1879_s13_q <= select_1879;
+      not_1880_s13_q <= ~or_1874;
+      select_1885_s13_q <= select_1885;
+      or_1886_s13_q <= equal_1787_s12_q | equal_1785_s12_q;
+      of_row_2_s13_q <= of_row_2;
+      down_2_s13_q <= down_2;
+      sum_1916_s13_q <= sum_1916_s12_q[0];
+      sum_1917_s13_q <= sum_1917;
+      and_1944_s13_q <= or_1789_s12_q & (or_1936 & (equal_1788_s12_q & and_1941));
+      and_1955_s13_q <= and_1955;
+      and_1958_s13_q <= or_1789_s12_q & (and_1955 & (patches_column_s12_q == 5'hf));
+      less_1961_s13_q <= less_1961_s12_q;
+      equal_1962_s13_q <= equal_1962_s12_q;
+      not_1963_s13_q <= not_1963_s12_q;
+      equal_1964_s13_q <= equal_1964_s12_q;
+      not_1965_s13_q <= not_1965_s12_q;
+      patches_rows_rdata_s13_q <= patches_rows_rdata_s12_q;
+      sum_1993_s13_q <= sum_1993_s12_q;
+      and_2014_s13_q <= and_2014_s12_q;
+      seen_columns_rdata_s13_q <= seen_columns_rdata_q;
+      and_2137_s13_q <= and_2137_s12_q;
+      equal_2278_s13_q <= equal_2278_s12_q;
+      equal_2467_s13_q <= equal_2467_s12_q;
+      and_2594_s13_q <= and_2594_s12_q;
+      equal_2679_s13_q <= equal_2679_s12_q;
+      lower_s13_q <= lower;
+      sum_2685_s13_q <= {7'h0, rise_s12_q} + xor_2684_s12_q;
+      select_2763_s13_q <= select_2763;
+      and_2991_s13_q <= and_2991_s12_q;
+      less_3117_s13_q <= 4'he < patches_column_s12_q[4:1];
+      equal_3544_s13_q <= equal_3544_s12_q;
+      select_3548_s13_q <= select_3548;
+      away_s13_q <= away;
+      equal_3550_s13_q <= away == 6'h3f;
+      equal_3559_s13_q <= away == 6'h1;
+      select_3579_s13_q <= select_3579_s12_q;
+      less_3870_s13_q <= less_3870_s12_q;
+      equal_4089_s13_q <= equal_4089_s12_q;
     end
   end
 
-  // Stage 15 ----------------------------------------------------------------------------------------------------------
+  // Stage 13 ----------------------------------------------------------------------------------------------------------
   logic sample_of_skin_q;
   logic averager_running_mask_q;
   logic averager_running_of_skin_q;
@@ -4756,189 +4650,189 @@ module horopter_agreement (
   logic [8:0] region_down_rest_q;
   logic [7:0] region_down_back_q;
   logic [8:0] region_down_next_q;
-  // hls/stages/census.hpp:126
-  logic [13:0] sum_532;
-  assign sum_532 = select_528_s15_q + (equal_530_s15_q ? 14'h0 : averager_memory_rdata_s15_q[13:0]);
-  logic [13:0] sum_536;
-  assign sum_536 = sum_534_s15_q + (equal_530_s15_q ? 14'h0 : averager_memory_rdata_s15_q[27:14]);
+  // hls/stages/census.hpp:129
+  logic [13:0] sum_529;
+  assign sum_529 = select_525_s13_q + (equal_527_s13_q ? 14'h0 : averager_memory_rdata_s13_q[13:0]);
+  logic [13:0] sum_533;
+  assign sum_533 = sum_531_s13_q + (equal_527_s13_q ? 14'h0 : averager_memory_rdata_s13_q[27:14]);
   // hls/stages/agreement.hpp:418
   logic whole;
-  assign whole = equal_509_s15_q ? sample_present_s15_q : (sample_present_s15_q & averager_running_mask_q);
+  assign whole = equal_509_s13_q ? sample_present_s13_q : (sample_present_s13_q & averager_running_mask_q);
   logic all_of_skin;
-  assign all_of_skin = equal_509_s15_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
-  // hls/stages/census.hpp:128
-  logic and_544;
-  assign and_544 = all_of_skin & (averager_memory_rdata_s15_q[29] | equal_530_s15_q);
+  assign all_of_skin = equal_509_s13_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
+  // hls/stages/census.hpp:131
+  logic and_541;
+  assign and_541 = all_of_skin & (averager_memory_rdata_s13_q[29] | equal_527_s13_q);
   // hls/stages/agreement.hpp:788
-  logic and_592;
-  assign and_592 = not_576_s15_q & and_591_s15_q;
+  logic and_590;
+  assign and_590 = not_574_s13_q & and_589_s13_q;
   // hls/stages/agreement.hpp:247
-  logic and_635;
-  assign and_635 = (and_609_s15_q & select_622_s15_q) & ({{22{sum_633_s15_q[9]}}, sum_633_s15_q} < 32'h3);
+  logic and_633;
+  assign and_633 = (and_607_s13_q & select_620_s13_q) & ({{22{sum_631_s13_q[9]}}, sum_631_s13_q} < 32'h3);
   // hls/stages/agreement.hpp:755
-  logic [7:0] select_1013;
-  assign select_1013 = slot_s15_q[0] ? chosen_score_q : sum_1012_s15_q;
+  logic [7:0] select_1011;
+  assign select_1011 = slot_s13_q[0] ? chosen_score_q : sum_1010_s13_q;
   // hls/stages/agreement.hpp:751
-  logic [7:0] select_1512;
-  assign select_1512 = less_1511_s15_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic less_1513;
-  assign less_1513 = select_1013 < select_1512;
+  logic [7:0] select_1510;
+  assign select_1510 = less_1509_s13_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic less_1511;
+  assign less_1511 = select_1011 < select_1510;
   // hls/stages/agreement.hpp:801
   logic [7:0] of_best;
-  assign of_best = shift_allowed_q ? (less_1513 ? select_1512 : select_1013) : 8'h0;
+  assign of_best = shift_allowed_q ? (less_1511 ? select_1510 : select_1011) : 8'h0;
   // hls/stages/agreement.hpp:720
-  logic not_1519;
-  assign not_1519 = ~slot_s15_q[0];
+  logic not_1517;
+  assign not_1517 = ~slot_s13_q[0];
   // hls/stages/agreement.hpp:752
-  logic [1:0] select_1520;
-  assign select_1520 = less_1511_s15_q ? {slot_s15_q[0], not_1519} : 2'h0;
-  logic [2:0] select_1522;
-  assign select_1522 = less_1513 ? {select_1520, not_1519} : (slot_s15_q[0] ? chosen_place_q : 3'h2);
+  logic [1:0] select_1518;
+  assign select_1518 = less_1509_s13_q ? {slot_s13_q[0], not_1517} : 2'h0;
+  logic [2:0] select_1520;
+  assign select_1520 = less_1511 ? {select_1518, not_1517} : (slot_s13_q[0] ? chosen_place_q : 3'h2);
   // hls/stages/agreement.hpp:802
   logic [6:0] of_near;
-  assign of_near = shift_allowed_q ? select_1549_s15_q : 7'h0;
+  assign of_near = shift_allowed_q ? select_1547_s13_q : 7'h0;
   // hls/stages/agreement.hpp:813
-  logic less_1551;
-  assign less_1551 = best_left_rdata_s15_q[39:33] < of_near;
+  logic less_1549;
+  assign less_1549 = best_left_rdata_s13_q[39:33] < of_near;
   // hls/stages/registration.hpp:147
   logic all;
-  assign all = x_s15_q[5:3] == 3'h4;
+  assign all = x_s13_q[5:3] == 3'h4;
   // hls/stages/patches.hpp:211
+  logic equal_1620;
+  assign equal_1620 = x_s13_q[5:0] == 6'h3c;
   logic equal_1622;
-  assign equal_1622 = x_s15_q[5:0] == 6'h3c;
+  assign equal_1622 = x_s13_q[5:0] == 6'h3b;
   logic equal_1624;
-  assign equal_1624 = x_s15_q[5:0] == 6'h3b;
+  assign equal_1624 = x_s13_q[5:0] == 6'h36;
   logic equal_1626;
-  assign equal_1626 = x_s15_q[5:0] == 6'h36;
+  assign equal_1626 = x_s13_q[5:0] == 6'h35;
   logic equal_1628;
-  assign equal_1628 = x_s15_q[5:0] == 6'h35;
-  logic equal_1630;
-  assign equal_1630 = x_s15_q[5:0] == 6'h34;
+  assign equal_1628 = x_s13_q[5:0] == 6'h34;
   // hls/stages/agreement.hpp:1178
-  logic and_1634;
-  assign and_1634 = (~equal_1624) & ((~equal_1626) & ((~equal_1628) & (~equal_1630)));
+  logic and_1632;
+  assign and_1632 = (~equal_1622) & ((~equal_1624) & ((~equal_1626) & (~equal_1628)));
   // hls/stages/patches.hpp:374
-  logic [1:0] select_1690;
-  assign select_1690 = and_1689_s15_q ? 2'h1 : patches_fetch_q;
-  logic [4:0] select_1691;
-  assign select_1691 = and_1689_s15_q ? patches_band_rows_number_s15_q : patches_band_q;
+  logic [1:0] select_1685;
+  assign select_1685 = and_1684_s13_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_1686;
+  assign select_1686 = and_1684_s13_q ? patches_band_rows_number_s13_q : patches_band_q;
   // hls/stages/agreement.hpp:276
-  logic [5:0] select_1692;
-  assign select_1692 = and_1676_s15_q ? {select_1691, select_1690[1]} : {patches_band_q, patches_fetch_q[1]};
+  logic [5:0] select_1687;
+  assign select_1687 = row_starts_s13_q ? {select_1686, select_1685[1]} : {patches_band_q, patches_fetch_q[1]};
   // hls/stages/patches.hpp:126
-  logic [1:0] select_1693;
-  assign select_1693 = and_1676_s15_q ? select_1690 : patches_fetch_q;
-  logic equal_1694;
-  assign equal_1694 = select_1693 == 2'h0;
+  logic [1:0] select_1688;
+  assign select_1688 = row_starts_s13_q ? select_1685 : patches_fetch_q;
+  logic equal_1689;
+  assign equal_1689 = select_1688 == 2'h0;
   // hls/stages/registration.hpp:107
   logic [10:0] expected;
-  assign expected = equal_1704_s15_q ? {sum_1717_s15_q, sum_1713_s15_q} : registration_expected_q;
+  assign expected = equal_1699_s13_q ? {sum_1712_s13_q, sum_1708_s13_q} : registration_expected_q;
   // hls/stages/patches.hpp:126
-  logic [4:0] select_1801;
-  assign select_1801 = and_1676_s15_q ? select_1691 : patches_band_q;
+  logic [4:0] select_1796;
+  assign select_1796 = row_starts_s13_q ? select_1686 : patches_band_q;
   // hls/stages/patches.hpp:354
-  logic equal_1802;
-  assign equal_1802 = {patches_choosing_band_s15_q, and_1702_s15_q} == {select_1801, select_1693[1]};
+  logic equal_1797;
+  assign equal_1797 = {patches_choosing_band_s13_q, and_1697_s13_q} == {select_1796, select_1688[1]};
   // hls/stages/patches.hpp:472
-  logic [11:0] sum_1903;
-  assign sum_1903 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_1904;
-  assign sum_1904 = {{4{down_2_s15_q[10]}}, down_2_s15_q[10:2]} + {sum_1903[11], sum_1903};
+  logic [11:0] sum_1898;
+  assign sum_1898 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_1899;
+  assign sum_1899 = {{4{down_2_s13_q[10]}}, down_2_s13_q[10:2]} + {sum_1898[11], sum_1898};
   // hls/stages/patches.hpp:469
   logic [11:0] smooth;
-  assign smooth = {sum_1922_s15_q, sum_1921_s15_q, patches_columns_above_rdata_s15_q} + {4'h0, pixel_2_s15_q};
+  assign smooth = {sum_1917_s13_q, sum_1916_s13_q, patches_columns_above_rdata_s13_q} + {4'h0, pixel_2_s13_q};
   // hls/stages/agreement.hpp:205
-  logic [7:0] select_1985;
-  assign select_1985 = so_s15_q ? region_columns_q : 8'h1;
+  logic [7:0] select_1980;
+  assign select_1980 = so_s13_q ? region_columns_q : 8'h1;
   // hls/stages/agreement.hpp:1050
-  logic or_1988;
-  assign or_1988 = select_1985[7] | (~({select_1985[5], select_1985[3], select_1985[1]} == 3'h0));
+  logic or_1983;
+  assign or_1983 = select_1980[7] | (~({select_1980[5], select_1980[3], select_1980[1]} == 3'h0));
   // hls/stages/agreement.hpp:1058
-  logic or_2000;
-  assign or_2000 = (~sum_1998_s15_q) | equal_1781_s15_q;
+  logic or_1995;
+  assign or_1995 = (~sum_1993_s13_q) | equal_1776_s13_q;
   // hls/stages/agreement.hpp:262
   logic textured;
-  assign textured = inside_v_s15_q & (or_580_s15_q & (not_584_s15_q & and_609_s15_q));
+  assign textured = inside_v_s13_q & (or_578_s13_q & (not_582_s13_q & and_607_s13_q));
   // hls/stages/agreement.hpp:1030
-  logic [7:0] select_2083;
-  assign select_2083 = inside_v_s15_q ? (sum_1998_s15_q ? select_1985 : {select_1985[6:0], 1'b0}) : select_1985;
+  logic [7:0] select_2078;
+  assign select_2078 = inside_v_s13_q ? (sum_1993_s13_q ? select_1980 : {select_1980[6:0], 1'b0}) : select_1980;
   // hls/stages/agreement.hpp:1050
-  logic or_2086;
-  assign or_2086 = select_2083[7] | (~({select_2083[5], select_2083[3], select_2083[1]} == 3'h0));
+  logic or_2081;
+  assign or_2081 = select_2078[7] | (~({select_2078[5], select_2078[3], select_2078[1]} == 3'h0));
   // hls/stages/agreement.hpp:276
-  logic select_2196;
-  assign select_2196 = sample_pair_whole_s15_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2191;
+  assign select_2191 = sample_pair_whole_s13_q ? all_of_skin : averager_running_of_skin_q;
   // hls/stages/agreement.hpp:239
-  logic [7:0] select_2581;
-  assign select_2581 = slot_s15_q[0] ? 8'h0 : sum_1012_s15_q;
+  logic [7:0] select_2576;
+  assign select_2576 = slot_s13_q[0] ? 8'h0 : sum_1010_s13_q;
   // hls/stages/agreement.hpp:751
-  logic less_2582;
-  assign less_2582 = select_2581 < select_1512;
+  logic less_2577;
+  assign less_2577 = select_2576 < select_1510;
   // hls/stages/agreement.hpp:788
-  logic less_2588;
-  assign less_2588 = $signed(run_shift_s15_q) < $signed($unsigned(cfg_shift_lowest_i));
-  logic less_2590;
-  assign less_2590 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s15_q);
+  logic less_2583;
+  assign less_2583 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
+  logic less_2585;
+  assign less_2585 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
   // hls/stages/agreement.hpp:988
-  logic [7:0] difference_2688;
-  assign difference_2688 = best_left_rdata_s15_q[16:9] - lower_s15_q;
+  logic [7:0] difference_2683;
+  assign difference_2683 = best_left_rdata_s13_q[16:9] - lower_s13_q;
   // hls/stages/agreement.hpp:788
-  logic [10:0] select_2753;
-  assign select_2753 = equal_575_s15_q ? registration_expected_q : (so_s15_q ? expected : registration_expected_q);
+  logic [10:0] select_2748;
+  assign select_2748 = equal_573_s13_q ? registration_expected_q : (so_s13_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:102
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2768_s15_q[7]}}, select_2768_s15_q} - {sum_1717_s15_q[9], sum_1717_s15_q, sum_1713_s15_q};
+  assign value_2 = {{4{select_2763_s13_q[7]}}, select_2763_s13_q} - {sum_1712_s13_q[9], sum_1712_s13_q, sum_1708_s13_q};
   // hls/stages/patches.hpp:355
-  logic not_3012;
-  assign not_3012 = ~select_1693[1];
+  logic not_3006;
+  assign not_3006 = ~select_1688[1];
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3014;
-  assign select_3014 = sample_pair_whole_s15_q ? (equal_1694 ? select_1693 : {not_3012, 1'b0}) : patches_fetch_q;
+  logic [1:0] select_3008;
+  assign select_3008 = sample_pair_whole_s13_q ? (equal_1689 ? select_1688 : {not_3006, 1'b0}) : patches_fetch_q;
   // hls/stages/patches.hpp:185
-  logic [10:0] select_3101;
-  assign select_3101 = equal_1790_s15_q ? patches_down_values_0_q : (or_1794_s15_q ? down_2_s15_q : patches_down_values_0_q);
-  logic [10:0] select_3103;
-  assign select_3103 = or_1794_s15_q ? patches_down_values_0_q : patches_down_values_1_q;
-  logic [10:0] select_3105;
-  assign select_3105 = equal_1788_s15_q ? patches_down_values_1_q : (equal_1790_s15_q ? patches_down_values_1_q : select_3103);
+  logic [10:0] select_3095;
+  assign select_3095 = equal_1785_s13_q ? patches_down_values_0_q : (or_1789_s13_q ? down_2_s13_q : patches_down_values_0_q);
+  logic [10:0] select_3097;
+  assign select_3097 = or_1789_s13_q ? patches_down_values_0_q : patches_down_values_1_q;
+  logic [10:0] select_3099;
+  assign select_3099 = equal_1783_s13_q ? patches_down_values_1_q : (equal_1785_s13_q ? patches_down_values_1_q : select_3097);
   // hls/stages/patches.hpp:557
-  logic and_3558;
-  assign and_3558 = less_1966_s15_q & (equal_3550_s15_q & equal_3556_s15_q);
+  logic and_3552;
+  assign and_3552 = less_1961_s13_q & (equal_3544_s13_q & equal_3550_s13_q);
   // hls/stages/patches.hpp:561
-  logic select_3561;
-  assign select_3561 = equal_1969_s15_q ? (less_1966_s15_q ? (not_1970_s15_q & and_3558) : and_3558) : and_3558;
+  logic select_3555;
+  assign select_3555 = equal_1964_s13_q ? (less_1961_s13_q ? (not_1965_s13_q & and_3552) : and_3552) : and_3552;
   // hls/stages/patches.hpp:557
-  logic and_3567;
-  assign and_3567 = less_1966_s15_q & (equal_3550_s15_q & equal_3565_s15_q);
+  logic and_3561;
+  assign and_3561 = less_1961_s13_q & (equal_3544_s13_q & equal_3559_s13_q);
   // hls/stages/patches.hpp:561
-  logic select_3570;
-  assign select_3570 = equal_1969_s15_q ? (less_1966_s15_q ? (not_1970_s15_q & and_3567) : and_3567) : and_3567;
+  logic select_3564;
+  assign select_3564 = equal_1964_s13_q ? (less_1961_s13_q ? (not_1965_s13_q & and_3561) : and_3561) : and_3561;
   // hls/stages/patches.hpp:554
-  logic [6:0] sum_3574;
-  assign sum_3574 = {away_s15_q[5], away_s15_q} + 7'h7d;
+  logic [6:0] sum_3568;
+  assign sum_3568 = {away_s13_q[5], away_s13_q} + 7'h7d;
   // hls/stages/division.hpp:34
-  logic [7:0] sum_3877;
-  assign sum_3877 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_3871;
+  assign sum_3871 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3886;
-  assign select_3886 = equal_575_s15_q ? select_1985 : (so_s15_q ? (ends_cell_s15_q ? select_2083 : select_1985) : 8'h1);
+  logic [7:0] select_3880;
+  assign select_3880 = equal_573_s13_q ? select_1980 : (so_s13_q ? (ends_cell_s13_q ? select_2078 : select_1980) : 8'h1);
   // hls/stages/agreement.hpp:460
-  logic [8:0] select_3900;
-  assign select_3900 = equal_680_s15_q ? {difference_3898[7], difference_3898} : (less_3876_s15_q ? region_down_next_q : region_down_rest_q);
+  logic [8:0] select_3894;
+  assign select_3894 = equal_678_s13_q ? {difference_3892[7], difference_3892} : (less_3870_s13_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:520
-  logic [8:0] select_3902;
-  assign select_3902 = and_550_s15_q ? (equal_2472_s15_q ? select_3900 : region_down_rest_q) : region_down_rest_q;
+  logic [8:0] select_3896;
+  assign select_3896 = and_548_s13_q ? (equal_2467_s13_q ? select_3894 : region_down_rest_q) : region_down_rest_q;
   // hls/stages/agreement.hpp:460
-  logic [7:0] select_3904;
-  assign select_3904 = equal_680_s15_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
+  logic [7:0] select_3898;
+  assign select_3898 = equal_678_s13_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
   // hls/stages/agreement.hpp:520
-  logic [7:0] select_3906;
-  assign select_3906 = and_550_s15_q ? (equal_2472_s15_q ? select_3904 : region_down_back_q) : region_down_back_q;
+  logic [7:0] select_3900;
+  assign select_3900 = and_548_s13_q ? (equal_2467_s13_q ? select_3898 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:36
-  logic [8:0] select_3908;
-  assign select_3908 = sum_3877[7] ? {1'b1, sum_3877[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
+  logic [8:0] select_3902;
+  assign select_3902 = sum_3871[7] ? {1'b1, sum_3871[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
 
-  // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:349; read in stage 15, written in stage 17: 15 < 17 < 15 + DISTANCE.
+  // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:352; read in stage 13, written in stage 15: 13 < 15 < 13 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [77:0] census_memory_mem [0:119];
@@ -4946,17 +4840,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) census_memory_mem[i] = 78'h0;
 `endif
   logic [6:0] census_memory_raddr;
-  assign census_memory_raddr = last_s15_q;
+  assign census_memory_raddr = last_s13_q;
 `ifndef SYNTHESIS
   logic census_memory_re;
-  assign census_memory_re = s15_en & and_550_s15_q;
+  assign census_memory_re = s13_en & and_548_s13_q;
 `endif
   logic [77:0] census_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
   end
 
-  // Memory moments_memory, 8040 x 4, DISTANCE 16, hls/stages/moments.hpp:119; read in stage 15, written in stage 16: 15 < 16 < 15 + DISTANCE.
+  // Memory moments_memory, 8040 x 4, DISTANCE 16, hls/stages/moments.hpp:119; read in stage 13, written in stage 14: 13 < 14 < 13 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [3:0] moments_memory_mem [0:8039];
@@ -4964,17 +4858,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 8040; i++) moments_memory_mem[i] = 4'h0;
 `endif
   logic [12:0] moments_memory_raddr;
-  assign moments_memory_raddr = select_574_s15_q;
+  assign moments_memory_raddr = select_572_s13_q;
 `ifndef SYNTHESIS
   logic moments_memory_re;
-  assign moments_memory_re = s15_en & and_592;
+  assign moments_memory_re = s13_en & and_590;
 `endif
   logic [3:0] moments_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) moments_memory_rdata_q <= moments_memory_mem[moments_memory_raddr];
   end
 
-  // Memory patches_right_codes, 112 x 28, DISTANCE 24, hls/stages/patches.hpp:797; read in stage 15, written in stage 18: 15 < 18 < 15 + DISTANCE.
+  // Memory patches_right_codes, 112 x 28, DISTANCE 24, hls/stages/patches.hpp:797; read in stage 13, written in stage 16: 13 < 16 < 13 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [27:0] patches_right_codes_mem [0:111];
@@ -4982,17 +4876,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 28'h0;
 `endif
   logic [6:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = {select_1890_s15_q, not_1885_s15_q, select_1884_s15_q};
+  assign patches_right_codes_raddr = {select_1885_s13_q, not_1880_s13_q, select_1879_s13_q};
 `ifndef SYNTHESIS
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s15_en & or_1891_s15_q;
+  assign patches_right_codes_re = s13_en & or_1886_s13_q;
 `endif
   logic [27:0] patches_right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_right_codes_rdata_q <= patches_right_codes_mem[patches_right_codes_raddr];
   end
 
-  // Memory patches_left_codes, 12 x 48, DISTANCE 24, hls/stages/patches.hpp:798; read in stage 15, written in stage 18: 15 < 18 < 15 + DISTANCE.
+  // Memory patches_left_codes, 12 x 48, DISTANCE 24, hls/stages/patches.hpp:798; read in stage 13, written in stage 16: 13 < 16 < 13 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -5001,10 +4895,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) patches_left_codes_mem[i] = 48'h0;
 `endif
   logic [3:0] patches_left_codes_raddr;
-  assign patches_left_codes_raddr = patches_match_row_s15_q;
+  assign patches_left_codes_raddr = patches_match_row_s13_q;
 `ifndef SYNTHESIS
   logic patches_left_codes_re;
-  assign patches_left_codes_re = s15_en & (not_1789_s15_q & (new_row_s15_q & equal_1790_s15_q));
+  assign patches_left_codes_re = s13_en & (not_1784_s13_q & (new_row_s13_q & equal_1785_s13_q));
 `endif
   logic [47:0] patches_left_codes_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -5031,372 +4925,372 @@ module horopter_agreement (
       region_down_rest_q <= 9'h0;
       region_down_back_q <= 8'h0;
       region_down_next_q <= 9'h0;
-    end else if (s15_en) begin
-      sample_of_skin_q <= mask_s15_q;
-      averager_running_mask_q <= sample_pair_whole_s15_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2196;
-      chosen_score_q <= less_2582 ? select_1512 : select_2581;
-      chosen_place_q <= less_2582 ? {select_1520, not_1519} : 3'h2;
-      before_0_q <= select_2581;
+    end else if (s13_en) begin
+      sample_of_skin_q <= mask_s13_q;
+      averager_running_mask_q <= sample_pair_whole_s13_q ? whole : averager_running_mask_q;
+      averager_running_of_skin_q <= select_2191;
+      chosen_score_q <= less_2577 ? select_1510 : select_2576;
+      chosen_place_q <= less_2577 ? {select_1518, not_1517} : 3'h2;
+      before_0_q <= select_2576;
       before_1_q <= sums_0_sum_sums_values_0_q;
       before_2_q <= sums_1_sum_sums_values_0_q;
-      shift_allowed_q <= (~less_2588) & (~less_2590);
-      registration_expected_q <= select_2753;
-      patches_band_q <= sample_pair_whole_s15_q ? select_1801 : patches_band_q;
-      patches_fetch_q <= select_3014;
-      patches_down_values_0_q <= equal_1788_s15_q ? patches_down_values_0_q : select_3101;
-      patches_down_values_1_q <= select_3105;
-      region_columns_q <= select_3886;
-      region_down_rest_q <= select_3902;
-      region_down_back_q <= select_3906;
-      region_down_next_q <= select_3908;
+      shift_allowed_q <= (~less_2583) & (~less_2585);
+      registration_expected_q <= select_2748;
+      patches_band_q <= sample_pair_whole_s13_q ? select_1796 : patches_band_q;
+      patches_fetch_q <= select_3008;
+      patches_down_values_0_q <= equal_1783_s13_q ? patches_down_values_0_q : select_3095;
+      patches_down_values_1_q <= select_3099;
+      region_columns_q <= select_3880;
+      region_down_rest_q <= select_3896;
+      region_down_back_q <= select_3900;
+      region_down_next_q <= select_3902;
     end
   end
 
-  logic [7:0] pixel_0_s16_q;
-  logic [7:0] pixel_1_s16_q;
-  logic saturated_s16_q;
-  logic marks_first_s16_q;
-  logic marks_last_s16_q;
-  logic [7:0] sample_pair_pixel_0_s16_q;
-  logic [7:0] sample_pair_pixel_1_s16_q;
-  logic sample_pair_whole_s16_q;
-  logic sample_present_s16_q;
-  logic moments_starts_s16_q;
-  logic [5:0] run_shift_s16_q;
-  logic [7:0] x_s16_q;
-  logic age_s16_q;
-  logic [2:0] slot_s16_q;
-  logic ends_cell_s16_q;
-  logic lower_half_s16_q;
-  logic [7:0] before_0_s16_q;
-  logic [7:0] before_1_s16_q;
-  logic [7:0] before_2_s16_q;
-  logic shift_not_right_s16_q;
-  logic [4:0] patches_choosing_band_s16_q;
-  logic patches_lower_s16_q;
-  logic patches_second_s16_q;
-  logic [4:0] patches_code_row_s16_q;
-  logic [10:0] patches_down_values_1_s16_q;
-  logic [4:0] patches_along_s16_q;
-  logic patches_summed_last_s16_q;
-  logic [4:0] patches_summed_down_by_s16_q;
-  logic [9:0] patches_read_row_differing_s16_q;
-  logic patches_read_first_s16_q;
-  logic [3:0] select_508_s16_q;
-  logic [6:0] select_511_s16_q;
-  logic [8:0] select_515_s16_q;
-  logic and_524_s16_q;
-  logic and_525_s16_q;
-  logic [13:0] sum_532_s16_q;
-  logic [13:0] sum_536_s16_q;
-  logic and_540_s16_q;
-  logic and_544_s16_q;
-  logic [6:0] last_s16_q;
-  logic and_548_s16_q;
-  logic and_550_s16_q;
-  logic equal_553_s16_q;
-  logic equal_570_s16_q;
-  logic [12:0] select_574_s16_q;
-  logic equal_575_s16_q;
-  logic not_576_s16_q;
-  logic so_s16_q;
-  logic not_578_s16_q;
-  logic equal_579_s16_q;
-  logic or_580_s16_q;
-  logic less_583_s16_q;
-  logic not_584_s16_q;
-  logic inside_v_s16_q;
-  logic not_588_s16_q;
-  logic and_592_s16_q;
-  logic and_601_s16_q;
-  logic [6:0] x_s16_2_q;
-  logic [32:0] best_left_rdata_s16_q;
-  logic [6:0] right_s16_q;
-  logic [28:0] best_right_rdata_s16_q;
-  logic and_635_s16_q;
-  logic and_640_s16_q;
-  logic and_645_s16_q;
-  logic and_647_s16_q;
-  logic equal_680_s16_q;
-  logic select_762_s16_q;
-  logic [7:0] of_best_s16_q;
-  logic [2:0] select_1522_s16_q;
-  logic [6:0] of_near_s16_q;
-  logic [6:0] select_1552_s16_q;
-  logic [5:0] select_1554_s16_q;
-  logic [7:0] select_1557_s16_q;
-  logic [7:0] select_1560_s16_q;
-  logic and_1562_s16_q;
-  logic select_1564_s16_q;
-  logic or_1570_s16_q;
-  logic and_1573_s16_q;
-  logic and_1575_s16_q;
-  logic [1:0] shown_right_rdata_s16_q;
-  logic [6:0] select_1579_s16_q;
-  logic and_1584_s16_q;
-  logic [1:0] left_turns_rdata_s16_q;
-  logic and_1601_s16_q;
-  logic [1:0] right_turns_rdata_s16_q;
-  logic equal_1608_s16_q;
-  logic all_s16_q;
-  logic equal_1622_s16_q;
-  logic equal_1624_s16_q;
-  logic equal_1626_s16_q;
-  logic equal_1628_s16_q;
-  logic equal_1630_s16_q;
-  logic and_1635_s16_q;
-  logic right_2_s16_q;
-  logic and_1676_s16_q;
-  logic [5:0] select_1692_s16_q;
-  logic select_1693_s16_q;
-  logic equal_1694_s16_q;
-  logic and_1702_s16_q;
-  logic less_1703_s16_q;
-  logic equal_1704_s16_q;
-  logic expected_s16_q;
-  logic [10:0] sum_1719_s16_q;
-  logic and_1736_s16_q;
-  logic [5:0] select_1753_s16_q;
-  logic [7:0] select_1779_s16_q;
-  logic and_1786_s16_q;
-  logic and_1787_s16_q;
-  logic equal_1788_s16_q;
-  logic equal_1790_s16_q;
-  logic equal_1793_s16_q;
-  logic or_1794_s16_q;
-  logic and_1803_s16_q;
-  logic [4:0] select_1818_s16_q;
-  logic select_1824_s16_q;
-  logic [3:0] select_1862_s16_q;
-  logic less_1878_s16_q;
-  logic new_row_s16_q;
-  logic or_1891_s16_q;
-  logic [1:0] of_row_2_s16_q;
-  logic [1:0] down_2_s16_q;
-  logic [12:0] sum_1904_s16_q;
-  logic [11:0] smooth_s16_q;
-  logic and_1951_s16_q;
-  logic and_1960_s16_q;
-  logic and_1965_s16_q;
-  logic less_1966_s16_q;
-  logic equal_1967_s16_q;
-  logic not_1968_s16_q;
-  logic equal_1969_s16_q;
-  logic [9:0] patches_rows_rdata_s16_q;
-  logic or_1988_s16_q;
-  logic or_1991_s16_q;
-  logic or_1994_s16_q;
-  logic and_2003_s16_q;
-  logic textured_s16_q;
-  logic and_2019_s16_q;
-  logic [12:0] seen_columns_rdata_s16_q;
-  logic and_2069_s16_q;
-  logic and_2071_s16_q;
-  logic or_2086_s16_q;
-  logic or_2089_s16_q;
-  logic or_2092_s16_q;
-  logic and_2103_s16_q;
-  logic and_2119_s16_q;
-  logic and_2142_s16_q;
-  logic equal_2283_s16_q;
-  logic equal_2472_s16_q;
-  logic and_2599_s16_q;
-  logic and_2623_s16_q;
-  logic equal_2684_s16_q;
-  logic [5:0] difference_2688_s16_q;
-  logic [7:0] sum_2690_s16_q;
-  logic [11:0] select_2771_s16_q;
-  logic and_2996_s16_q;
-  logic less_3123_s16_q;
-  logic equal_3466_s16_q;
-  logic [4:0] select_3554_s16_q;
-  logic select_3561_s16_q;
-  logic select_3570_s16_q;
-  logic and_3576_s16_q;
-  logic [14:0] select_3585_s16_q;
-  logic less_3876_s16_q;
-  logic sum_3877_s16_q;
-  logic select_3919_s16_q;
-  logic equal_3930_s16_q;
-  logic equal_3969_s16_q;
-  logic and_4085_s16_q;
-  logic equal_4095_s16_q;
+  logic [7:0] pixel_0_s14_q;
+  logic [7:0] pixel_1_s14_q;
+  logic saturated_s14_q;
+  logic marks_first_s14_q;
+  logic marks_last_s14_q;
+  logic [7:0] sample_pair_pixel_0_s14_q;
+  logic [7:0] sample_pair_pixel_1_s14_q;
+  logic sample_pair_whole_s14_q;
+  logic sample_present_s14_q;
+  logic moments_starts_s14_q;
+  logic [5:0] run_shift_s14_q;
+  logic [7:0] x_s14_q;
+  logic age_s14_q;
+  logic [2:0] slot_s14_q;
+  logic ends_cell_s14_q;
+  logic lower_half_s14_q;
+  logic [7:0] before_0_s14_q;
+  logic [7:0] before_1_s14_q;
+  logic [7:0] before_2_s14_q;
+  logic shift_not_right_s14_q;
+  logic [4:0] patches_choosing_band_s14_q;
+  logic patches_lower_s14_q;
+  logic patches_second_s14_q;
+  logic [4:0] patches_code_row_s14_q;
+  logic [10:0] patches_down_values_1_s14_q;
+  logic [4:0] patches_along_s14_q;
+  logic patches_summed_last_s14_q;
+  logic [4:0] patches_summed_down_by_s14_q;
+  logic [9:0] patches_read_row_differing_s14_q;
+  logic patches_read_first_s14_q;
+  logic row_starts_s14_q;
+  logic [3:0] select_508_s14_q;
+  logic [8:0] select_512_s14_q;
+  logic and_521_s14_q;
+  logic and_522_s14_q;
+  logic [13:0] sum_529_s14_q;
+  logic [13:0] sum_533_s14_q;
+  logic and_537_s14_q;
+  logic and_541_s14_q;
+  logic [6:0] select_542_s14_q;
+  logic [6:0] last_s14_q;
+  logic and_546_s14_q;
+  logic and_548_s14_q;
+  logic equal_551_s14_q;
+  logic equal_568_s14_q;
+  logic [12:0] select_572_s14_q;
+  logic equal_573_s14_q;
+  logic not_574_s14_q;
+  logic so_s14_q;
+  logic not_576_s14_q;
+  logic equal_577_s14_q;
+  logic or_578_s14_q;
+  logic less_581_s14_q;
+  logic not_582_s14_q;
+  logic inside_v_s14_q;
+  logic not_586_s14_q;
+  logic and_590_s14_q;
+  logic and_599_s14_q;
+  logic [6:0] x_s14_2_q;
+  logic [32:0] best_left_rdata_s14_q;
+  logic [6:0] right_s14_q;
+  logic [28:0] best_right_rdata_s14_q;
+  logic and_633_s14_q;
+  logic and_638_s14_q;
+  logic and_643_s14_q;
+  logic and_645_s14_q;
+  logic equal_678_s14_q;
+  logic select_760_s14_q;
+  logic [7:0] of_best_s14_q;
+  logic [2:0] select_1520_s14_q;
+  logic [6:0] of_near_s14_q;
+  logic [6:0] select_1550_s14_q;
+  logic [5:0] select_1552_s14_q;
+  logic [7:0] select_1555_s14_q;
+  logic [7:0] select_1558_s14_q;
+  logic and_1560_s14_q;
+  logic select_1562_s14_q;
+  logic or_1568_s14_q;
+  logic and_1571_s14_q;
+  logic and_1573_s14_q;
+  logic [1:0] shown_right_rdata_s14_q;
+  logic [6:0] select_1577_s14_q;
+  logic and_1582_s14_q;
+  logic [1:0] left_turns_rdata_s14_q;
+  logic and_1599_s14_q;
+  logic [1:0] right_turns_rdata_s14_q;
+  logic equal_1606_s14_q;
+  logic all_s14_q;
+  logic equal_1620_s14_q;
+  logic equal_1622_s14_q;
+  logic equal_1624_s14_q;
+  logic equal_1626_s14_q;
+  logic equal_1628_s14_q;
+  logic and_1633_s14_q;
+  logic right_2_s14_q;
+  logic [5:0] select_1687_s14_q;
+  logic select_1688_s14_q;
+  logic equal_1689_s14_q;
+  logic and_1697_s14_q;
+  logic less_1698_s14_q;
+  logic equal_1699_s14_q;
+  logic expected_s14_q;
+  logic [10:0] sum_1714_s14_q;
+  logic and_1731_s14_q;
+  logic [5:0] select_1748_s14_q;
+  logic [7:0] select_1774_s14_q;
+  logic and_1781_s14_q;
+  logic and_1782_s14_q;
+  logic equal_1783_s14_q;
+  logic equal_1785_s14_q;
+  logic equal_1788_s14_q;
+  logic or_1789_s14_q;
+  logic and_1798_s14_q;
+  logic [4:0] select_1813_s14_q;
+  logic select_1819_s14_q;
+  logic [3:0] select_1857_s14_q;
+  logic less_1873_s14_q;
+  logic new_row_s14_q;
+  logic or_1886_s14_q;
+  logic [1:0] of_row_2_s14_q;
+  logic [1:0] down_2_s14_q;
+  logic [12:0] sum_1899_s14_q;
+  logic [11:0] smooth_s14_q;
+  logic and_1946_s14_q;
+  logic and_1955_s14_q;
+  logic and_1960_s14_q;
+  logic less_1961_s14_q;
+  logic equal_1962_s14_q;
+  logic not_1963_s14_q;
+  logic equal_1964_s14_q;
+  logic [9:0] patches_rows_rdata_s14_q;
+  logic or_1983_s14_q;
+  logic or_1986_s14_q;
+  logic or_1989_s14_q;
+  logic and_1998_s14_q;
+  logic textured_s14_q;
+  logic and_2014_s14_q;
+  logic [12:0] seen_columns_rdata_s14_q;
+  logic and_2064_s14_q;
+  logic and_2066_s14_q;
+  logic or_2081_s14_q;
+  logic or_2084_s14_q;
+  logic or_2087_s14_q;
+  logic and_2098_s14_q;
+  logic and_2114_s14_q;
+  logic and_2137_s14_q;
+  logic equal_2278_s14_q;
+  logic equal_2467_s14_q;
+  logic and_2594_s14_q;
+  logic and_2618_s14_q;
+  logic equal_2679_s14_q;
+  logic [5:0] difference_2683_s14_q;
+  logic [7:0] sum_2685_s14_q;
+  logic [11:0] select_2766_s14_q;
+  logic and_2991_s14_q;
+  logic less_3117_s14_q;
+  logic equal_3460_s14_q;
+  logic [4:0] select_3548_s14_q;
+  logic select_3555_s14_q;
+  logic select_3564_s14_q;
+  logic and_3570_s14_q;
+  logic [14:0] select_3579_s14_q;
+  logic less_3870_s14_q;
+  logic sum_3871_s14_q;
+  logic select_3913_s14_q;
+  logic equal_3924_s14_q;
+  logic equal_3963_s14_q;
+  logic and_4079_s14_q;
+  logic equal_4089_s14_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s16_q <= sample_pair_pixel_0_q;
-      pixel_1_s16_q <= sample_pair_pixel_1_q;
-      saturated_s16_q <= saturated_s15_q;
-      marks_first_s16_q <= marks_first_s15_q;
-      marks_last_s16_q <= marks_last_s15_q;
-      sample_pair_pixel_0_s16_q <= sample_pair_pixel_0_s15_q;
-      sample_pair_pixel_1_s16_q <= sample_pair_pixel_1_s15_q;
-      sample_pair_whole_s16_q <= sample_pair_whole_s15_q;
-      sample_present_s16_q <= sample_present_s15_q;
-      moments_starts_s16_q <= moments_starts_s15_q;
-      run_shift_s16_q <= run_shift_s15_q;
-      x_s16_q <= x_s15_q;
-      age_s16_q <= age_s15_q;
-      slot_s16_q <= slot_s15_q;
-      ends_cell_s16_q <= ends_cell_s15_q;
-      lower_half_s16_q <= lower_half_s15_q;
-      before_0_s16_q <= before_0_q;
-      before_1_s16_q <= before_1_q;
-      before_2_s16_q <= before_2_q;
-      shift_not_right_s16_q <= shift_not_right_s15_q;
-      patches_choosing_band_s16_q <= patches_choosing_band_s15_q;
-      patches_lower_s16_q <= patches_lower_s15_q;
-      patches_second_s16_q <= patches_second_s15_q;
-      patches_code_row_s16_q <= patches_code_row_s15_q;
-      patches_down_values_1_s16_q <= patches_down_values_1_q;
-      patches_along_s16_q <= patches_along_s15_q;
-      patches_summed_last_s16_q <= patches_summed_last_s15_q;
-      patches_summed_down_by_s16_q <= patches_summed_down_by_s15_q;
-      patches_read_row_differing_s16_q <= patches_read_row_differing_s15_q;
-      patches_read_first_s16_q <= patches_read_first_s15_q;
-      select_508_s16_q <= select_508_s15_q;
-      select_511_s16_q <= select_511_s15_q;
-      select_515_s16_q <= select_515_s15_q;
-      and_524_s16_q <= and_524_s15_q;
-      and_525_s16_q <= and_525_s15_q;
-      sum_532_s16_q <= sum_532;
-      sum_536_s16_q <= sum_536;
-      and_540_s16_q <= whole & (averager_memory_rdata_s15_q[28] | equal_530_s15_q);
-      and_544_s16_q <= and_544;
-      last_s16_q <= last_s15_q;
-      and_548_s16_q <= and_548_s15_q;
-      and_550_s16_q <= and_550_s15_q;
-      equal_553_s16_q <= select_508_s15_q == 4'h3;
-      equal_570_s16_q <= equal_570_s15_q;
-      select_574_s16_q <= select_574_s15_q;
-      equal_575_s16_q <= equal_575_s15_q;
-      not_576_s16_q <= not_576_s15_q;
-      so_s16_q <= so_s15_q;
-      not_578_s16_q <= not_578_s15_q;
-      equal_579_s16_q <= equal_579_s15_q;
-      or_580_s16_q <= or_580_s15_q;
-      less_583_s16_q <= less_583_s15_q;
-      not_584_s16_q <= not_584_s15_q;
-      inside_v_s16_q <= inside_v_s15_q;
-      not_588_s16_q <= not_588_s15_q;
-      and_592_s16_q <= and_592;
-      and_601_s16_q <= and_601_s15_q;
-      x_s16_2_q <= x_s15_2_q;
-      best_left_rdata_s16_q <= best_left_rdata_s15_q[32:0];
-      right_s16_q <= right_s15_q;
-      best_right_rdata_s16_q <= best_right_rdata_s15_q;
-      and_635_s16_q <= and_635;
-      and_640_s16_q <= and_640_s15_q;
-      and_645_s16_q <= and_645_s15_q;
-      and_647_s16_q <= and_647_s15_q;
-      equal_680_s16_q <= equal_680_s15_q;
-      select_762_s16_q <= select_762_s15_q;
-      of_best_s16_q <= of_best;
-      select_1522_s16_q <= select_1522;
-      of_near_s16_q <= of_near;
-      select_1552_s16_q <= less_1551 ? of_near : best_left_rdata_s15_q[39:33];
-      select_1554_s16_q <= less_1551 ? run_shift_s15_q : best_left_rdata_s15_q[45:40];
-      select_1557_s16_q <= select_1557_s15_q;
-      select_1560_s16_q <= select_1560_s15_q;
-      and_1562_s16_q <= and_1562_s15_q;
-      select_1564_s16_q <= select_1564_s15_q;
-      or_1570_s16_q <= select_1564_s15_q | (best_right_rdata_s15_q[21:15] < of_near);
-      and_1573_s16_q <= and_1573_s15_q;
-      and_1575_s16_q <= and_1575_s15_q;
-      shown_right_rdata_s16_q <= shown_right_rdata_q;
-      select_1579_s16_q <= select_1579_s15_q;
-      and_1584_s16_q <= and_635 & or_1583_s15_q;
-      left_turns_rdata_s16_q <= left_turns_rdata_q;
-      and_1601_s16_q <= and_1601_s15_q;
-      right_turns_rdata_s16_q <= right_turns_rdata_q;
-      equal_1608_s16_q <= x_s15_q[6:4] == 3'h7;
-      all_s16_q <= all;
-      equal_1622_s16_q <= equal_1622;
-      equal_1624_s16_q <= equal_1624;
-      equal_1626_s16_q <= equal_1626;
-      equal_1628_s16_q <= equal_1628;
-      equal_1630_s16_q <= equal_1630;
-      and_1635_s16_q <= (~equal_1622) & and_1634;
-      right_2_s16_q <= right_2_s15_q;
-      and_1676_s16_q <= and_1676_s15_q;
-      select_1692_s16_q <= select_1692;
-      select_1693_s16_q <= select_1693[1];
-      equal_1694_s16_q <= equal_1694;
-      and_1702_s16_q <= and_1702_s15_q;
-      less_1703_s16_q <= less_1703_s15_q;
-      equal_1704_s16_q <= equal_1704_s15_q;
-      expected_s16_q <= expected[0];
-      sum_1719_s16_q <= {expected[10], expected[10:1]} + 11'h5;
-      and_1736_s16_q <= and_1736_s15_q;
-      select_1753_s16_q <= select_1753_s15_q;
-      select_1779_s16_q <= select_1779_s15_q;
-      and_1786_s16_q <= and_1786_s15_q;
-      and_1787_s16_q <= and_1787_s15_q;
-      equal_1788_s16_q <= equal_1788_s15_q;
-      equal_1790_s16_q <= equal_1790_s15_q;
-      equal_1793_s16_q <= equal_1793_s15_q;
-      or_1794_s16_q <= or_1794_s15_q;
-      and_1803_s16_q <= and_1787_s15_q & equal_1802;
-      select_1818_s16_q <= select_1818_s15_q;
-      select_1824_s16_q <= select_1824_s15_q;
-      select_1862_s16_q <= select_1862_s15_q;
-      less_1878_s16_q <= less_1878_s15_q;
-      new_row_s16_q <= new_row_s15_q;
-      or_1891_s16_q <= or_1891_s15_q;
-      of_row_2_s16_q <= of_row_2_s15_q;
-      down_2_s16_q <= down_2_s15_q[1:0];
-      sum_1904_s16_q <= sum_1904;
-      smooth_s16_q <= smooth;
-      and_1951_s16_q <= not_1789_s15_q & (not_1791_s15_q & and_1949_s15_q);
-      and_1960_s16_q <= and_1960_s15_q;
-      and_1965_s16_q <= not_1789_s15_q & (not_1791_s15_q & and_1963_s15_q);
-      less_1966_s16_q <= less_1966_s15_q;
-      equal_1967_s16_q <= equal_1967_s15_q;
-      not_1968_s16_q <= not_1968_s15_q;
-      equal_1969_s16_q <= equal_1969_s15_q;
-      patches_rows_rdata_s16_q <= patches_rows_rdata_s15_q;
-      or_1988_s16_q <= or_1988;
-      or_1991_s16_q <= select_1985[7] | (~({select_1985[6], select_1985[3:2]} == 3'h0));
-      or_1994_s16_q <= select_1985[7] | (~(select_1985[6:4] == 3'h0));
-      and_2003_s16_q <= so_s15_q & (ends_cell_s15_q & (inside_v_s15_q & or_2000));
-      textured_s16_q <= textured;
-      and_2019_s16_q <= and_2019_s15_q;
-      seen_columns_rdata_s16_q <= {seen_columns_rdata_s15_q[13:7], seen_columns_rdata_s15_q[5:0]};
-      and_2069_s16_q <= seen_columns_rdata_s15_q[14] & inside_v_s15_q;
-      and_2071_s16_q <= seen_columns_rdata_s15_q[5] & inside_v_s15_q;
-      or_2086_s16_q <= or_2086;
-      or_2089_s16_q <= select_2083[7] | (~({select_2083[6], select_2083[3:2]} == 3'h0));
-      or_2092_s16_q <= select_2083[7] | (~(select_2083[6:4] == 3'h0));
-      and_2103_s16_q <= seen_columns_rdata_s15_q[16] & inside_v_s15_q;
-      and_2119_s16_q <= seen_columns_rdata_s15_q[17] & inside_v_s15_q;
-      and_2142_s16_q <= and_2142_s15_q;
-      equal_2283_s16_q <= equal_2283_s15_q;
-      equal_2472_s16_q <= equal_2472_s15_q;
-      and_2599_s16_q <= and_2599_s15_q;
-      and_2623_s16_q <= seen_columns_rdata_s15_q[15] & inside_v_s15_q;
-      equal_2684_s16_q <= equal_2684_s15_q;
-      difference_2688_s16_q <= difference_2688[7:2];
-      sum_2690_s16_q <= sum_2690_s15_q;
-      select_2771_s16_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
-      and_2996_s16_q <= and_2996_s15_q;
-      less_3123_s16_q <= less_3123_s15_q;
-      equal_3466_s16_q <= patches_match_row_s15_q == 4'h0;
-      select_3554_s16_q <= select_3554_s15_q;
-      select_3561_s16_q <= select_3561;
-      select_3570_s16_q <= select_3570;
-      and_3576_s16_q <= equal_3550_s15_q & ({sum_3574[6], sum_3574} < 8'hfb);
-      select_3585_s16_q <= select_3585_s15_q;
-      less_3876_s16_q <= less_3876_s15_q;
-      sum_3877_s16_q <= sum_3877[7];
-      select_3919_s16_q <= sum_1998_s15_q ? (equal_1781_s15_q & or_2000) : or_2000;
-      equal_3930_s16_q <= x_s15_q[6:3] == 4'h7;
-      equal_3969_s16_q <= x_s15_q[6:3] == 4'h6;
-      and_4085_s16_q <= seen_columns_rdata_s15_q[6] & inside_v_s15_q;
-      equal_4095_s16_q <= equal_4095_s15_q;
+      pixel_0_s14_q <= sample_pair_pixel_0_q;
+      pixel_1_s14_q <= sample_pair_pixel_1_q;
+      saturated_s14_q <= saturated_s13_q;
+      marks_first_s14_q <= marks_first_s13_q;
+      marks_last_s14_q <= marks_last_s13_q;
+      sample_pair_pixel_0_s14_q <= sample_pair_pixel_0_s13_q;
+      sample_pair_pixel_1_s14_q <= sample_pair_pixel_1_s13_q;
+      sample_pair_whole_s14_q <= sample_pair_whole_s13_q;
+      sample_present_s14_q <= sample_present_s13_q;
+      moments_starts_s14_q <= moments_starts_s13_q;
+      run_shift_s14_q <= run_shift_s13_q;
+      x_s14_q <= x_s13_q;
+      age_s14_q <= age_s13_q;
+      slot_s14_q <= slot_s13_q;
+      ends_cell_s14_q <= ends_cell_s13_q;
+      lower_half_s14_q <= lower_half_s13_q;
+      before_0_s14_q <= before_0_q;
+      before_1_s14_q <= before_1_q;
+      before_2_s14_q <= before_2_q;
+      shift_not_right_s14_q <= shift_not_right_s13_q;
+      patches_choosing_band_s14_q <= patches_choosing_band_s13_q;
+      patches_lower_s14_q <= patches_lower_s13_q;
+      patches_second_s14_q <= patches_second_s13_q;
+      patches_code_row_s14_q <= patches_code_row_s13_q;
+      patches_down_values_1_s14_q <= patches_down_values_1_q;
+      patches_along_s14_q <= patches_along_s13_q;
+      patches_summed_last_s14_q <= patches_summed_last_s13_q;
+      patches_summed_down_by_s14_q <= patches_summed_down_by_s13_q;
+      patches_read_row_differing_s14_q <= patches_read_row_differing_s13_q;
+      patches_read_first_s14_q <= patches_read_first_s13_q;
+      row_starts_s14_q <= row_starts_s13_q;
+      select_508_s14_q <= select_508_s13_q;
+      select_512_s14_q <= select_512_s13_q;
+      and_521_s14_q <= and_521_s13_q;
+      and_522_s14_q <= and_522_s13_q;
+      sum_529_s14_q <= sum_529;
+      sum_533_s14_q <= sum_533;
+      and_537_s14_q <= whole & (averager_memory_rdata_s13_q[28] | equal_527_s13_q);
+      and_541_s14_q <= and_541;
+      select_542_s14_q <= select_542_s13_q;
+      last_s14_q <= last_s13_q;
+      and_546_s14_q <= and_546_s13_q;
+      and_548_s14_q <= and_548_s13_q;
+      equal_551_s14_q <= select_508_s13_q == 4'h3;
+      equal_568_s14_q <= equal_568_s13_q;
+      select_572_s14_q <= select_572_s13_q;
+      equal_573_s14_q <= equal_573_s13_q;
+      not_574_s14_q <= not_574_s13_q;
+      so_s14_q <= so_s13_q;
+      not_576_s14_q <= not_576_s13_q;
+      equal_577_s14_q <= equal_577_s13_q;
+      or_578_s14_q <= or_578_s13_q;
+      less_581_s14_q <= less_581_s13_q;
+      not_582_s14_q <= not_582_s13_q;
+      inside_v_s14_q <= inside_v_s13_q;
+      not_586_s14_q <= not_586_s13_q;
+      and_590_s14_q <= and_590;
+      and_599_s14_q <= and_599_s13_q;
+      x_s14_2_q <= x_s13_2_q;
+      best_left_rdata_s14_q <= best_left_rdata_s13_q[32:0];
+      right_s14_q <= right_s13_q;
+      best_right_rdata_s14_q <= best_right_rdata_s13_q;
+      and_633_s14_q <= and_633;
+      and_638_s14_q <= and_638_s13_q;
+      and_643_s14_q <= and_643_s13_q;
+      and_645_s14_q <= and_645_s13_q;
+      equal_678_s14_q <= equal_678_s13_q;
+      select_760_s14_q <= select_760_s13_q;
+      of_best_s14_q <= of_best;
+      select_1520_s14_q <= select_1520;
+      of_near_s14_q <= of_near;
+      select_1550_s14_q <= less_1549 ? of_near : best_left_rdata_s13_q[39:33];
+      select_1552_s14_q <= less_1549 ? run_shift_s13_q : best_left_rdata_s13_q[45:40];
+      select_1555_s14_q <= select_1555_s13_q;
+      select_1558_s14_q <= select_1558_s13_q;
+      and_1560_s14_q <= and_1560_s13_q;
+      select_1562_s14_q <= select_1562_s13_q;
+      or_1568_s14_q <= select_1562_s13_q | (best_right_rdata_s13_q[21:15] < of_near);
+      and_1571_s14_q <= and_1571_s13_q;
+      and_1573_s14_q <= and_1573_s13_q;
+      shown_right_rdata_s14_q <= shown_right_rdata_q;
+      select_1577_s14_q <= select_1577_s13_q;
+      and_1582_s14_q <= and_633 & or_1581_s13_q;
+      left_turns_rdata_s14_q <= left_turns_rdata_q;
+      and_1599_s14_q <= and_1599_s13_q;
+      right_turns_rdata_s14_q <= right_turns_rdata_q;
+      equal_1606_s14_q <= x_s13_q[6:4] == 3'h7;
+      all_s14_q <= all;
+      equal_1620_s14_q <= equal_1620;
+      equal_1622_s14_q <= equal_1622;
+      equal_1624_s14_q <= equal_1624;
+      equal_1626_s14_q <= equal_1626;
+      equal_1628_s14_q <= equal_1628;
+      and_1633_s14_q <= (~equal_1620) & and_1632;
+      right_2_s14_q <= right_2_s13_q;
+      select_1687_s14_q <= select_1687;
+      select_1688_s14_q <= select_1688[1];
+      equal_1689_s14_q <= equal_1689;
+      and_1697_s14_q <= and_1697_s13_q;
+      less_1698_s14_q <= less_1698_s13_q;
+      equal_1699_s14_q <= equal_1699_s13_q;
+      expected_s14_q <= expected[0];
+      sum_1714_s14_q <= {expected[10], expected[10:1]} + 11'h5;
+      and_1731_s14_q <= and_1731_s13_q;
+      select_1748_s14_q <= select_1748_s13_q;
+      select_1774_s14_q <= select_1774_s13_q;
+      and_1781_s14_q <= and_1781_s13_q;
+      and_1782_s14_q <= and_1782_s13_q;
+      equal_1783_s14_q <= equal_1783_s13_q;
+      equal_1785_s14_q <= equal_1785_s13_q;
+      equal_1788_s14_q <= equal_1788_s13_q;
+      or_1789_s14_q <= or_1789_s13_q;
+      and_1798_s14_q <= and_1782_s13_q & equal_1797;
+      select_1813_s14_q <= select_1813_s13_q;
+      select_1819_s14_q <= select_1819_s13_q;
+      select_1857_s14_q <= select_1857_s13_q;
+      less_1873_s14_q <= less_1873_s13_q;
+      new_row_s14_q <= new_row_s13_q;
+      or_1886_s14_q <= or_1886_s13_q;
+      of_row_2_s14_q <= of_row_2_s13_q;
+      down_2_s14_q <= down_2_s13_q[1:0];
+      sum_1899_s14_q <= sum_1899;
+      smooth_s14_q <= smooth;
+      and_1946_s14_q <= not_1784_s13_q & (not_1786_s13_q & and_1944_s13_q);
+      and_1955_s14_q <= and_1955_s13_q;
+      and_1960_s14_q <= not_1784_s13_q & (not_1786_s13_q & and_1958_s13_q);
+      less_1961_s14_q <= less_1961_s13_q;
+      equal_1962_s14_q <= equal_1962_s13_q;
+      not_1963_s14_q <= not_1963_s13_q;
+      equal_1964_s14_q <= equal_1964_s13_q;
+      patches_rows_rdata_s14_q <= patches_rows_rdata_s13_q;
+      or_1983_s14_q <= or_1983;
+      or_1986_s14_q <= select_1980[7] | (~({select_1980[6], select_1980[3:2]} == 3'h0));
+      or_1989_s14_q <= select_1980[7] | (~(select_1980[6:4] == 3'h0));
+      and_1998_s14_q <= so_s13_q & (ends_cell_s13_q & (inside_v_s13_q & or_1995));
+      textured_s14_q <= textured;
+      and_2014_s14_q <= and_2014_s13_q;
+      seen_columns_rdata_s14_q <= {seen_columns_rdata_s13_q[13:7], seen_columns_rdata_s13_q[5:0]};
+      and_2064_s14_q <= seen_columns_rdata_s13_q[14] & inside_v_s13_q;
+      and_2066_s14_q <= seen_columns_rdata_s13_q[5] & inside_v_s13_q;
+      or_2081_s14_q <= or_2081;
+      or_2084_s14_q <= select_2078[7] | (~({select_2078[6], select_2078[3:2]} == 3'h0));
+      or_2087_s14_q <= select_2078[7] | (~(select_2078[6:4] == 3'h0));
+      and_2098_s14_q <= seen_columns_rdata_s13_q[16] & inside_v_s13_q;
+      and_2114_s14_q <= seen_columns_rdata_s13_q[17] & inside_v_s13_q;
+      and_2137_s14_q <= and_2137_s13_q;
+      equal_2278_s14_q <= equal_2278_s13_q;
+      equal_2467_s14_q <= equal_2467_s13_q;
+      and_2594_s14_q <= and_2594_s13_q;
+      and_2618_s14_q <= seen_columns_rdata_s13_q[15] & inside_v_s13_q;
+      equal_2679_s14_q <= equal_2679_s13_q;
+      difference_2683_s14_q <= difference_2683[7:2];
+      sum_2685_s14_q <= sum_2685_s13_q;
+      select_2766_s14_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+      and_2991_s14_q <= and_2991_s13_q;
+      less_3117_s14_q <= less_3117_s13_q;
+      equal_3460_s14_q <= patches_match_row_s13_q == 4'h0;
+      select_3548_s14_q <= select_3548_s13_q;
+      select_3555_s14_q <= select_3555;
+      select_3564_s14_q <= select_3564;
+      and_3570_s14_q <= equal_3544_s13_q & ({sum_3568[6], sum_3568} < 8'hfb);
+      select_3579_s14_q <= select_3579_s13_q;
+      less_3870_s14_q <= less_3870_s13_q;
+      sum_3871_s14_q <= sum_3871[7];
+      select_3913_s14_q <= sum_1993_s13_q ? (equal_1776_s13_q & or_1995) : or_1995;
+      equal_3924_s14_q <= x_s13_q[6:3] == 4'h7;
+      equal_3963_s14_q <= x_s13_q[6:3] == 4'h6;
+      and_4079_s14_q <= seen_columns_rdata_s13_q[6] & inside_v_s13_q;
+      equal_4089_s14_q <= equal_4089_s13_q;
     end
   end
 
-  // Stage 16 ----------------------------------------------------------------------------------------------------------
+  // Stage 14 ----------------------------------------------------------------------------------------------------------
   logic [10:0] averager_total_0_q;
   logic [10:0] averager_total_1_q;
   logic averager_mask_q;
@@ -5423,288 +5317,288 @@ module horopter_agreement (
   logic centres_values_0_of_skin_q;
   logic centres_values_1_textured_q;
   logic centres_values_1_of_skin_q;
-  // hls/stages/census.hpp:215
+  // hls/stages/census.hpp:218
   logic [8:0] grey;
-  assign grey = and_524_s16_q ? sum_532_s16_q[13:5] : 9'h0;
-  // hls/stages/census.hpp:216
+  assign grey = and_521_s14_q ? sum_529_s14_q[13:5] : 9'h0;
+  // hls/stages/census.hpp:219
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_553_s16_q ? 11'h0 : averager_total_0_q);
-  // hls/stages/census.hpp:215
+  assign total = {2'h0, grey} + (equal_551_s14_q ? 11'h0 : averager_total_0_q);
+  // hls/stages/census.hpp:218
   logic [8:0] grey_2;
-  assign grey_2 = and_524_s16_q ? sum_536_s16_q[13:5] : 9'h0;
-  // hls/stages/census.hpp:216
+  assign grey_2 = and_521_s14_q ? sum_533_s14_q[13:5] : 9'h0;
+  // hls/stages/census.hpp:219
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_553_s16_q ? 11'h0 : averager_total_1_q);
-  // hls/stages/census.hpp:215
-  logic and_561;
-  assign and_561 = and_524_s16_q & and_540_s16_q;
-  // hls/stages/census.hpp:131
-  logic select_563;
-  assign select_563 = equal_553_s16_q ? and_561 : (averager_mask_q & and_561);
+  assign total_2 = {2'h0, grey_2} + (equal_551_s14_q ? 11'h0 : averager_total_1_q);
+  // hls/stages/census.hpp:218
+  logic and_559;
+  assign and_559 = and_521_s14_q & and_537_s14_q;
+  // hls/stages/census.hpp:134
+  logic select_561;
+  assign select_561 = equal_551_s14_q ? and_559 : (averager_mask_q & and_559);
   // hls/stages/agreement.hpp:276
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s16_q & select_563;
-  // hls/stages/census.hpp:215
-  logic and_565;
-  assign and_565 = and_524_s16_q & and_544_s16_q;
-  // hls/stages/census.hpp:131
-  logic select_567;
-  assign select_567 = equal_553_s16_q ? and_565 : (averager_of_skin_q & and_565);
+  assign whole_2 = sample_pair_whole_s14_q & select_561;
+  // hls/stages/census.hpp:218
+  logic and_563;
+  assign and_563 = and_521_s14_q & and_541_s14_q;
+  // hls/stages/census.hpp:134
+  logic select_565;
+  assign select_565 = equal_551_s14_q ? and_563 : (averager_of_skin_q & and_563);
   // hls/stages/agreement.hpp:149
-  logic and_637;
-  assign and_637 = or_580_s16_q & (not_584_s16_q & and_635_s16_q);
+  logic and_635;
+  assign and_635 = or_578_s14_q & (not_582_s14_q & and_633_s14_q);
   // hls/stages/moments.hpp:77
-  logic and_638;
-  assign and_638 = and_601_s16_q & and_637;
+  logic and_636;
+  assign and_636 = and_599_s14_q & and_635;
   // hls/stages/agreement.hpp:810
-  logic equal_1525;
-  assign equal_1525 = select_1522_s16_q == 3'h1;
-  logic or_1528;
-  assign or_1528 = equal_1525 | (~(select_1522_s16_q == 3'h2));
-  logic [7:0] select_1530;
-  assign select_1530 = or_1528 ? before_0_s16_q : before_1_s16_q;
-  logic [7:0] select_1531;
-  assign select_1531 = equal_1525 ? (or_1528 ? before_1_q : {7'h0, shift_not_right_s16_q}) : select_1530;
+  logic equal_1523;
+  assign equal_1523 = select_1520_s14_q == 3'h1;
+  logic or_1526;
+  assign or_1526 = equal_1523 | (~(select_1520_s14_q == 3'h2));
+  logic [7:0] select_1528;
+  assign select_1528 = or_1526 ? before_0_s14_q : before_1_s14_q;
+  logic [7:0] select_1529;
+  assign select_1529 = equal_1523 ? (or_1526 ? before_1_q : {7'h0, shift_not_right_s14_q}) : select_1528;
   // hls/stages/agreement.hpp:811
-  logic [7:0] select_1534;
-  assign select_1534 = equal_1525 ? select_1530 : (or_1528 ? before_2_q : before_2_s16_q);
+  logic [7:0] select_1532;
+  assign select_1532 = equal_1523 ? select_1528 : (or_1526 ? before_2_q : before_2_s14_q);
   // hls/stages/agreement.hpp:824
-  logic or_1566;
-  assign or_1566 = select_1564_s16_q | (best_right_rdata_s16_q[7:0] < of_best_s16_q);
+  logic or_1564;
+  assign or_1564 = select_1562_s14_q | (best_right_rdata_s14_q[7:0] < of_best_s14_q);
   // hls/stages/agreement.hpp:149
-  logic and_1586;
-  assign and_1586 = or_580_s16_q & (not_584_s16_q & and_1584_s16_q);
+  logic and_1584;
+  assign and_1584 = or_578_s14_q & (not_582_s14_q & and_1582_s14_q);
   // hls/stages/agreement.hpp:788
-  logic and_1590;
-  assign and_1590 = not_576_s16_q & (so_s16_q ? and_1573_s16_q : (equal_579_s16_q & and_637));
+  logic and_1588;
+  assign and_1588 = not_574_s14_q & (so_s14_q ? and_1571_s14_q : (equal_577_s14_q & and_635));
   // hls/stages/agreement.hpp:1178
   logic [1:0] quarter;
-  assign quarter = x_s16_q[1:0] + 2'h1;
+  assign quarter = x_s14_q[1:0] + 2'h1;
   // hls/stages/agreement.hpp:1129
-  logic [1:0] select_1611;
-  assign select_1611 = x_s16_q[4] ? {x_s16_q[3], x_s16_q[0]} : {x_s16_q[0], x_s16_q[3]};
+  logic [1:0] select_1609;
+  assign select_1609 = x_s14_q[4] ? {x_s14_q[3], x_s14_q[0]} : {x_s14_q[0], x_s14_q[3]};
   // hls/stages/agreement.hpp:1142
-  logic [3:0] select_1613;
-  assign select_1613 = equal_1608_s16_q ? {2'h0, quarter} : (all_s16_q ? {1'b0, x_s16_q[2:0]} : {x_s16_q[2:1], select_1611});
+  logic [3:0] select_1611;
+  assign select_1611 = equal_1606_s14_q ? {2'h0, quarter} : (all_s14_q ? {1'b0, x_s14_q[2:0]} : {x_s14_q[2:1], select_1609});
   // hls/stages/registration.hpp:107
-  logic [1:0] sum_1614;
-  assign sum_1614 = slot_s16_q[1:0] + 2'h3;
+  logic [1:0] sum_1612;
+  assign sum_1612 = slot_s14_q[1:0] + 2'h3;
   // hls/stages/agreement.hpp:788
-  logic [3:0] select_1615;
-  assign select_1615 = equal_575_s16_q ? select_1613 : {sum_1614, lower_half_s16_q, registration_of_right_q};
+  logic [3:0] select_1613;
+  assign select_1613 = equal_573_s14_q ? select_1611 : {sum_1612, lower_half_s14_q, registration_of_right_q};
   // hls/stages/patches.hpp:211
+  logic equal_1614;
+  assign equal_1614 = x_s14_q[5:0] == 6'h3f;
   logic equal_1616;
-  assign equal_1616 = x_s16_q[5:0] == 6'h3f;
+  assign equal_1616 = x_s14_q[5:0] == 6'h3e;
   logic equal_1618;
-  assign equal_1618 = x_s16_q[5:0] == 6'h3e;
-  logic equal_1620;
-  assign equal_1620 = x_s16_q[5:0] == 6'h3d;
+  assign equal_1618 = x_s14_q[5:0] == 6'h3d;
   // hls/stages/agreement.hpp:1178
-  logic and_1638;
-  assign and_1638 = (~equal_1616) & ((~equal_1618) & ((~equal_1620) & and_1635_s16_q));
+  logic and_1636;
+  assign and_1636 = (~equal_1614) & ((~equal_1616) & ((~equal_1618) & and_1633_s14_q));
   // hls/stages/agreement.hpp:1129
-  logic less_1639;
-  assign less_1639 = x_s16_q[5:0] < 6'h29;
+  logic less_1637;
+  assign less_1637 = x_s14_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
   logic [1:0] kind;
-  assign kind = all_s16_q ? {1'b0, x_s16_q[2]} : x_s16_q[2:1];
+  assign kind = all_s14_q ? {1'b0, x_s14_q[2]} : x_s14_q[2:1];
   // hls/stages/registration.hpp:160
-  logic or_1643;
-  assign or_1643 = (kind == 2'h3) | (x_s16_q[5:3] == 3'h5);
+  logic or_1641;
+  assign or_1641 = (kind == 2'h3) | (x_s14_q[5:3] == 3'h5);
   // hls/stages/registration.hpp:94
   logic half_ends;
-  assign half_ends = inside_v_s16_q ? (right_2_s16_q & (~registration_of_right_q)) : registration_was_inside_q;
+  assign half_ends = inside_v_s14_q ? (right_2_s14_q & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:107
-  logic [4:0] sum_1654;
-  assign sum_1654 = {2'h0, slot_s16_q} + 5'h1f;
+  logic [4:0] sum_1652;
+  assign sum_1652 = {2'h0, slot_s14_q} + 5'h1f;
   // hls/stages/registration.hpp:258
-  logic not_1660;
-  assign not_1660 = ~lower_half_s16_q;
-  logic [3:0] select_1661;
-  assign select_1661 = registration_of_right_q ? {lower_half_s16_q, 1'b0, not_1660, 1'b0} : {1'b0, lower_half_s16_q, 1'b0, not_1660};
+  logic not_1658;
+  assign not_1658 = ~lower_half_s14_q;
+  logic [3:0] select_1659;
+  assign select_1659 = registration_of_right_q ? {lower_half_s14_q, 1'b0, not_1658, 1'b0} : {1'b0, lower_half_s14_q, 1'b0, not_1658};
   // hls/stages/patches.hpp:98
-  logic less_1720;
-  assign less_1720 = {{4{sum_1719_s16_q[10]}}, sum_1719_s16_q, expected_s16_q} < 16'h15;
+  logic less_1715;
+  assign less_1715 = {{4{sum_1714_s14_q[10]}}, sum_1714_s14_q, expected_s14_q} < 16'h15;
   // hls/stages/patches.hpp:472
-  logic [13:0] sum_1905;
-  assign sum_1905 = {{3{patches_down_values_1_s16_q[10]}}, patches_down_values_1_s16_q} + {sum_1904_s16_q, down_2_s16_q[1]};
-  logic [12:0] sum_1906;
-  assign sum_1906 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1905[13:1];
+  logic [13:0] sum_1900;
+  assign sum_1900 = {{3{patches_down_values_1_s14_q[10]}}, patches_down_values_1_s14_q} + {sum_1899_s14_q, down_2_s14_q[1]};
+  logic [12:0] sum_1901;
+  assign sum_1901 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1900[13:1];
   // hls/stages/patches.hpp:471
-  logic [12:0] sum_1924;
-  assign sum_1924 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth_s16_q[11:1]};
-  logic [12:0] sum_1925;
-  assign sum_1925 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_1926;
-  assign difference_1926 = {1'b0, sum_1924, smooth_s16_q[0]} - {1'b0, sum_1925, patches_smooth_values_3_q[0]};
+  logic [12:0] sum_1919;
+  assign sum_1919 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth_s14_q[11:1]};
+  logic [12:0] sum_1920;
+  assign sum_1920 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_1921;
+  assign difference_1921 = {1'b0, sum_1919, smooth_s14_q[0]} - {1'b0, sum_1920, patches_smooth_values_3_q[0]};
   // hls/stages/agreement.hpp:788
-  logic [5:0] select_1995;
-  assign select_1995 = equal_575_s16_q ? x_s16_q[5:0] : {region_row_q, or_1994_s16_q, or_1991_s16_q, or_1988_s16_q};
+  logic [5:0] select_1990;
+  assign select_1990 = equal_573_s14_q ? x_s14_q[5:0] : {region_row_q, or_1989_s14_q, or_1986_s14_q, or_1983_s14_q};
   // hls/stages/agreement.hpp:1128
-  logic not_1996;
-  assign not_1996 = ~equal_1608_s16_q;
+  logic not_1991;
+  assign not_1991 = ~equal_1606_s14_q;
   // hls/stages/agreement.hpp:149
-  logic and_2021;
-  assign and_2021 = or_580_s16_q & (not_584_s16_q & and_2019_s16_q);
+  logic and_2016;
+  assign and_2016 = or_578_s14_q & (not_582_s14_q & and_2014_s14_q);
   // hls/stages/agreement.hpp:1014
-  logic select_2031;
-  assign select_2031 = slot_s16_q[2] ? shown_shown_q : and_637;
+  logic select_2026;
+  assign select_2026 = slot_s14_q[2] ? shown_shown_q : and_635;
   // hls/stages/agreement.hpp:262
   logic shown;
-  assign shown = inside_v_s16_q & (shown_right_rdata_s16_q[0] | select_2031);
+  assign shown = inside_v_s14_q & (shown_right_rdata_s14_q[0] | select_2026);
   // hls/stages/agreement.hpp:1014
-  logic select_2034;
-  assign select_2034 = slot_s16_q[2] ? shown_nearer_q : and_1586;
+  logic select_2029;
+  assign select_2029 = slot_s14_q[2] ? shown_nearer_q : and_1584;
   // hls/stages/agreement.hpp:262
   logic near;
-  assign near = inside_v_s16_q & (select_2031 ? select_2034 : shown_right_rdata_s16_q[1]);
+  assign near = inside_v_s14_q & (select_2026 ? select_2029 : shown_right_rdata_s14_q[1]);
   // hls/stages/agreement.hpp:276
-  logic [10:0] select_2174;
-  assign select_2174 = sample_pair_whole_s16_q ? (and_548_s16_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2176;
-  assign select_2176 = sample_pair_whole_s16_q ? (and_548_s16_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2198;
-  assign select_2198 = sample_pair_whole_s16_q ? (and_548_s16_q ? select_563 : averager_mask_q) : averager_mask_q;
-  logic select_2200;
-  assign select_2200 = sample_pair_whole_s16_q ? (and_548_s16_q ? select_567 : averager_of_skin_q) : averager_of_skin_q;
+  logic [10:0] select_2169;
+  assign select_2169 = sample_pair_whole_s14_q ? (and_546_s14_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2171;
+  assign select_2171 = sample_pair_whole_s14_q ? (and_546_s14_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2193;
+  assign select_2193 = sample_pair_whole_s14_q ? (and_546_s14_q ? select_561 : averager_mask_q) : averager_mask_q;
+  logic select_2195;
+  assign select_2195 = sample_pair_whole_s14_q ? (and_546_s14_q ? select_565 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/agreement.hpp:788
-  logic and_2603;
-  assign and_2603 = not_576_s16_q & (so_s16_q & (ends_cell_s16_q & (inside_v_s16_q & and_2599_s16_q)));
+  logic and_2598;
+  assign and_2598 = not_574_s14_q & (so_s14_q & (ends_cell_s14_q & (inside_v_s14_q & and_2594_s14_q)));
   // hls/stages/agreement.hpp:1105
-  logic not_2622;
-  assign not_2622 = ~(x_s16_q[7:1] == 7'h0);
+  logic not_2617;
+  assign not_2617 = ~(x_s14_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:788
-  logic and_2664;
-  assign and_2664 = so_s16_q & (ends_cell_s16_q & (inside_v_s16_q & (and_2599_s16_q & and_2021)));
+  logic and_2659;
+  assign and_2659 = so_s14_q & (ends_cell_s14_q & (inside_v_s14_q & (and_2594_s14_q & and_2016)));
   // hls/stages/agreement.hpp:1110
-  logic and_2669;
-  assign and_2669 = not_2622 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
+  logic and_2664;
+  assign and_2664 = not_2617 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:247
-  logic and_2693;
-  assign and_2693 = ((and_2019_s16_q & and_635_s16_q) & equal_2684_s16_q) & (~({2'h0, difference_2688_s16_q} < sum_2690_s16_q));
+  logic and_2688;
+  assign and_2688 = ((and_2014_s14_q & and_633_s14_q) & equal_2679_s14_q) & (~({2'h0, difference_2683_s14_q} < sum_2685_s14_q));
   // hls/stages/agreement.hpp:149
-  logic and_2703;
-  assign and_2703 = not_584_s16_q & (slot_s16_q[2] & left_turns_rdata_s16_q[0]);
+  logic and_2698;
+  assign and_2698 = not_582_s14_q & (slot_s14_q[2] & left_turns_rdata_s14_q[0]);
   // hls/stages/agreement.hpp:247
-  logic and_2705;
-  assign and_2705 = not_584_s16_q & (slot_s16_q[2] & left_turns_rdata_s16_q[1]);
+  logic and_2700;
+  assign and_2700 = not_582_s14_q & (slot_s14_q[2] & left_turns_rdata_s14_q[1]);
   // hls/stages/agreement.hpp:149
-  logic [1:0] select_2706;
-  assign select_2706 = or_580_s16_q ? {and_2705, and_2703} : 2'h0;
+  logic [1:0] select_2701;
+  assign select_2701 = or_578_s14_q ? {and_2700, and_2698} : 2'h0;
   // hls/stages/agreement.hpp:247
-  logic [1:0] select_2708;
-  assign select_2708 = less_583_s16_q ? 2'h0 : (slot_s16_q[2] ? right_turns_rdata_s16_q : 2'h0);
+  logic [1:0] select_2703;
+  assign select_2703 = less_581_s14_q ? 2'h0 : (slot_s14_q[2] ? right_turns_rdata_s14_q : 2'h0);
   // hls/stages/agreement.hpp:149
-  logic [1:0] select_2709;
-  assign select_2709 = or_580_s16_q ? select_2708 : 2'h0;
+  logic [1:0] select_2704;
+  assign select_2704 = or_578_s14_q ? select_2703 : 2'h0;
   // hls/stages/registration.hpp:108
-  logic equal_2754;
-  assign equal_2754 = slot_s16_q == 3'h4;
+  logic equal_2749;
+  assign equal_2749 = slot_s14_q == 3'h4;
   // hls/stages/registration.hpp:218
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2771_s16_q[11:7])) ? 12'h7f : select_2771_s16_q;
+  assign residual = ($signed(5'h0) < $signed(select_2766_s14_q[11:7])) ? 12'h7f : select_2766_s14_q;
   // hls/stages/agreement.hpp:788
-  logic select_2815;
-  assign select_2815 = so_s16_q ? (equal_2754 ? right_2_s16_q : registration_of_right_q) : registration_of_right_q;
-  logic select_2818;
-  assign select_2818 = so_s16_q ? (equal_1704_s16_q ? inside_v_s16_q : registration_was_inside_q) : registration_was_inside_q;
+  logic select_2810;
+  assign select_2810 = so_s14_q ? (equal_2749 ? right_2_s14_q : registration_of_right_q) : registration_of_right_q;
+  logic select_2813;
+  assign select_2813 = so_s14_q ? (equal_1699_s14_q ? inside_v_s14_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/agreement.hpp:1129
   logic [1:0] quarter_2;
-  assign quarter_2 = all_s16_q ? x_s16_q[1:0] : select_1611;
+  assign quarter_2 = all_s14_q ? x_s14_q[1:0] : select_1609;
   // hls/stages/patches.hpp:185
-  logic [11:0] select_3089;
-  assign select_3089 = equal_1790_s16_q ? patches_smooth_values_0_q : (or_1794_s16_q ? smooth_s16_q : patches_smooth_values_0_q);
+  logic [11:0] select_3083;
+  assign select_3083 = equal_1785_s14_q ? patches_smooth_values_0_q : (or_1789_s14_q ? smooth_s14_q : patches_smooth_values_0_q);
+  logic [11:0] select_3085;
+  assign select_3085 = or_1789_s14_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3087;
+  assign select_3087 = equal_1783_s14_q ? patches_smooth_values_1_q : (equal_1785_s14_q ? patches_smooth_values_1_q : select_3085);
+  logic [11:0] select_3088;
+  assign select_3088 = or_1789_s14_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3090;
+  assign select_3090 = equal_1783_s14_q ? patches_smooth_values_2_q : (equal_1785_s14_q ? patches_smooth_values_2_q : select_3088);
   logic [11:0] select_3091;
-  assign select_3091 = or_1794_s16_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  assign select_3091 = or_1789_s14_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
   logic [11:0] select_3093;
-  assign select_3093 = equal_1788_s16_q ? patches_smooth_values_1_q : (equal_1790_s16_q ? patches_smooth_values_1_q : select_3091);
-  logic [11:0] select_3094;
-  assign select_3094 = or_1794_s16_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
-  logic [11:0] select_3096;
-  assign select_3096 = equal_1788_s16_q ? patches_smooth_values_2_q : (equal_1790_s16_q ? patches_smooth_values_2_q : select_3094);
-  logic [11:0] select_3097;
-  assign select_3097 = or_1794_s16_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
-  logic [11:0] select_3099;
-  assign select_3099 = equal_1788_s16_q ? patches_smooth_values_3_q : (equal_1790_s16_q ? patches_smooth_values_3_q : select_3097);
-  logic [10:0] select_3106;
-  assign select_3106 = or_1794_s16_q ? patches_down_values_1_s16_q : patches_down_values_2_q;
-  logic [10:0] select_3108;
-  assign select_3108 = equal_1788_s16_q ? patches_down_values_2_q : (equal_1790_s16_q ? patches_down_values_2_q : select_3106);
-  logic [10:0] select_3109;
-  assign select_3109 = or_1794_s16_q ? patches_down_values_2_q : patches_down_values_3_q;
-  logic [10:0] select_3111;
-  assign select_3111 = equal_1788_s16_q ? patches_down_values_3_q : (equal_1790_s16_q ? patches_down_values_3_q : select_3109);
+  assign select_3093 = equal_1783_s14_q ? patches_smooth_values_3_q : (equal_1785_s14_q ? patches_smooth_values_3_q : select_3091);
+  logic [10:0] select_3100;
+  assign select_3100 = or_1789_s14_q ? patches_down_values_1_s14_q : patches_down_values_2_q;
+  logic [10:0] select_3102;
+  assign select_3102 = equal_1783_s14_q ? patches_down_values_2_q : (equal_1785_s14_q ? patches_down_values_2_q : select_3100);
+  logic [10:0] select_3103;
+  assign select_3103 = or_1789_s14_q ? patches_down_values_2_q : patches_down_values_3_q;
+  logic [10:0] select_3105;
+  assign select_3105 = equal_1783_s14_q ? patches_down_values_3_q : (equal_1785_s14_q ? patches_down_values_3_q : select_3103);
   // hls/stages/patches.hpp:561
-  logic select_3563;
-  assign select_3563 = less_1966_s16_q ? (not_1968_s16_q & select_3561_s16_q) : select_3561_s16_q;
-  logic select_3572;
-  assign select_3572 = less_1966_s16_q ? (not_1968_s16_q & select_3570_s16_q) : select_3570_s16_q;
+  logic select_3557;
+  assign select_3557 = less_1961_s14_q ? (not_1963_s14_q & select_3555_s14_q) : select_3555_s14_q;
+  logic select_3566;
+  assign select_3566 = less_1961_s14_q ? (not_1963_s14_q & select_3564_s14_q) : select_3564_s14_q;
   // hls/stages/patches.hpp:557
-  logic [9:0] select_3578;
-  assign select_3578 = less_1966_s16_q ? (and_3576_s16_q ? patches_rows_rdata_s16_q : 10'h3ff) : 10'h3ff;
+  logic [9:0] select_3572;
+  assign select_3572 = less_1961_s14_q ? (and_3570_s14_q ? patches_rows_rdata_s14_q : 10'h3ff) : 10'h3ff;
   // hls/stages/patches.hpp:542
-  logic [9:0] select_3589;
-  assign select_3589 = patches_read_above_q ? patches_read_row_differing_s16_q : patches_peak_above_q;
+  logic [9:0] select_3583;
+  assign select_3583 = patches_read_above_q ? patches_read_row_differing_s14_q : patches_peak_above_q;
   // hls/stages/patches.hpp:543
-  logic [9:0] select_3591;
-  assign select_3591 = patches_read_below_q ? patches_read_row_differing_s16_q : patches_peak_below_q;
+  logic [9:0] select_3585;
+  assign select_3585 = patches_read_below_q ? patches_read_row_differing_s14_q : patches_peak_below_q;
   // hls/stages/patches.hpp:580
-  logic less_3628;
-  assign less_3628 = select_3589 < select_3591;
+  logic less_3622;
+  assign less_3622 = select_3583 < select_3585;
   // hls/stages/patches.hpp:581
   logic [9:0] high;
-  assign high = less_3628 ? select_3591 : select_3589;
+  assign high = less_3622 ? select_3585 : select_3583;
   logic [9:0] low;
-  assign low = (select_3591 < select_3589) ? select_3591 : select_3589;
+  assign low = (select_3585 < select_3583) ? select_3585 : select_3583;
   // hls/stages/agreement.hpp:788
-  logic select_3873;
-  assign select_3873 = equal_575_s16_q ? shown_shown_q : (so_s16_q ? select_2031 : shown_shown_q);
-  logic select_3875;
-  assign select_3875 = equal_575_s16_q ? shown_nearer_q : (so_s16_q ? select_2034 : shown_nearer_q);
+  logic select_3867;
+  assign select_3867 = equal_573_s14_q ? shown_shown_q : (so_s14_q ? select_2026 : shown_shown_q);
+  logic select_3869;
+  assign select_3869 = equal_573_s14_q ? shown_nearer_q : (so_s14_q ? select_2029 : shown_nearer_q);
   // hls/stages/agreement.hpp:460
-  logic [2:0] select_3879;
-  assign select_3879 = less_3876_s16_q ? (sum_3877_s16_q ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_3881;
-  assign select_3881 = equal_2472_s16_q ? (equal_680_s16_q ? 3'h0 : select_3879) : region_row_q;
+  logic [2:0] select_3873;
+  assign select_3873 = less_3870_s14_q ? (sum_3871_s14_q ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_3875;
+  assign select_3875 = equal_2467_s14_q ? (equal_678_s14_q ? 3'h0 : select_3873) : region_row_q;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3877_s16_q;
+  assign next = ~sum_3871_s14_q;
   // hls/stages/agreement.hpp:460
-  logic select_3912;
-  assign select_3912 = equal_2472_s16_q ? (equal_680_s16_q | (less_3876_s16_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_3906;
+  assign select_3906 = equal_2467_s14_q ? (equal_678_s14_q | (less_3870_s14_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:205
-  logic or_3917;
-  assign or_3917 = segment_starts_q | not_578_s16_q;
+  logic or_3911;
+  assign or_3911 = segment_starts_q | not_576_s14_q;
   // hls/stages/agreement.hpp:788
-  logic select_3921;
-  assign select_3921 = ends_cell_s16_q ? (inside_v_s16_q ? select_3919_s16_q : or_3917) : or_3917;
+  logic select_3915;
+  assign select_3915 = ends_cell_s14_q ? (inside_v_s14_q ? select_3913_s14_q : or_3911) : or_3911;
   // hls/stages/agreement.hpp:1217
-  logic equal_3950;
-  assign equal_3950 = x_s16_q[6:3] == 4'ha;
-  logic equal_3954;
-  assign equal_3954 = x_s16_q[6:3] == 4'h9;
-  logic equal_3955;
-  assign equal_3955 = x_s16_q[6:3] == 4'h8;
+  logic equal_3944;
+  assign equal_3944 = x_s14_q[6:3] == 4'ha;
+  logic equal_3948;
+  assign equal_3948 = x_s14_q[6:3] == 4'h9;
+  logic equal_3949;
+  assign equal_3949 = x_s14_q[6:3] == 4'h8;
   // hls/stages/agreement.hpp:1125
-  logic [7:0] select_3971;
-  assign select_3971 = equal_3930_s16_q ? cfg_unproven_limit_i : (equal_3969_s16_q ? cfg_explained_limit_i : cfg_regions_limit_i);
-  logic [7:0] select_3973;
-  assign select_3973 = equal_3954 ? cfg_hidden_limit_i : (equal_3955 ? cfg_unproven_skin_limit_i : select_3971);
+  logic [7:0] select_3965;
+  assign select_3965 = equal_3924_s14_q ? cfg_unproven_limit_i : (equal_3963_s14_q ? cfg_explained_limit_i : cfg_regions_limit_i);
+  logic [7:0] select_3967;
+  assign select_3967 = equal_3948 ? cfg_hidden_limit_i : (equal_3949 ? cfg_unproven_skin_limit_i : select_3965);
   // hls/stages/agreement.hpp:788
+  logic select_4077;
+  assign select_4077 = so_s14_q ? (ends_cell_s14_q ? and_2066_s14_q : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_4081;
+  assign select_4081 = so_s14_q ? (ends_cell_s14_q ? and_4079_s14_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
   logic select_4083;
-  assign select_4083 = so_s16_q ? (ends_cell_s16_q ? and_2071_s16_q : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4087;
-  assign select_4087 = so_s16_q ? (ends_cell_s16_q ? and_4085_s16_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
-  logic select_4089;
-  assign select_4089 = ends_cell_s16_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_4091;
-  assign select_4091 = equal_575_s16_q ? centres_values_1_textured_q : (so_s16_q ? select_4089 : centres_values_1_textured_q);
-  logic select_4092;
-  assign select_4092 = ends_cell_s16_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_4094;
-  assign select_4094 = equal_575_s16_q ? centres_values_1_of_skin_q : (so_s16_q ? select_4092 : centres_values_1_of_skin_q);
+  assign select_4083 = ends_cell_s14_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4085;
+  assign select_4085 = equal_573_s14_q ? centres_values_1_textured_q : (so_s14_q ? select_4083 : centres_values_1_textured_q);
+  logic select_4086;
+  assign select_4086 = ends_cell_s14_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4088;
+  assign select_4088 = equal_573_s14_q ? centres_values_1_of_skin_q : (so_s14_q ? select_4086 : centres_values_1_of_skin_q);
 
-  // Memory patches_choices, 64 x 23, DISTANCE 24, hls/stages/patches.hpp:768; read in stage 16, written in stage 18: 16 < 18 < 16 + DISTANCE.
+  // Memory patches_choices, 64 x 23, DISTANCE 24, hls/stages/patches.hpp:768; read in stage 14, written in stage 16: 14 < 16 < 14 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -5713,17 +5607,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 23'h0;
 `endif
   logic [5:0] patches_choices_raddr;
-  assign patches_choices_raddr = select_1692_s16_q;
+  assign patches_choices_raddr = select_1687_s14_q;
 `ifndef SYNTHESIS
   logic patches_choices_re;
-  assign patches_choices_re = s16_en & (sample_pair_whole_s16_q & (~equal_1694_s16_q));
+  assign patches_choices_re = s14_en & (sample_pair_whole_s14_q & (~equal_1689_s14_q));
 `endif
   logic [22:0] patches_choices_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_choices_rdata_q <= patches_choices_mem[patches_choices_raddr];
   end
 
-  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1398; read in stage 16, written in stage 19: 16 < 19 < 16 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1398; read in stage 14, written in stage 17: 14 < 17 < 14 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -5732,10 +5626,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 30'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1995;
+  assign regions_raddr = select_1990;
 `ifndef SYNTHESIS
   logic regions_re;
-  assign regions_re = s16_en & (equal_575_s16_q ? (x_s16_q[6] & not_1996) : and_2003_s16_q);
+  assign regions_re = s14_en & (equal_573_s14_q ? (x_s14_q[6] & not_1991) : and_1998_s14_q);
 `endif
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -5744,26 +5638,26 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_515_s16_q;
+  assign averager_memory_waddr = select_512_s14_q;
   logic averager_memory_we;
-  assign averager_memory_we = s16_en & and_525_s16_q;
+  assign averager_memory_we = s14_en & and_522_s14_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_544_s16_q, and_540_s16_q, sum_536_s16_q, sum_532_s16_q};
+    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_541_s14_q, and_537_s14_q, sum_533_s14_q, sum_529_s14_q};
   end
 `ifndef SYNTHESIS
-  logic [8:0] averager_memory_raddr_s14_sim;
-  logic averager_memory_re_s14_sim;
-  logic [8:0] averager_memory_raddr_s15_sim;
-  logic averager_memory_re_s15_sim;
+  logic [8:0] averager_memory_raddr_s12_sim;
+  logic averager_memory_re_s12_sim;
+  logic [8:0] averager_memory_raddr_s13_sim;
+  logic averager_memory_re_s13_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      averager_memory_re_s14_sim <= 1'b0;
-      averager_memory_re_s15_sim <= 1'b0;
+      averager_memory_re_s12_sim <= 1'b0;
+      averager_memory_re_s13_sim <= 1'b0;
     end else if (en_i) begin
-      averager_memory_re_s14_sim <= averager_memory_re;
-      averager_memory_raddr_s14_sim <= averager_memory_raddr;
-      averager_memory_re_s15_sim <= averager_memory_re_s14_sim;
-      averager_memory_raddr_s15_sim <= averager_memory_raddr_s14_sim;
+      averager_memory_re_s12_sim <= averager_memory_re;
+      averager_memory_raddr_s12_sim <= averager_memory_raddr;
+      averager_memory_re_s13_sim <= averager_memory_re_s12_sim;
+      averager_memory_raddr_s13_sim <= averager_memory_raddr_s12_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -5771,10 +5665,10 @@ module horopter_agreement (
       if (averager_memory_re && averager_memory_raddr == averager_memory_waddr) begin
         $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
       end
-      if (averager_memory_re_s14_sim && averager_memory_raddr_s14_sim == averager_memory_waddr) begin
+      if (averager_memory_re_s12_sim && averager_memory_raddr_s12_sim == averager_memory_waddr) begin
         $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
       end
-      if (averager_memory_re_s15_sim && averager_memory_raddr_s15_sim == averager_memory_waddr) begin
+      if (averager_memory_re_s13_sim && averager_memory_raddr_s13_sim == averager_memory_waddr) begin
         $error("averager_memory: address %0d is read less than DISTANCE steps after its write", averager_memory_waddr);
       end
       if (averager_memory_waddr >= 9'd480) $error("averager_memory: write outside, address %0d", averager_memory_waddr);
@@ -5785,11 +5679,11 @@ module horopter_agreement (
 
   // Memory moments_memory, write
   logic [12:0] moments_memory_waddr;
-  assign moments_memory_waddr = select_574_s16_q;
+  assign moments_memory_waddr = select_572_s14_q;
   logic moments_memory_we;
-  assign moments_memory_we = s16_en & and_592_s16_q;
+  assign moments_memory_we = s14_en & and_590_s14_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {and_647_s16_q, and_645_s16_q, and_640_s16_q, and_638};
+    if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {and_645_s14_q, and_643_s14_q, and_638_s14_q, and_636};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -5829,31 +5723,31 @@ module horopter_agreement (
       centres_values_0_of_skin_q <= 1'b0;
       centres_values_1_textured_q <= 1'b0;
       centres_values_1_of_skin_q <= 1'b0;
-    end else if (s16_en) begin
-      averager_mask_q <= select_2198;
-      averager_of_skin_q <= select_2200;
-      registration_of_right_q <= equal_575_s16_q ? registration_of_right_q : select_2815;
-      registration_was_inside_q <= equal_575_s16_q ? registration_was_inside_q : select_2818;
-      patches_smooth_values_0_q <= equal_1788_s16_q ? patches_smooth_values_0_q : select_3089;
-      patches_smooth_values_1_q <= select_3093;
-      patches_smooth_values_2_q <= select_3096;
-      patches_smooth_values_3_q <= select_3099;
-      patches_down_values_2_q <= select_3108;
-      patches_down_values_3_q <= select_3111;
-      patches_read_above_q <= equal_1788_s16_q ? select_3563 : patches_read_above_q;
-      patches_read_below_q <= equal_1788_s16_q ? select_3572 : patches_read_below_q;
-      patches_peak_above_q <= equal_1788_s16_q ? select_3589 : patches_peak_above_q;
-      patches_peak_below_q <= equal_1788_s16_q ? select_3591 : patches_peak_below_q;
-      shown_shown_q <= select_3873;
-      shown_nearer_q <= select_3875;
-      region_row_q <= and_550_s16_q ? select_3881 : region_row_q;
+    end else if (s14_en) begin
+      averager_mask_q <= select_2193;
+      averager_of_skin_q <= select_2195;
+      registration_of_right_q <= equal_573_s14_q ? registration_of_right_q : select_2810;
+      registration_was_inside_q <= equal_573_s14_q ? registration_was_inside_q : select_2813;
+      patches_smooth_values_0_q <= equal_1783_s14_q ? patches_smooth_values_0_q : select_3083;
+      patches_smooth_values_1_q <= select_3087;
+      patches_smooth_values_2_q <= select_3090;
+      patches_smooth_values_3_q <= select_3093;
+      patches_down_values_2_q <= select_3102;
+      patches_down_values_3_q <= select_3105;
+      patches_read_above_q <= equal_1783_s14_q ? select_3557 : patches_read_above_q;
+      patches_read_below_q <= equal_1783_s14_q ? select_3566 : patches_read_below_q;
+      patches_peak_above_q <= equal_1783_s14_q ? select_3583 : patches_peak_above_q;
+      patches_peak_below_q <= equal_1783_s14_q ? select_3585 : patches_peak_below_q;
+      shown_shown_q <= select_3867;
+      shown_nearer_q <= select_3869;
+      region_row_q <= and_548_s14_q ? select_3875 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_fresh_q <= and_550_s16_q ? select_3912 : region_fresh_q;
-      segment_starts_q <= equal_575_s16_q ? or_3917 : (so_s16_q ? select_3921 : or_3917);
-      centres_values_0_textured_q <= equal_575_s16_q ? centres_values_0_textured_q : select_4083;
-      centres_values_0_of_skin_q <= equal_575_s16_q ? centres_values_0_of_skin_q : select_4087;
-      centres_values_1_textured_q <= select_4091;
-      centres_values_1_of_skin_q <= select_4094;
+      region_fresh_q <= and_548_s14_q ? select_3906 : region_fresh_q;
+      segment_starts_q <= equal_573_s14_q ? or_3911 : (so_s14_q ? select_3915 : or_3911);
+      centres_values_0_textured_q <= equal_573_s14_q ? centres_values_0_textured_q : select_4077;
+      centres_values_0_of_skin_q <= equal_573_s14_q ? centres_values_0_of_skin_q : select_4081;
+      centres_values_1_textured_q <= select_4085;
+      centres_values_1_of_skin_q <= select_4088;
     end
   end
 
@@ -5865,396 +5759,396 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s16_en) begin
-      averager_total_0_q <= select_2174;
-      averager_total_1_q <= select_2176;
+    if (s14_en) begin
+      averager_total_0_q <= select_2169;
+      averager_total_1_q <= select_2171;
     end
   end
 
-  logic [7:0] pixel_0_s17_q;
-  logic [7:0] pixel_1_s17_q;
-  logic saturated_s17_q;
-  logic mask_s17_q;
-  logic marks_first_s17_q;
-  logic marks_last_s17_q;
-  logic [7:0] sample_pair_pixel_0_s17_q;
-  logic [7:0] sample_pair_pixel_1_s17_q;
-  logic sample_pair_whole_s17_q;
-  logic sample_present_s17_q;
-  logic moments_starts_s17_q;
-  logic [5:0] run_shift_s17_q;
-  logic [7:0] x_s17_q;
-  logic age_s17_q;
-  logic [2:0] slot_s17_q;
-  logic ends_cell_s17_q;
-  logic lower_half_s17_q;
-  logic registration_of_right_s17_q;
-  logic [4:0] patches_choosing_band_s17_q;
-  logic patches_lower_s17_q;
-  logic patches_second_s17_q;
-  logic [4:0] patches_code_row_s17_q;
-  logic [10:0] patches_down_values_3_s17_q;
-  logic [4:0] patches_along_s17_q;
-  logic patches_summed_last_s17_q;
-  logic [4:0] patches_summed_down_by_s17_q;
-  logic patches_read_first_s17_q;
-  logic [2:0] region_row_s17_q;
-  logic region_fresh_s17_q;
-  logic centres_values_1_textured_s17_q;
-  logic centres_values_1_of_skin_s17_q;
-  logic [3:0] select_508_s17_q;
-  logic [6:0] select_511_s17_q;
-  logic [6:0] last_s17_q;
-  logic and_548_s17_q;
-  logic and_550_s17_q;
-  logic [77:0] census_memory_rdata_s17_q;
-  logic [8:0] grey_s17_q;
-  logic equal_553_s17_q;
-  logic [8:0] select_556_s17_q;
-  logic [8:0] grey_2_s17_q;
-  logic [8:0] select_560_s17_q;
-  logic whole_2_s17_q;
-  logic and_568_s17_q;
-  logic equal_570_s17_q;
-  logic equal_575_s17_q;
-  logic not_576_s17_q;
-  logic so_s17_q;
-  logic not_578_s17_q;
-  logic equal_579_s17_q;
-  logic inside_v_s17_q;
-  logic not_588_s17_q;
-  logic [3:0] moments_memory_rdata_s17_q;
-  logic [6:0] x_s17_2_q;
-  logic [32:0] best_left_rdata_s17_q;
-  logic [6:0] right_s17_q;
-  logic [14:0] best_right_rdata_s17_q;
-  logic and_637_s17_q;
-  logic and_640_s17_q;
-  logic and_647_s17_q;
-  logic equal_680_s17_q;
-  logic [7:0] of_best_s17_q;
-  logic or_1517_s17_q;
-  logic [2:0] select_1522_s17_q;
-  logic [7:0] select_1531_s17_q;
-  logic [7:0] select_1534_s17_q;
-  logic [6:0] select_1553_s17_q;
-  logic [5:0] select_1555_s17_q;
-  logic [7:0] select_1558_s17_q;
-  logic [7:0] select_1561_s17_q;
-  logic and_1562_s17_q;
-  logic or_1566_s17_q;
-  logic [6:0] select_1571_s17_q;
-  logic [6:0] select_1572_s17_q;
-  logic and_1575_s17_q;
-  logic [6:0] select_1579_s17_q;
-  logic and_1586_s17_q;
-  logic and_1590_s17_q;
-  logic and_1601_s17_q;
-  logic equal_1608_s17_q;
-  logic [1:0] quarter_s17_q;
-  logic all_s17_q;
-  logic [1:0] sum_1614_s17_q;
-  logic [3:0] select_1615_s17_q;
-  logic equal_1616_s17_q;
-  logic equal_1618_s17_q;
-  logic equal_1620_s17_q;
-  logic equal_1622_s17_q;
-  logic equal_1624_s17_q;
-  logic equal_1626_s17_q;
-  logic equal_1628_s17_q;
-  logic equal_1630_s17_q;
-  logic less_1639_s17_q;
-  logic or_1643_s17_q;
-  logic select_1646_s17_q;
-  logic and_1656_s17_q;
-  logic [3:0] select_1661_s17_q;
-  logic and_1676_s17_q;
-  logic select_1693_s17_q;
-  logic equal_1694_s17_q;
-  logic and_1702_s17_q;
-  logic equal_1704_s17_q;
-  logic and_1737_s17_q;
-  logic [5:0] select_1753_s17_q;
-  logic [7:0] select_1779_s17_q;
-  logic and_1786_s17_q;
-  logic and_1787_s17_q;
-  logic equal_1788_s17_q;
-  logic equal_1790_s17_q;
-  logic equal_1793_s17_q;
-  logic or_1794_s17_q;
-  logic and_1803_s17_q;
-  logic [4:0] select_1818_s17_q;
-  logic select_1824_s17_q;
-  logic [3:0] select_1862_s17_q;
-  logic less_1878_s17_q;
-  logic new_row_s17_q;
-  logic or_1891_s17_q;
-  logic [27:0] patches_right_codes_rdata_s17_q;
-  logic [1:0] of_row_2_s17_q;
-  logic down_2_s17_q;
-  logic sum_1905_s17_q;
-  logic [12:0] sum_1906_s17_q;
-  logic [14:0] difference_1926_s17_q;
-  logic and_1951_s17_q;
-  logic [47:0] patches_left_codes_rdata_s17_q;
-  logic and_1960_s17_q;
-  logic and_1965_s17_q;
-  logic less_1966_s17_q;
-  logic equal_1967_s17_q;
-  logic not_1968_s17_q;
-  logic equal_1969_s17_q;
-  logic or_1988_s17_q;
-  logic or_1991_s17_q;
-  logic or_1994_s17_q;
-  logic not_1996_s17_q;
-  logic textured_s17_q;
-  logic and_2021_s17_q;
-  logic and_2028_s17_q;
-  logic [12:0] seen_columns_rdata_s17_q;
-  logic shown_s17_q;
-  logic near_s17_q;
-  logic and_2069_s17_q;
-  logic and_2071_s17_q;
-  logic or_2086_s17_q;
-  logic or_2089_s17_q;
-  logic or_2092_s17_q;
-  logic and_2103_s17_q;
-  logic and_2105_s17_q;
-  logic and_2106_s17_q;
-  logic and_2119_s17_q;
-  logic and_2121_s17_q;
-  logic and_2122_s17_q;
-  logic and_2142_s17_q;
-  logic equal_2283_s17_q;
-  logic equal_2472_s17_q;
-  logic and_2603_s17_q;
-  logic not_2622_s17_q;
-  logic and_2623_s17_q;
-  logic and_2625_s17_q;
-  logic and_2626_s17_q;
-  logic and_2665_s17_q;
-  logic and_2672_s17_q;
-  logic and_2696_s17_q;
-  logic select_2706_s17_q;
-  logic select_2709_s17_q;
-  logic and_2710_s17_q;
-  logic and_2757_s17_q;
-  logic and_2758_s17_q;
-  logic [11:0] residual_s17_q;
-  logic equal_2820_s17_q;
-  logic [3:0] not_2821_s17_q;
-  logic [1:0] quarter_2_s17_q;
-  logic and_2996_s17_q;
-  logic less_3123_s17_q;
-  logic equal_3466_s17_q;
-  logic [4:0] select_3554_s17_q;
-  logic [9:0] select_3578_s17_q;
-  logic [14:0] select_3585_s17_q;
-  logic less_3628_s17_q;
-  logic [9:0] high_s17_q;
-  logic [9:0] low_s17_q;
-  logic equal_3930_s17_q;
-  logic equal_3950_s17_q;
-  logic equal_3953_s17_q;
-  logic equal_3954_s17_q;
-  logic equal_3955_s17_q;
-  logic [7:0] select_3974_s17_q;
-  logic equal_4095_s17_q;
+  logic [7:0] pixel_0_s15_q;
+  logic [7:0] pixel_1_s15_q;
+  logic saturated_s15_q;
+  logic mask_s15_q;
+  logic marks_first_s15_q;
+  logic marks_last_s15_q;
+  logic [7:0] sample_pair_pixel_0_s15_q;
+  logic [7:0] sample_pair_pixel_1_s15_q;
+  logic sample_pair_whole_s15_q;
+  logic sample_present_s15_q;
+  logic moments_starts_s15_q;
+  logic [5:0] run_shift_s15_q;
+  logic [7:0] x_s15_q;
+  logic age_s15_q;
+  logic [2:0] slot_s15_q;
+  logic ends_cell_s15_q;
+  logic lower_half_s15_q;
+  logic registration_of_right_s15_q;
+  logic [4:0] patches_choosing_band_s15_q;
+  logic patches_lower_s15_q;
+  logic patches_second_s15_q;
+  logic [4:0] patches_code_row_s15_q;
+  logic [10:0] patches_down_values_3_s15_q;
+  logic [4:0] patches_along_s15_q;
+  logic patches_summed_last_s15_q;
+  logic [4:0] patches_summed_down_by_s15_q;
+  logic patches_read_first_s15_q;
+  logic [2:0] region_row_s15_q;
+  logic region_fresh_s15_q;
+  logic centres_values_1_textured_s15_q;
+  logic centres_values_1_of_skin_s15_q;
+  logic row_starts_s15_q;
+  logic [3:0] select_508_s15_q;
+  logic [6:0] select_542_s15_q;
+  logic [6:0] last_s15_q;
+  logic and_546_s15_q;
+  logic and_548_s15_q;
+  logic [77:0] census_memory_rdata_s15_q;
+  logic [8:0] grey_s15_q;
+  logic equal_551_s15_q;
+  logic [8:0] select_554_s15_q;
+  logic [8:0] grey_2_s15_q;
+  logic [8:0] select_558_s15_q;
+  logic whole_2_s15_q;
+  logic and_566_s15_q;
+  logic equal_568_s15_q;
+  logic equal_573_s15_q;
+  logic not_574_s15_q;
+  logic so_s15_q;
+  logic not_576_s15_q;
+  logic equal_577_s15_q;
+  logic inside_v_s15_q;
+  logic not_586_s15_q;
+  logic [3:0] moments_memory_rdata_s15_q;
+  logic [6:0] x_s15_2_q;
+  logic [32:0] best_left_rdata_s15_q;
+  logic [6:0] right_s15_q;
+  logic [14:0] best_right_rdata_s15_q;
+  logic and_635_s15_q;
+  logic and_638_s15_q;
+  logic and_645_s15_q;
+  logic equal_678_s15_q;
+  logic [7:0] of_best_s15_q;
+  logic or_1515_s15_q;
+  logic [2:0] select_1520_s15_q;
+  logic [7:0] select_1529_s15_q;
+  logic [7:0] select_1532_s15_q;
+  logic [6:0] select_1551_s15_q;
+  logic [5:0] select_1553_s15_q;
+  logic [7:0] select_1556_s15_q;
+  logic [7:0] select_1559_s15_q;
+  logic and_1560_s15_q;
+  logic or_1564_s15_q;
+  logic [6:0] select_1569_s15_q;
+  logic [6:0] select_1570_s15_q;
+  logic and_1573_s15_q;
+  logic [6:0] select_1577_s15_q;
+  logic and_1584_s15_q;
+  logic and_1588_s15_q;
+  logic and_1599_s15_q;
+  logic equal_1606_s15_q;
+  logic [1:0] quarter_s15_q;
+  logic all_s15_q;
+  logic [1:0] sum_1612_s15_q;
+  logic [3:0] select_1613_s15_q;
+  logic equal_1614_s15_q;
+  logic equal_1616_s15_q;
+  logic equal_1618_s15_q;
+  logic equal_1620_s15_q;
+  logic equal_1622_s15_q;
+  logic equal_1624_s15_q;
+  logic equal_1626_s15_q;
+  logic equal_1628_s15_q;
+  logic less_1637_s15_q;
+  logic or_1641_s15_q;
+  logic select_1644_s15_q;
+  logic and_1654_s15_q;
+  logic [3:0] select_1659_s15_q;
+  logic select_1688_s15_q;
+  logic equal_1689_s15_q;
+  logic and_1697_s15_q;
+  logic equal_1699_s15_q;
+  logic and_1732_s15_q;
+  logic [5:0] select_1748_s15_q;
+  logic [7:0] select_1774_s15_q;
+  logic and_1781_s15_q;
+  logic and_1782_s15_q;
+  logic equal_1783_s15_q;
+  logic equal_1785_s15_q;
+  logic equal_1788_s15_q;
+  logic or_1789_s15_q;
+  logic and_1798_s15_q;
+  logic [4:0] select_1813_s15_q;
+  logic select_1819_s15_q;
+  logic [3:0] select_1857_s15_q;
+  logic less_1873_s15_q;
+  logic new_row_s15_q;
+  logic or_1886_s15_q;
+  logic [27:0] patches_right_codes_rdata_s15_q;
+  logic [1:0] of_row_2_s15_q;
+  logic down_2_s15_q;
+  logic sum_1900_s15_q;
+  logic [12:0] sum_1901_s15_q;
+  logic [14:0] difference_1921_s15_q;
+  logic and_1946_s15_q;
+  logic [47:0] patches_left_codes_rdata_s15_q;
+  logic and_1955_s15_q;
+  logic and_1960_s15_q;
+  logic less_1961_s15_q;
+  logic equal_1962_s15_q;
+  logic not_1963_s15_q;
+  logic equal_1964_s15_q;
+  logic or_1983_s15_q;
+  logic or_1986_s15_q;
+  logic or_1989_s15_q;
+  logic not_1991_s15_q;
+  logic textured_s15_q;
+  logic and_2016_s15_q;
+  logic and_2023_s15_q;
+  logic [12:0] seen_columns_rdata_s15_q;
+  logic shown_s15_q;
+  logic near_s15_q;
+  logic and_2064_s15_q;
+  logic and_2066_s15_q;
+  logic or_2081_s15_q;
+  logic or_2084_s15_q;
+  logic or_2087_s15_q;
+  logic and_2098_s15_q;
+  logic and_2100_s15_q;
+  logic and_2101_s15_q;
+  logic and_2114_s15_q;
+  logic and_2116_s15_q;
+  logic and_2117_s15_q;
+  logic and_2137_s15_q;
+  logic equal_2278_s15_q;
+  logic equal_2467_s15_q;
+  logic and_2598_s15_q;
+  logic not_2617_s15_q;
+  logic and_2618_s15_q;
+  logic and_2620_s15_q;
+  logic and_2621_s15_q;
+  logic and_2660_s15_q;
+  logic and_2667_s15_q;
+  logic and_2691_s15_q;
+  logic select_2701_s15_q;
+  logic select_2704_s15_q;
+  logic and_2705_s15_q;
+  logic and_2752_s15_q;
+  logic and_2753_s15_q;
+  logic [11:0] residual_s15_q;
+  logic equal_2815_s15_q;
+  logic [3:0] not_2816_s15_q;
+  logic [1:0] quarter_2_s15_q;
+  logic and_2991_s15_q;
+  logic less_3117_s15_q;
+  logic equal_3460_s15_q;
+  logic [4:0] select_3548_s15_q;
+  logic [9:0] select_3572_s15_q;
+  logic [14:0] select_3579_s15_q;
+  logic less_3622_s15_q;
+  logic [9:0] high_s15_q;
+  logic [9:0] low_s15_q;
+  logic equal_3924_s15_q;
+  logic equal_3944_s15_q;
+  logic equal_3947_s15_q;
+  logic equal_3948_s15_q;
+  logic equal_3949_s15_q;
+  logic [7:0] select_3968_s15_q;
+  logic equal_4089_s15_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s17_q <= pixel_0_s16_q;
-      pixel_1_s17_q <= pixel_1_s16_q;
-      saturated_s17_q <= saturated_s16_q;
-      mask_s17_q <= sample_of_skin_q;
-      marks_first_s17_q <= marks_first_s16_q;
-      marks_last_s17_q <= marks_last_s16_q;
-      sample_pair_pixel_0_s17_q <= sample_pair_pixel_0_s16_q;
-      sample_pair_pixel_1_s17_q <= sample_pair_pixel_1_s16_q;
-      sample_pair_whole_s17_q <= sample_pair_whole_s16_q;
-      sample_present_s17_q <= sample_present_s16_q;
-      moments_starts_s17_q <= moments_starts_s16_q;
-      run_shift_s17_q <= run_shift_s16_q;
-      x_s17_q <= x_s16_q;
-      age_s17_q <= age_s16_q;
-      slot_s17_q <= slot_s16_q;
-      ends_cell_s17_q <= ends_cell_s16_q;
-      lower_half_s17_q <= lower_half_s16_q;
-      registration_of_right_s17_q <= registration_of_right_q;
-      patches_choosing_band_s17_q <= patches_choosing_band_s16_q;
-      patches_lower_s17_q <= patches_lower_s16_q;
-      patches_second_s17_q <= patches_second_s16_q;
-      patches_code_row_s17_q <= patches_code_row_s16_q;
-      patches_down_values_3_s17_q <= patches_down_values_3_q;
-      patches_along_s17_q <= patches_along_s16_q;
-      patches_summed_last_s17_q <= patches_summed_last_s16_q;
-      patches_summed_down_by_s17_q <= patches_summed_down_by_s16_q;
-      patches_read_first_s17_q <= patches_read_first_s16_q;
-      region_row_s17_q <= region_row_q;
-      region_fresh_s17_q <= region_fresh_q;
-      centres_values_1_textured_s17_q <= centres_values_1_textured_q;
-      centres_values_1_of_skin_s17_q <= centres_values_1_of_skin_q;
-      select_508_s17_q <= select_508_s16_q;
-      select_511_s17_q <= select_511_s16_q;
-      last_s17_q <= last_s16_q;
-      and_548_s17_q <= and_548_s16_q;
-      and_550_s17_q <= and_550_s16_q;
-      census_memory_rdata_s17_q <= census_memory_rdata_q;
-      grey_s17_q <= grey;
-      equal_553_s17_q <= equal_553_s16_q;
-      select_556_s17_q <= sample_pair_whole_s16_q ? total[10:2] : 9'h0;
-      grey_2_s17_q <= grey_2;
-      select_560_s17_q <= sample_pair_whole_s16_q ? total_2[10:2] : 9'h0;
-      whole_2_s17_q <= whole_2;
-      and_568_s17_q <= sample_pair_whole_s16_q & select_567;
-      equal_570_s17_q <= equal_570_s16_q;
-      equal_575_s17_q <= equal_575_s16_q;
-      not_576_s17_q <= not_576_s16_q;
-      so_s17_q <= so_s16_q;
-      not_578_s17_q <= not_578_s16_q;
-      equal_579_s17_q <= equal_579_s16_q;
-      inside_v_s17_q <= inside_v_s16_q;
-      not_588_s17_q <= not_588_s16_q;
-      moments_memory_rdata_s17_q <= moments_memory_rdata_q;
-      x_s17_2_q <= x_s16_2_q;
-      best_left_rdata_s17_q <= best_left_rdata_s16_q;
-      right_s17_q <= right_s16_q;
-      best_right_rdata_s17_q <= best_right_rdata_s16_q[14:0];
-      and_637_s17_q <= and_637;
-      and_640_s17_q <= and_640_s16_q;
-      and_647_s17_q <= and_647_s16_q;
-      equal_680_s17_q <= equal_680_s16_q;
-      of_best_s17_q <= of_best_s16_q;
-      or_1517_s17_q <= select_762_s16_q | (best_left_rdata_s16_q[16:9] < of_best_s16_q);
-      select_1522_s17_q <= select_1522_s16_q;
-      select_1531_s17_q <= select_1531;
-      select_1534_s17_q <= select_1534;
-      select_1553_s17_q <= select_762_s16_q ? of_near_s16_q : select_1552_s16_q;
-      select_1555_s17_q <= select_762_s16_q ? run_shift_s16_q : select_1554_s16_q;
-      select_1558_s17_q <= (run_shift_s16_q == 6'h3f) ? of_best_s16_q : select_1557_s16_q;
-      select_1561_s17_q <= (run_shift_s16_q == 6'h1) ? of_best_s16_q : select_1560_s16_q;
-      and_1562_s17_q <= and_1562_s16_q;
-      or_1566_s17_q <= or_1566;
-      select_1571_s17_q <= or_1570_s16_q ? of_near_s16_q : best_right_rdata_s16_q[21:15];
-      select_1572_s17_q <= or_1570_s16_q ? x_s16_2_q : best_right_rdata_s16_q[28:22];
-      and_1575_s17_q <= and_1575_s16_q;
-      select_1579_s17_q <= select_1579_s16_q;
-      and_1586_s17_q <= and_1586;
-      and_1590_s17_q <= and_1590;
-      and_1601_s17_q <= and_1601_s16_q;
-      equal_1608_s17_q <= equal_1608_s16_q;
-      quarter_s17_q <= quarter;
-      all_s17_q <= all_s16_q;
-      sum_1614_s17_q <= sum_1614;
-      select_1615_s17_q <= select_1615;
-      equal_1616_s17_q <= equal_1616;
-      equal_1618_s17_q <= equal_1618;
-      equal_1620_s17_q <= equal_1620;
-      equal_1622_s17_q <= equal_1622_s16_q;
-      equal_1624_s17_q <= equal_1624_s16_q;
-      equal_1626_s17_q <= equal_1626_s16_q;
-      equal_1628_s17_q <= equal_1628_s16_q;
-      equal_1630_s17_q <= equal_1630_s16_q;
-      less_1639_s17_q <= less_1639;
-      or_1643_s17_q <= or_1643;
-      select_1646_s17_q <= equal_1608_s16_q ? and_1638 : (less_1639 & (~or_1643));
-      and_1656_s17_q <= half_ends & ({{3{sum_1654[4]}}, sum_1654} < 8'h3);
-      select_1661_s17_q <= select_1661;
-      and_1676_s17_q <= and_1676_s16_q;
-      select_1693_s17_q <= select_1693_s16_q;
-      equal_1694_s17_q <= equal_1694_s16_q;
-      and_1702_s17_q <= and_1702_s16_q;
-      equal_1704_s17_q <= equal_1704_s16_q;
-      and_1737_s17_q <= (less_1703_s16_q & (and_637 & less_1720)) & and_1736_s16_q;
-      select_1753_s17_q <= select_1753_s16_q;
-      select_1779_s17_q <= select_1779_s16_q;
-      and_1786_s17_q <= and_1786_s16_q;
-      and_1787_s17_q <= and_1787_s16_q;
-      equal_1788_s17_q <= equal_1788_s16_q;
-      equal_1790_s17_q <= equal_1790_s16_q;
-      equal_1793_s17_q <= equal_1793_s16_q;
-      or_1794_s17_q <= or_1794_s16_q;
-      and_1803_s17_q <= and_1803_s16_q;
-      select_1818_s17_q <= select_1818_s16_q;
-      select_1824_s17_q <= select_1824_s16_q;
-      select_1862_s17_q <= select_1862_s16_q;
-      less_1878_s17_q <= less_1878_s16_q;
-      new_row_s17_q <= new_row_s16_q;
-      or_1891_s17_q <= or_1891_s16_q;
-      patches_right_codes_rdata_s17_q <= patches_right_codes_rdata_q;
-      of_row_2_s17_q <= of_row_2_s16_q;
-      down_2_s17_q <= down_2_s16_q[0];
-      sum_1905_s17_q <= sum_1905[0];
-      sum_1906_s17_q <= sum_1906;
-      difference_1926_s17_q <= difference_1926;
-      and_1951_s17_q <= and_1951_s16_q;
-      patches_left_codes_rdata_s17_q <= patches_left_codes_rdata_q;
-      and_1960_s17_q <= and_1960_s16_q;
-      and_1965_s17_q <= and_1965_s16_q;
-      less_1966_s17_q <= less_1966_s16_q;
-      equal_1967_s17_q <= equal_1967_s16_q;
-      not_1968_s17_q <= not_1968_s16_q;
-      equal_1969_s17_q <= equal_1969_s16_q;
-      or_1988_s17_q <= or_1988_s16_q;
-      or_1991_s17_q <= or_1991_s16_q;
-      or_1994_s17_q <= or_1994_s16_q;
-      not_1996_s17_q <= not_1996;
-      textured_s17_q <= textured_s16_q;
-      and_2021_s17_q <= and_2021;
-      and_2028_s17_q <= not_576_s16_q & and_2003_s16_q;
-      seen_columns_rdata_s17_q <= seen_columns_rdata_s16_q;
-      shown_s17_q <= shown;
-      near_s17_q <= near;
-      and_2069_s17_q <= and_2069_s16_q;
-      and_2071_s17_q <= and_2071_s16_q;
-      or_2086_s17_q <= or_2086_s16_q;
-      or_2089_s17_q <= or_2089_s16_q;
-      or_2092_s17_q <= or_2092_s16_q;
-      and_2103_s17_q <= and_2103_s16_q;
-      and_2105_s17_q <= seen_columns_rdata_s16_q[7] & inside_v_s16_q;
-      and_2106_s17_q <= seen_columns_rdata_s16_q[3] & inside_v_s16_q;
-      and_2119_s17_q <= and_2119_s16_q;
-      and_2121_s17_q <= seen_columns_rdata_s16_q[8] & inside_v_s16_q;
-      and_2122_s17_q <= seen_columns_rdata_s16_q[4] & inside_v_s16_q;
-      and_2142_s17_q <= and_2142_s16_q;
-      equal_2283_s17_q <= equal_2283_s16_q;
-      equal_2472_s17_q <= equal_2472_s16_q;
-      and_2603_s17_q <= and_2603;
-      not_2622_s17_q <= not_2622;
-      and_2623_s17_q <= and_2623_s16_q;
-      and_2625_s17_q <= seen_columns_rdata_s16_q[6] & inside_v_s16_q;
-      and_2626_s17_q <= seen_columns_rdata_s16_q[2] & inside_v_s16_q;
-      and_2665_s17_q <= not_576_s16_q & and_2664;
-      and_2672_s17_q <= not_576_s16_q & (so_s16_q & (ends_cell_s16_q & and_2669));
-      and_2696_s17_q <= inside_v_s16_q & (or_580_s16_q & (not_584_s16_q & and_2693));
-      select_2706_s17_q <= select_2706[1];
-      select_2709_s17_q <= select_2709[1];
-      and_2710_s17_q <= select_2706[0] & select_2709[0];
-      and_2757_s17_q <= not_576_s16_q & (so_s16_q & (half_ends & equal_2754));
-      and_2758_s17_q <= and_637 & less_1703_s16_q;
-      residual_s17_q <= residual;
-      equal_2820_s17_q <= sum_1614 == 2'h2;
-      not_2821_s17_q <= ~select_1661;
-      quarter_2_s17_q <= quarter_2;
-      and_2996_s17_q <= and_2996_s16_q;
-      less_3123_s17_q <= less_3123_s16_q;
-      equal_3466_s17_q <= equal_3466_s16_q;
-      select_3554_s17_q <= select_3554_s16_q;
-      select_3578_s17_q <= select_3578;
-      select_3585_s17_q <= select_3585_s16_q;
-      less_3628_s17_q <= less_3628;
-      high_s17_q <= high;
-      low_s17_q <= low;
-      equal_3930_s17_q <= equal_3930_s16_q;
-      equal_3950_s17_q <= equal_3950;
-      equal_3953_s17_q <= x_s16_q[6:3] == 4'hb;
-      equal_3954_s17_q <= equal_3954;
-      equal_3955_s17_q <= equal_3955;
-      select_3974_s17_q <= equal_3950 ? cfg_regions_limit_i : select_3973;
-      equal_4095_s17_q <= equal_4095_s16_q;
+      pixel_0_s15_q <= pixel_0_s14_q;
+      pixel_1_s15_q <= pixel_1_s14_q;
+      saturated_s15_q <= saturated_s14_q;
+      mask_s15_q <= sample_of_skin_q;
+      marks_first_s15_q <= marks_first_s14_q;
+      marks_last_s15_q <= marks_last_s14_q;
+      sample_pair_pixel_0_s15_q <= sample_pair_pixel_0_s14_q;
+      sample_pair_pixel_1_s15_q <= sample_pair_pixel_1_s14_q;
+      sample_pair_whole_s15_q <= sample_pair_whole_s14_q;
+      sample_present_s15_q <= sample_present_s14_q;
+      moments_starts_s15_q <= moments_starts_s14_q;
+      run_shift_s15_q <= run_shift_s14_q;
+      x_s15_q <= x_s14_q;
+      age_s15_q <= age_s14_q;
+      slot_s15_q <= slot_s14_q;
+      ends_cell_s15_q <= ends_cell_s14_q;
+      lower_half_s15_q <= lower_half_s14_q;
+      registration_of_right_s15_q <= registration_of_right_q;
+      patches_choosing_band_s15_q <= patches_choosing_band_s14_q;
+      patches_lower_s15_q <= patches_lower_s14_q;
+      patches_second_s15_q <= patches_second_s14_q;
+      patches_code_row_s15_q <= patches_code_row_s14_q;
+      patches_down_values_3_s15_q <= patches_down_values_3_q;
+      patches_along_s15_q <= patches_along_s14_q;
+      patches_summed_last_s15_q <= patches_summed_last_s14_q;
+      patches_summed_down_by_s15_q <= patches_summed_down_by_s14_q;
+      patches_read_first_s15_q <= patches_read_first_s14_q;
+      region_row_s15_q <= region_row_q;
+      region_fresh_s15_q <= region_fresh_q;
+      centres_values_1_textured_s15_q <= centres_values_1_textured_q;
+      centres_values_1_of_skin_s15_q <= centres_values_1_of_skin_q;
+      row_starts_s15_q <= row_starts_s14_q;
+      select_508_s15_q <= select_508_s14_q;
+      select_542_s15_q <= select_542_s14_q;
+      last_s15_q <= last_s14_q;
+      and_546_s15_q <= and_546_s14_q;
+      and_548_s15_q <= and_548_s14_q;
+      census_memory_rdata_s15_q <= census_memory_rdata_q;
+      grey_s15_q <= grey;
+      equal_551_s15_q <= equal_551_s14_q;
+      select_554_s15_q <= sample_pair_whole_s14_q ? total[10:2] : 9'h0;
+      grey_2_s15_q <= grey_2;
+      select_558_s15_q <= sample_pair_whole_s14_q ? total_2[10:2] : 9'h0;
+      whole_2_s15_q <= whole_2;
+      and_566_s15_q <= sample_pair_whole_s14_q & select_565;
+      equal_568_s15_q <= equal_568_s14_q;
+      equal_573_s15_q <= equal_573_s14_q;
+      not_574_s15_q <= not_574_s14_q;
+      so_s15_q <= so_s14_q;
+      not_576_s15_q <= not_576_s14_q;
+      equal_577_s15_q <= equal_577_s14_q;
+      inside_v_s15_q <= inside_v_s14_q;
+      not_586_s15_q <= not_586_s14_q;
+      moments_memory_rdata_s15_q <= moments_memory_rdata_q;
+      x_s15_2_q <= x_s14_2_q;
+      best_left_rdata_s15_q <= best_left_rdata_s14_q;
+      right_s15_q <= right_s14_q;
+      best_right_rdata_s15_q <= best_right_rdata_s14_q[14:0];
+      and_635_s15_q <= and_635;
+      and_638_s15_q <= and_638_s14_q;
+      and_645_s15_q <= and_645_s14_q;
+      equal_678_s15_q <= equal_678_s14_q;
+      of_best_s15_q <= of_best_s14_q;
+      or_1515_s15_q <= select_760_s14_q | (best_left_rdata_s14_q[16:9] < of_best_s14_q);
+      select_1520_s15_q <= select_1520_s14_q;
+      select_1529_s15_q <= select_1529;
+      select_1532_s15_q <= select_1532;
+      select_1551_s15_q <= select_760_s14_q ? of_near_s14_q : select_1550_s14_q;
+      select_1553_s15_q <= select_760_s14_q ? run_shift_s14_q : select_1552_s14_q;
+      select_1556_s15_q <= (run_shift_s14_q == 6'h3f) ? of_best_s14_q : select_1555_s14_q;
+      select_1559_s15_q <= (run_shift_s14_q == 6'h1) ? of_best_s14_q : select_1558_s14_q;
+      and_1560_s15_q <= and_1560_s14_q;
+      or_1564_s15_q <= or_1564;
+      select_1569_s15_q <= or_1568_s14_q ? of_near_s14_q : best_right_rdata_s14_q[21:15];
+      select_1570_s15_q <= or_1568_s14_q ? x_s14_2_q : best_right_rdata_s14_q[28:22];
+      and_1573_s15_q <= and_1573_s14_q;
+      select_1577_s15_q <= select_1577_s14_q;
+      and_1584_s15_q <= and_1584;
+      and_1588_s15_q <= and_1588;
+      and_1599_s15_q <= and_1599_s14_q;
+      equal_1606_s15_q <= equal_1606_s14_q;
+      quarter_s15_q <= quarter;
+      all_s15_q <= all_s14_q;
+      sum_1612_s15_q <= sum_1612;
+      select_1613_s15_q <= select_1613;
+      equal_1614_s15_q <= equal_1614;
+      equal_1616_s15_q <= equal_1616;
+      equal_1618_s15_q <= equal_1618;
+      equal_1620_s15_q <= equal_1620_s14_q;
+      equal_1622_s15_q <= equal_1622_s14_q;
+      equal_1624_s15_q <= equal_1624_s14_q;
+      equal_1626_s15_q <= equal_1626_s14_q;
+      equal_1628_s15_q <= equal_1628_s14_q;
+      less_1637_s15_q <= less_1637;
+      or_1641_s15_q <= or_1641;
+      select_1644_s15_q <= equal_1606_s14_q ? and_1636 : (less_1637 & (~or_1641));
+      and_1654_s15_q <= half_ends & ({{3{sum_1652[4]}}, sum_1652} < 8'h3);
+      select_1659_s15_q <= select_1659;
+      select_1688_s15_q <= select_1688_s14_q;
+      equal_1689_s15_q <= equal_1689_s14_q;
+      and_1697_s15_q <= and_1697_s14_q;
+      equal_1699_s15_q <= equal_1699_s14_q;
+      and_1732_s15_q <= (less_1698_s14_q & (and_635 & less_1715)) & and_1731_s14_q;
+      select_1748_s15_q <= select_1748_s14_q;
+      select_1774_s15_q <= select_1774_s14_q;
+      and_1781_s15_q <= and_1781_s14_q;
+      and_1782_s15_q <= and_1782_s14_q;
+      equal_1783_s15_q <= equal_1783_s14_q;
+      equal_1785_s15_q <= equal_1785_s14_q;
+      equal_1788_s15_q <= equal_1788_s14_q;
+      or_1789_s15_q <= or_1789_s14_q;
+      and_1798_s15_q <= and_1798_s14_q;
+      select_1813_s15_q <= select_1813_s14_q;
+      select_1819_s15_q <= select_1819_s14_q;
+      select_1857_s15_q <= select_1857_s14_q;
+      less_1873_s15_q <= less_1873_s14_q;
+      new_row_s15_q <= new_row_s14_q;
+      or_1886_s15_q <= or_1886_s14_q;
+      patches_right_codes_rdata_s15_q <= patches_right_codes_rdata_q;
+      of_row_2_s15_q <= of_row_2_s14_q;
+      down_2_s15_q <= down_2_s14_q[0];
+      sum_1900_s15_q <= sum_1900[0];
+      sum_1901_s15_q <= sum_1901;
+      difference_1921_s15_q <= difference_1921;
+      and_1946_s15_q <= and_1946_s14_q;
+      patches_left_codes_rdata_s15_q <= patches_left_codes_rdata_q;
+      and_1955_s15_q <= and_1955_s14_q;
+      and_1960_s15_q <= and_1960_s14_q;
+      less_1961_s15_q <= less_1961_s14_q;
+      equal_1962_s15_q <= equal_1962_s14_q;
+      not_1963_s15_q <= not_1963_s14_q;
+      equal_1964_s15_q <= equal_1964_s14_q;
+      or_1983_s15_q <= or_1983_s14_q;
+      or_1986_s15_q <= or_1986_s14_q;
+      or_1989_s15_q <= or_1989_s14_q;
+      not_1991_s15_q <= not_1991;
+      textured_s15_q <= textured_s14_q;
+      and_2016_s15_q <= and_2016;
+      and_2023_s15_q <= not_574_s14_q & and_1998_s14_q;
+      seen_columns_rdata_s15_q <= seen_columns_rdata_s14_q;
+      shown_s15_q <= shown;
+      near_s15_q <= near;
+      and_2064_s15_q <= and_2064_s14_q;
+      and_2066_s15_q <= and_2066_s14_q;
+      or_2081_s15_q <= or_2081_s14_q;
+      or_2084_s15_q <= or_2084_s14_q;
+      or_2087_s15_q <= or_2087_s14_q;
+      and_2098_s15_q <= and_2098_s14_q;
+      and_2100_s15_q <= seen_columns_rdata_s14_q[7] & inside_v_s14_q;
+      and_2101_s15_q <= seen_columns_rdata_s14_q[3] & inside_v_s14_q;
+      and_2114_s15_q <= and_2114_s14_q;
+      and_2116_s15_q <= seen_columns_rdata_s14_q[8] & inside_v_s14_q;
+      and_2117_s15_q <= seen_columns_rdata_s14_q[4] & inside_v_s14_q;
+      and_2137_s15_q <= and_2137_s14_q;
+      equal_2278_s15_q <= equal_2278_s14_q;
+      equal_2467_s15_q <= equal_2467_s14_q;
+      and_2598_s15_q <= and_2598;
+      not_2617_s15_q <= not_2617;
+      and_2618_s15_q <= and_2618_s14_q;
+      and_2620_s15_q <= seen_columns_rdata_s14_q[6] & inside_v_s14_q;
+      and_2621_s15_q <= seen_columns_rdata_s14_q[2] & inside_v_s14_q;
+      and_2660_s15_q <= not_574_s14_q & and_2659;
+      and_2667_s15_q <= not_574_s14_q & (so_s14_q & (ends_cell_s14_q & and_2664));
+      and_2691_s15_q <= inside_v_s14_q & (or_578_s14_q & (not_582_s14_q & and_2688));
+      select_2701_s15_q <= select_2701[1];
+      select_2704_s15_q <= select_2704[1];
+      and_2705_s15_q <= select_2701[0] & select_2704[0];
+      and_2752_s15_q <= not_574_s14_q & (so_s14_q & (half_ends & equal_2749));
+      and_2753_s15_q <= and_635 & less_1698_s14_q;
+      residual_s15_q <= residual;
+      equal_2815_s15_q <= sum_1612 == 2'h2;
+      not_2816_s15_q <= ~select_1659;
+      quarter_2_s15_q <= quarter_2;
+      and_2991_s15_q <= and_2991_s14_q;
+      less_3117_s15_q <= less_3117_s14_q;
+      equal_3460_s15_q <= equal_3460_s14_q;
+      select_3548_s15_q <= select_3548_s14_q;
+      select_3572_s15_q <= select_3572;
+      select_3579_s15_q <= select_3579_s14_q;
+      less_3622_s15_q <= less_3622;
+      high_s15_q <= high;
+      low_s15_q <= low;
+      equal_3924_s15_q <= equal_3924_s14_q;
+      equal_3944_s15_q <= equal_3944;
+      equal_3947_s15_q <= x_s14_q[6:3] == 4'hb;
+      equal_3948_s15_q <= equal_3948;
+      equal_3949_s15_q <= equal_3949;
+      select_3968_s15_q <= equal_3944 ? cfg_regions_limit_i : select_3967;
+      equal_4089_s15_q <= equal_4089_s14_q;
     end
   end
 
-  // Stage 17 ----------------------------------------------------------------------------------------------------------
+  // Stage 15 ----------------------------------------------------------------------------------------------------------
   logic [8:0] averager_quarter_1_0_q;
   logic [8:0] averager_quarter_1_1_q;
   logic [8:0] averager_quarter_2_0_q;
@@ -6312,363 +6206,363 @@ module horopter_agreement (
   logic [4:0] patches_summed_row_column_q;
   logic [9:0] patches_read_far_q;
   logic segment_started_q;
-  // hls/stages/census.hpp:305
+  // hls/stages/census.hpp:308
+  logic less_651;
+  assign less_651 = census_memory_rdata_s15_q[8:0] < census_columns_values_1_cell_2_left_q;
+  logic less_652;
+  assign less_652 = census_memory_rdata_s15_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_653;
-  assign less_653 = census_memory_rdata_s17_q[8:0] < census_columns_values_1_cell_2_left_q;
+  assign less_653 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_654;
-  assign less_654 = census_memory_rdata_s17_q[48:40] < census_columns_values_1_cell_2_left_q;
+  assign less_654 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_655;
-  assign less_655 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_655 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_656;
-  assign less_656 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_656 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_657;
-  assign less_657 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_657 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_658;
-  assign less_658 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_658 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_659;
-  assign less_659 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_659 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_660;
-  assign less_660 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_660 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_661;
-  assign less_661 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_661 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_662;
-  assign less_662 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_662 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:309
   logic less_663;
-  assign less_663 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_663 = census_memory_rdata_s15_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_664;
-  assign less_664 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:306
+  assign less_664 = census_memory_rdata_s15_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_665;
-  assign less_665 = census_memory_rdata_s17_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_665 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_666;
-  assign less_666 = census_memory_rdata_s17_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_666 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_667;
-  assign less_667 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_667 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_668;
-  assign less_668 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_668 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_669;
-  assign less_669 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_669 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   logic less_670;
-  assign less_670 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_670 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_671;
-  assign less_671 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_671 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_672;
-  assign less_672 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_672 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_673;
-  assign less_673 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_673 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_674;
-  assign less_674 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_675;
-  assign less_675 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_676;
-  assign less_676 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_674 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   // hls/stages/agreement.hpp:455
-  logic equal_677;
-  assign equal_677 = last_s17_q == 7'h0;
-  logic [3:0] select_681;
-  assign select_681 = equal_680_s17_q ? 4'h0 : rows_passed_above_q[3:0];
+  logic equal_675;
+  assign equal_675 = last_s15_q == 7'h0;
+  logic [3:0] select_679;
+  assign select_679 = equal_678_s15_q ? 4'h0 : rows_passed_above_q[3:0];
   // hls/stages/agreement.hpp:456
-  logic [4:0] select_682;
-  assign select_682 = equal_677 ? {select_681, 1'b1} : rows_passed_above_q;
-  // hls/stages/census.hpp:287
-  logic [3:0] select_683;
-  assign select_683 = equal_677 ? 4'h0 : census_filled_q;
-  // hls/stages/census.hpp:297
+  logic [4:0] select_680;
+  assign select_680 = equal_675 ? {select_679, 1'b1} : rows_passed_above_q;
+  // hls/stages/census.hpp:290
+  logic [3:0] select_681;
+  assign select_681 = equal_675 ? 4'h0 : census_filled_q;
+  // hls/stages/census.hpp:300
+  logic and_684;
+  assign and_684 = census_memory_rdata_s15_q[38] & (census_memory_rdata_s15_q[18] & whole_2_s15_q);
   logic and_686;
-  assign and_686 = census_memory_rdata_s17_q[38] & (census_memory_rdata_s17_q[18] & whole_2_s17_q);
-  logic and_688;
-  assign and_688 = census_memory_rdata_s17_q[77] & (census_memory_rdata_s17_q[58] & and_686);
-  // hls/stages/census.hpp:281
-  logic [9:0] difference_711;
-  assign difference_711 = {1'b0, select_556_s17_q} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [9:0] difference_714;
-  assign difference_714 = {1'b0, census_memory_rdata_s17_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [9:0] difference_718;
-  assign difference_718 = {1'b0, census_memory_rdata_s17_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [9:0] difference_722;
-  assign difference_722 = {1'b0, census_memory_rdata_s17_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [9:0] difference_726;
-  assign difference_726 = {1'b0, census_memory_rdata_s17_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  // hls/stages/census.hpp:317
+  assign and_686 = census_memory_rdata_s15_q[77] & (census_memory_rdata_s15_q[58] & and_684);
+  // hls/stages/census.hpp:284
+  logic [9:0] difference_709;
+  assign difference_709 = {1'b0, select_554_s15_q} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [9:0] difference_712;
+  assign difference_712 = {1'b0, census_memory_rdata_s15_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [9:0] difference_716;
+  assign difference_716 = {1'b0, census_memory_rdata_s15_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [9:0] difference_720;
+  assign difference_720 = {1'b0, census_memory_rdata_s15_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [9:0] difference_724;
+  assign difference_724 = {1'b0, census_memory_rdata_s15_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  // hls/stages/census.hpp:320
   logic [9:0] half_grey_levels;
   assign half_grey_levels = {1'b0, census_columns_values_0_cell_2_left_q} - {1'b0, census_columns_values_1_cell_2_left_q};
-  // hls/stages/census.hpp:318
+  // hls/stages/census.hpp:321
   logic [9:0] half_grey_levels_2;
   assign half_grey_levels_2 = {1'b0, census_columns_values_0_cell_2_right_q} - {1'b0, census_columns_values_1_cell_2_right_q};
   // hls/stages/agreement.hpp:788
-  logic and_1587;
-  assign and_1587 = not_578_s17_q & and_1586_s17_q;
+  logic and_1585;
+  assign and_1585 = not_576_s15_q & and_1584_s15_q;
   // hls/stages/moments.hpp:73
-  logic and_1594;
-  assign and_1594 = moments_has_before_q & moments_memory_rdata_s17_q[0];
+  logic and_1592;
+  assign and_1592 = moments_has_before_q & moments_memory_rdata_s15_q[0];
   // hls/stages/agreement.hpp:1003
-  logic and_1598;
-  assign and_1598 = not_588_s17_q & (and_1594 & (moments_memory_rdata_s17_q[1] ^ and_640_s17_q));
+  logic and_1596;
+  assign and_1596 = not_586_s15_q & (and_1592 & (moments_memory_rdata_s15_q[1] ^ and_638_s15_q));
   // hls/stages/moments.hpp:73
-  logic and_1603;
-  assign and_1603 = moments_has_before_q & moments_memory_rdata_s17_q[2];
+  logic and_1601;
+  assign and_1601 = moments_has_before_q & moments_memory_rdata_s15_q[2];
   // hls/stages/agreement.hpp:1003
-  logic and_1607;
-  assign and_1607 = not_588_s17_q & (and_1603 & (moments_memory_rdata_s17_q[3] ^ and_647_s17_q));
+  logic and_1605;
+  assign and_1605 = not_586_s15_q & (and_1601 & (moments_memory_rdata_s15_q[3] ^ and_645_s15_q));
   // hls/stages/agreement.hpp:788
-  logic and_1657;
-  assign and_1657 = so_s17_q & and_1656_s17_q;
-  logic and_1741;
-  assign and_1741 = not_576_s17_q & (so_s17_q & (ends_cell_s17_q & (inside_v_s17_q & and_1737_s17_q)));
-  logic [7:0] select_1747;
-  assign select_1747 = so_s17_q ? (ends_cell_s17_q ? (inside_v_s17_q ? x_s17_q : 8'h0) : 8'h0) : 8'h0;
+  logic and_1655;
+  assign and_1655 = so_s15_q & and_1654_s15_q;
+  logic and_1736;
+  assign and_1736 = not_574_s15_q & (so_s15_q & (ends_cell_s15_q & (inside_v_s15_q & and_1732_s15_q)));
+  logic [7:0] select_1742;
+  assign select_1742 = so_s15_q ? (ends_cell_s15_q ? (inside_v_s15_q ? x_s15_q : 8'h0) : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:472
-  logic [14:0] sum_1907;
-  assign sum_1907 = {{4{patches_down_values_3_s17_q[10]}}, patches_down_values_3_s17_q} + {sum_1906_s17_q, sum_1905_s17_q, down_2_s17_q};
+  logic [14:0] sum_1902;
+  assign sum_1902 = {{4{patches_down_values_3_s15_q[10]}}, patches_down_values_3_s15_q} + {sum_1901_s15_q, sum_1900_s15_q, down_2_s15_q};
   // hls/stages/patches.hpp:451
-  logic and_1930;
-  assign and_1930 = difference_1926_s17_q[8] & (~(difference_1926_s17_q[7:0] == 8'h0));
+  logic and_1925;
+  assign and_1925 = difference_1921_s15_q[8] & (~(difference_1921_s15_q[7:0] == 8'h0));
   // hls/stages/patches.hpp:454
-  logic and_1934;
-  assign and_1934 = (~difference_1926_s17_q[14]) & (and_1930 | (~(difference_1926_s17_q[13:9] == 5'h0)));
+  logic and_1929;
+  assign and_1929 = (~difference_1921_s15_q[14]) & (and_1925 | (~(difference_1921_s15_q[13:9] == 5'h0)));
   // hls/stages/patches.hpp:450
-  logic and_1937;
-  assign and_1937 = difference_1926_s17_q[14] & (~(difference_1926_s17_q[13:8] == 6'h3f));
+  logic and_1932;
+  assign and_1932 = difference_1921_s15_q[14] & (~(difference_1921_s15_q[13:8] == 6'h3f));
   // hls/stages/agreement.hpp:262
   logic explained;
-  assign explained = inside_v_s17_q & and_637_s17_q;
-  logic and_2030;
-  assign and_2030 = inside_v_s17_q & and_2021_s17_q;
+  assign explained = inside_v_s15_q & and_635_s15_q;
+  logic and_2025;
+  assign and_2025 = inside_v_s15_q & and_2016_s15_q;
   // hls/stages/agreement.hpp:1030
-  logic and_2072;
-  assign and_2072 = seen_columns_rdata_s17_q[0] & inside_v_s17_q;
+  logic and_2067;
+  assign and_2067 = seen_columns_rdata_s15_q[0] & inside_v_s15_q;
   // hls/stages/agreement.hpp:1087
-  logic [1:0] sum_2074;
-  assign sum_2074 = {1'b0, and_2071_s17_q} + ({1'b0, textured_s17_q} + {1'b0, and_2072});
+  logic [1:0] sum_2069;
+  assign sum_2069 = {1'b0, and_2066_s15_q} + ({1'b0, textured_s15_q} + {1'b0, and_2067});
   // hls/stages/agreement.hpp:1030
-  logic and_2104;
-  assign and_2104 = seen_columns_rdata_s17_q[11] & inside_v_s17_q;
+  logic and_2099;
+  assign and_2099 = seen_columns_rdata_s15_q[11] & inside_v_s15_q;
   // hls/stages/agreement.hpp:1089
-  logic [1:0] sum_2108;
-  assign sum_2108 = {1'b0, and_2105_s17_q} + ({1'b0, shown_s17_q} + {1'b0, and_2106_s17_q});
+  logic [1:0] sum_2103;
+  assign sum_2103 = {1'b0, and_2100_s15_q} + ({1'b0, shown_s15_q} + {1'b0, and_2101_s15_q});
   // hls/stages/agreement.hpp:1030
-  logic and_2120;
-  assign and_2120 = seen_columns_rdata_s17_q[12] & inside_v_s17_q;
+  logic and_2115;
+  assign and_2115 = seen_columns_rdata_s15_q[12] & inside_v_s15_q;
   // hls/stages/agreement.hpp:1090
-  logic [1:0] sum_2124;
-  assign sum_2124 = {1'b0, and_2121_s17_q} + ({1'b0, near_s17_q} + {1'b0, and_2122_s17_q});
+  logic [1:0] sum_2119;
+  assign sum_2119 = {1'b0, and_2116_s15_q} + ({1'b0, near_s15_q} + {1'b0, and_2117_s15_q});
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_2166;
-  assign select_2166 = sample_pair_whole_s17_q ? (and_548_s17_q ? grey_s17_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2168;
-  assign select_2168 = sample_pair_whole_s17_q ? (and_548_s17_q ? grey_2_s17_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2170;
-  assign select_2170 = sample_pair_whole_s17_q ? (and_548_s17_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2172;
-  assign select_2172 = sample_pair_whole_s17_q ? (and_548_s17_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
-  // hls/stages/census.hpp:217
-  logic [9:0] sum_2177;
-  assign sum_2177 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s17_q};
-  logic [9:0] sum_2185;
-  assign sum_2185 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s17_q};
+  logic [8:0] select_2161;
+  assign select_2161 = sample_pair_whole_s15_q ? (and_546_s15_q ? grey_s15_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2163;
+  assign select_2163 = sample_pair_whole_s15_q ? (and_546_s15_q ? grey_2_s15_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2165;
+  assign select_2165 = sample_pair_whole_s15_q ? (and_546_s15_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2167;
+  assign select_2167 = sample_pair_whole_s15_q ? (and_546_s15_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  // hls/stages/census.hpp:220
+  logic [9:0] sum_2172;
+  assign sum_2172 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s15_q};
+  logic [9:0] sum_2180;
+  assign sum_2180 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s15_q};
   // hls/stages/agreement.hpp:520
-  logic [8:0] select_2201;
-  assign select_2201 = and_550_s17_q ? select_556_s17_q : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2196;
+  assign select_2196 = and_548_s15_q ? select_554_s15_q : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2197;
+  assign select_2197 = and_548_s15_q ? select_558_s15_q : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2199;
+  assign select_2199 = and_548_s15_q ? census_memory_rdata_s15_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_2200;
+  assign select_2200 = and_548_s15_q ? census_memory_rdata_s15_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2201;
+  assign select_2201 = and_548_s15_q ? census_memory_rdata_s15_q[18] : census_columns_values_0_cell_1_mask_q;
   logic [8:0] select_2202;
-  assign select_2202 = and_550_s17_q ? select_560_s17_q : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2204;
-  assign select_2204 = and_550_s17_q ? census_memory_rdata_s17_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2205;
-  assign select_2205 = and_550_s17_q ? census_memory_rdata_s17_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2206;
-  assign select_2206 = and_550_s17_q ? census_memory_rdata_s17_q[18] : census_columns_values_0_cell_1_mask_q;
+  assign select_2202 = and_548_s15_q ? census_memory_rdata_s15_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2203;
+  assign select_2203 = and_548_s15_q ? census_memory_rdata_s15_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2204;
+  assign select_2204 = and_548_s15_q ? census_memory_rdata_s15_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2205;
+  assign select_2205 = and_548_s15_q ? census_memory_rdata_s15_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2206;
+  assign select_2206 = and_548_s15_q ? census_memory_rdata_s15_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_2207;
-  assign select_2207 = and_550_s17_q ? census_memory_rdata_s17_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2208;
-  assign select_2208 = and_550_s17_q ? census_memory_rdata_s17_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2209;
-  assign select_2209 = and_550_s17_q ? census_memory_rdata_s17_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2210;
-  assign select_2210 = and_550_s17_q ? census_memory_rdata_s17_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_2211;
-  assign select_2211 = and_550_s17_q ? census_memory_rdata_s17_q[48:40] : census_columns_values_0_cell_3_left_q;
+  assign select_2207 = and_548_s15_q ? census_memory_rdata_s15_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2208;
+  assign select_2208 = and_548_s15_q ? census_memory_rdata_s15_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2209;
+  assign select_2209 = and_548_s15_q ? census_memory_rdata_s15_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2210;
+  assign select_2210 = and_548_s15_q ? census_memory_rdata_s15_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2211;
+  assign select_2211 = and_548_s15_q ? census_memory_rdata_s15_q[77] : census_columns_values_0_cell_4_mask_q;
   logic [8:0] select_2212;
-  assign select_2212 = and_550_s17_q ? census_memory_rdata_s17_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2213;
-  assign select_2213 = and_550_s17_q ? census_memory_rdata_s17_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_2214;
-  assign select_2214 = and_550_s17_q ? census_memory_rdata_s17_q[67:59] : census_columns_values_0_cell_4_left_q;
+  assign select_2212 = and_548_s15_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2213;
+  assign select_2213 = and_548_s15_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
   logic [8:0] select_2215;
-  assign select_2215 = and_550_s17_q ? census_memory_rdata_s17_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2216;
-  assign select_2216 = and_550_s17_q ? census_memory_rdata_s17_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_2217;
-  assign select_2217 = and_550_s17_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  assign select_2215 = and_548_s15_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_2216;
+  assign select_2216 = and_548_s15_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
   logic [8:0] select_2218;
-  assign select_2218 = and_550_s17_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic [8:0] select_2220;
-  assign select_2220 = and_550_s17_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2221;
-  assign select_2221 = and_550_s17_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  assign select_2218 = and_548_s15_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2219;
+  assign select_2219 = and_548_s15_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2221;
+  assign select_2221 = and_548_s15_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2222;
+  assign select_2222 = and_548_s15_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_2223;
-  assign select_2223 = and_550_s17_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2224;
-  assign select_2224 = and_550_s17_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2226;
-  assign select_2226 = and_550_s17_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_2227;
-  assign select_2227 = and_550_s17_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  assign select_2223 = and_548_s15_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic [8:0] select_2225;
+  assign select_2225 = and_548_s15_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2226;
+  assign select_2226 = and_548_s15_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
   logic [8:0] select_2228;
-  assign select_2228 = and_550_s17_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic [8:0] select_2230;
-  assign select_2230 = and_550_s17_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  assign select_2228 = and_548_s15_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2229;
+  assign select_2229 = and_548_s15_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
   logic [8:0] select_2231;
-  assign select_2231 = and_550_s17_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic [8:0] select_2233;
-  assign select_2233 = and_550_s17_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  assign select_2231 = and_548_s15_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2232;
+  assign select_2232 = and_548_s15_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
   logic [8:0] select_2234;
-  assign select_2234 = and_550_s17_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic [8:0] select_2236;
-  assign select_2236 = and_550_s17_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  assign select_2234 = and_548_s15_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2235;
+  assign select_2235 = and_548_s15_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
   logic [8:0] select_2237;
-  assign select_2237 = and_550_s17_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic [8:0] select_2239;
-  assign select_2239 = and_550_s17_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  assign select_2237 = and_548_s15_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2238;
+  assign select_2238 = and_548_s15_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
   logic [8:0] select_2240;
-  assign select_2240 = and_550_s17_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic [8:0] select_2242;
-  assign select_2242 = and_550_s17_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2243;
-  assign select_2243 = and_550_s17_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  assign select_2240 = and_548_s15_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2241;
+  assign select_2241 = and_548_s15_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic [8:0] select_2244;
+  assign select_2244 = and_548_s15_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
   logic [8:0] select_2245;
-  assign select_2245 = and_550_s17_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2246;
-  assign select_2246 = and_550_s17_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  assign select_2245 = and_548_s15_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic [8:0] select_2248;
+  assign select_2248 = and_548_s15_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
   logic [8:0] select_2249;
-  assign select_2249 = and_550_s17_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2250;
-  assign select_2250 = and_550_s17_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic [8:0] select_2253;
-  assign select_2253 = and_550_s17_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2254;
-  assign select_2254 = and_550_s17_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  // hls/stages/census.hpp:283
-  logic [9:0] difference_2258;
-  assign difference_2258 = {1'b0, select_560_s17_q} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [9:0] difference_2261;
-  assign difference_2261 = {1'b0, census_memory_rdata_s17_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [9:0] difference_2265;
-  assign difference_2265 = {1'b0, census_memory_rdata_s17_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [9:0] difference_2269;
-  assign difference_2269 = {1'b0, census_memory_rdata_s17_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [9:0] difference_2273;
-  assign difference_2273 = {1'b0, census_memory_rdata_s17_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  assign select_2249 = and_548_s15_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  // hls/stages/census.hpp:286
+  logic [9:0] difference_2253;
+  assign difference_2253 = {1'b0, select_558_s15_q} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [9:0] difference_2256;
+  assign difference_2256 = {1'b0, census_memory_rdata_s15_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [9:0] difference_2260;
+  assign difference_2260 = {1'b0, census_memory_rdata_s15_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [9:0] difference_2264;
+  assign difference_2264 = {1'b0, census_memory_rdata_s15_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [9:0] difference_2268;
+  assign difference_2268 = {1'b0, census_memory_rdata_s15_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
   // hls/stages/agreement.hpp:1142
-  logic equal_2298;
-  assign equal_2298 = x_s17_q[6:0] == 7'h70;
+  logic equal_2293;
+  assign equal_2293 = x_s15_q[6:0] == 7'h70;
   // hls/stages/agreement.hpp:788
-  logic select_2304;
-  assign select_2304 = equal_575_s17_q ? (moments_has_before_q | equal_2298) : moments_has_before_q;
-  // hls/stages/census.hpp:368
-  logic [9:0] difference_2369;
-  assign difference_2369 = {1'b0, select_556_s17_q} - {1'b0, sharpness_last_mean_0_q};
-  logic [9:0] difference_2381;
-  assign difference_2381 = {1'b0, select_560_s17_q} - {1'b0, sharpness_last_mean_1_q};
+  logic select_2299;
+  assign select_2299 = equal_573_s15_q ? (moments_has_before_q | equal_2293) : moments_has_before_q;
+  // hls/stages/census.hpp:371
+  logic [9:0] difference_2364;
+  assign difference_2364 = {1'b0, select_554_s15_q} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2376;
+  assign difference_2376 = {1'b0, select_558_s15_q} - {1'b0, sharpness_last_mean_1_q};
   // hls/stages/agreement.hpp:520
-  logic and_2597;
-  assign and_2597 = and_550_s17_q & (equal_680_s17_q & equal_2472_s17_q);
+  logic and_2592;
+  assign and_2592 = and_548_s15_q & (equal_678_s15_q & equal_2467_s15_q);
   // hls/stages/agreement.hpp:788
-  logic and_2608;
-  assign and_2608 = not_576_s17_q & (so_s17_q & (ends_cell_s17_q & textured_s17_q));
+  logic and_2603;
+  assign and_2603 = not_574_s15_q & (so_s15_q & (ends_cell_s15_q & textured_s15_q));
   // hls/stages/agreement.hpp:1030
-  logic and_2624;
-  assign and_2624 = seen_columns_rdata_s17_q[10] & inside_v_s17_q;
+  logic and_2619;
+  assign and_2619 = seen_columns_rdata_s15_q[10] & inside_v_s15_q;
   // hls/stages/agreement.hpp:1088
-  logic [1:0] sum_2628;
-  assign sum_2628 = {1'b0, and_2625_s17_q} + ({1'b0, explained} + {1'b0, and_2626_s17_q});
+  logic [1:0] sum_2623;
+  assign sum_2623 = {1'b0, and_2620_s15_q} + ({1'b0, explained} + {1'b0, and_2621_s15_q});
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2667;
-  assign select_2667 = and_2597 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2665_s17_q});
-  logic [13:0] select_2674;
-  assign select_2674 = and_2597 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2672_s17_q});
+  logic [13:0] select_2662;
+  assign select_2662 = and_2592 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2660_s15_q});
+  logic [13:0] select_2669;
+  assign select_2669 = and_2592 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2667_s15_q});
   // hls/stages/agreement.hpp:1027
-  logic and_2711;
-  assign and_2711 = and_637_s17_q & and_2710_s17_q;
+  logic and_2706;
+  assign and_2706 = and_635_s15_q & and_2705_s15_q;
   // hls/stages/agreement.hpp:788
-  logic and_2714;
-  assign and_2714 = ends_cell_s17_q & (inside_v_s17_q & (select_2706_s17_q & and_2711));
-  logic and_2721;
-  assign and_2721 = ends_cell_s17_q & (inside_v_s17_q & (select_2709_s17_q & and_2711));
+  logic and_2709;
+  assign and_2709 = ends_cell_s15_q & (inside_v_s15_q & (select_2701_s15_q & and_2706));
+  logic and_2716;
+  assign and_2716 = ends_cell_s15_q & (inside_v_s15_q & (select_2704_s15_q & and_2706));
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_2792;
-  assign difference_2792 = 13'h0 - {residual_s17_q[11], residual_s17_q};
-  logic less_2807;
-  assign less_2807 = $signed(difference_2792) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic [12:0] difference_2787;
+  assign difference_2787 = 13'h0 - {residual_s15_q[11], residual_s15_q};
+  logic less_2802;
+  assign less_2802 = $signed(difference_2787) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/registration.hpp:269
-  logic [3:0] select_2823;
-  assign select_2823 = equal_2820_s17_q ? (registration_fresh_q & not_2821_s17_q) : registration_fresh_q;
+  logic [3:0] select_2818;
+  assign select_2818 = equal_2815_s15_q ? (registration_fresh_q & not_2816_s15_q) : registration_fresh_q;
   // hls/stages/agreement.hpp:788
-  logic [3:0] select_2825;
-  assign select_2825 = so_s17_q ? (and_1656_s17_q ? select_2823 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_2820;
+  assign select_2820 = so_s15_q ? (and_1654_s15_q ? select_2818 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_2827;
-  assign select_2827 = and_2597 ? 4'hf : (equal_575_s17_q ? registration_fresh_q : select_2825);
+  logic [3:0] select_2822;
+  assign select_2822 = and_2592 ? 4'hf : (equal_573_s15_q ? registration_fresh_q : select_2820);
   // hls/stages/registration.hpp:258
-  logic not_2848;
-  assign not_2848 = ~quarter_2_s17_q[1];
-  logic [3:0] select_2849;
-  assign select_2849 = quarter_2_s17_q[0] ? {quarter_2_s17_q[1], 1'b0, not_2848, 1'b0} : {1'b0, quarter_2_s17_q[1], 1'b0, not_2848};
+  logic not_2843;
+  assign not_2843 = ~quarter_2_s15_q[1];
+  logic [3:0] select_2844;
+  assign select_2844 = quarter_2_s15_q[0] ? {quarter_2_s15_q[1], 1'b0, not_2843, 1'b0} : {1'b0, quarter_2_s15_q[1], 1'b0, not_2843};
   // hls/stages/patches.hpp:506
   logic [27:0] word;
-  assign word = or_1891_s17_q ? patches_right_codes_rdata_s17_q : 28'h0;
+  assign word = or_1886_s15_q ? patches_right_codes_rdata_s15_q : 28'h0;
   // hls/stages/patches.hpp:523
-  logic [47:0] select_3156;
-  assign select_3156 = new_row_s17_q ? patches_left_codes_rdata_s17_q : patches_left_row_q;
+  logic [47:0] select_3150;
+  assign select_3150 = new_row_s15_q ? patches_left_codes_rdata_s15_q : patches_left_row_q;
   // hls/stages/patches.hpp:185
-  logic [47:0] select_3158;
-  assign select_3158 = equal_1788_s17_q ? patches_left_row_q : (equal_1790_s17_q ? select_3156 : patches_left_row_q);
-  logic [4:0] select_3503;
-  assign select_3503 = equal_1790_s17_q ? patches_along_s17_q : patches_summed_row_column_q;
+  logic [47:0] select_3152;
+  assign select_3152 = equal_1783_s15_q ? patches_left_row_q : (equal_1785_s15_q ? select_3150 : patches_left_row_q);
+  logic [4:0] select_3497;
+  assign select_3497 = equal_1785_s15_q ? patches_along_s15_q : patches_summed_row_column_q;
   // hls/stages/patches.hpp:558
-  logic [9:0] select_3580;
-  assign select_3580 = less_1966_s17_q ? (equal_1969_s17_q ? 10'h3ff : select_3578_s17_q) : 10'h3ff;
+  logic [9:0] select_3574;
+  assign select_3574 = less_1961_s15_q ? (equal_1964_s15_q ? 10'h3ff : select_3572_s15_q) : 10'h3ff;
   // hls/stages/patches.hpp:561
-  logic [9:0] select_3581;
-  assign select_3581 = equal_1969_s17_q ? select_3580 : select_3578_s17_q;
-  logic [9:0] select_3583;
-  assign select_3583 = less_1966_s17_q ? (equal_1967_s17_q ? 10'h3ff : select_3581) : select_3581;
+  logic [9:0] select_3575;
+  assign select_3575 = equal_1964_s15_q ? select_3574 : select_3572_s15_q;
+  logic [9:0] select_3577;
+  assign select_3577 = less_1961_s15_q ? (equal_1962_s15_q ? 10'h3ff : select_3575) : select_3575;
   // hls/stages/patches.hpp:582
   logic [9:0] eight;
-  assign eight = high_s17_q - low_s17_q;
+  assign eight = high_s15_q - low_s15_q;
   logic [9:0] fall_2;
-  assign fall_2 = high_s17_q - select_3585_s17_q[9:0];
+  assign fall_2 = high_s15_q - select_3579_s15_q[9:0];
   // hls/stages/agreement.hpp:1223
-  logic equal_3706;
-  assign equal_3706 = x_s17_q[2:0] == 3'h0;
+  logic equal_3700;
+  assign equal_3700 = x_s15_q[2:0] == 3'h0;
   // hls/stages/agreement.hpp:1217
-  logic equal_3952;
-  assign equal_3952 = x_s17_q[6:3] == 4'hc;
+  logic equal_3946;
+  assign equal_3946 = x_s15_q[6:3] == 4'hc;
   // hls/stages/agreement.hpp:1125
-  logic [7:0] select_3975;
-  assign select_3975 = equal_3953_s17_q ? {cfg_on_skin_limit_i, 3'h0} : select_3974_s17_q;
+  logic [7:0] select_3969;
+  assign select_3969 = equal_3947_s15_q ? {cfg_on_skin_limit_i, 3'h0} : select_3968_s15_q;
   logic [7:0] limit;
-  assign limit = equal_3952 ? cfg_regions_limit_i : select_3975;
+  assign limit = equal_3946 ? cfg_regions_limit_i : select_3969;
   // hls/stages/agreement.hpp:1231
-  logic not_3977;
-  assign not_3977 = ~x_s17_q[2];
-  logic [3:0] select_3978;
-  assign select_3978 = x_s17_q[1] ? {x_s17_q[2], 1'b0, not_3977, 1'b0} : {1'b0, x_s17_q[2], 1'b0, not_3977};
-  logic [7:0] select_3979;
-  assign select_3979 = x_s17_q[0] ? {select_3978[3], 1'b0, select_3978[2], 1'b0, select_3978[1], 1'b0, select_3978[0], 1'b0} : {1'b0, select_3978[3], 1'b0, select_3978[2], 1'b0, select_3978[1], 1'b0, select_3978[0]};
+  logic not_3971;
+  assign not_3971 = ~x_s15_q[2];
+  logic [3:0] select_3972;
+  assign select_3972 = x_s15_q[1] ? {x_s15_q[2], 1'b0, not_3971, 1'b0} : {1'b0, x_s15_q[2], 1'b0, not_3971};
+  logic [7:0] select_3973;
+  assign select_3973 = x_s15_q[0] ? {select_3972[3], 1'b0, select_3972[2], 1'b0, select_3972[1], 1'b0, select_3972[0], 1'b0} : {1'b0, select_3972[3], 1'b0, select_3972[2], 1'b0, select_3972[1], 1'b0, select_3972[0]};
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3983;
-  assign select_3983 = equal_3954_s17_q ? counts_skin_supervised_q : (equal_3955_s17_q ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] select_3985;
-  assign select_3985 = equal_3953_s17_q ? counts_skin_textured_q : (equal_3950_s17_q ? counts_textured_q : select_3983);
+  logic [13:0] select_3977;
+  assign select_3977 = equal_3948_s15_q ? counts_skin_supervised_q : (equal_3949_s15_q ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_3979;
+  assign select_3979 = equal_3947_s15_q ? counts_skin_textured_q : (equal_3944_s15_q ? counts_textured_q : select_3977);
   logic [13:0] of;
-  assign of = equal_3952 ? counts_textured_q : select_3985;
+  assign of = equal_3946 ? counts_textured_q : select_3979;
   // hls/stages/registration.hpp:258
-  logic not_4188;
-  assign not_4188 = ~quarter_s17_q[1];
-  logic [3:0] select_4189;
-  assign select_4189 = quarter_s17_q[0] ? {quarter_s17_q[1], 1'b0, not_4188, 1'b0} : {1'b0, quarter_s17_q[1], 1'b0, not_4188};
+  logic not_4182;
+  assign not_4182 = ~quarter_s15_q[1];
+  logic [3:0] select_4183;
+  assign select_4183 = quarter_s15_q[0] ? {quarter_s15_q[1], 1'b0, not_4182, 1'b0} : {1'b0, quarter_s15_q[1], 1'b0, not_4182};
 
-  // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:277; read in stage 17, written in stage 21: 17 < 21 < 17 + DISTANCE.
+  // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:277; read in stage 15, written in stage 19: 15 < 19 < 15 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -6677,10 +6571,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1615_s17_q;
+  assign registration_sums_raddr = select_1613_s15_q;
 `ifndef SYNTHESIS
   logic registration_sums_re;
-  assign registration_sums_re = s17_en & (equal_575_s17_q ? (x_s17_q[6] & select_1646_s17_q) : and_1657);
+  assign registration_sums_re = s15_en & (equal_573_s15_q ? (x_s15_q[6] & select_1644_s15_q) : and_1655);
 `endif
   logic [31:0] registration_sums_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -6689,21 +6583,21 @@ module horopter_agreement (
 
   // Memory census_memory, write
   logic [6:0] census_memory_waddr;
-  assign census_memory_waddr = last_s17_q;
+  assign census_memory_waddr = last_s15_q;
   logic census_memory_we;
-  assign census_memory_we = s17_en & and_550_s17_q;
+  assign census_memory_we = s15_en & and_548_s15_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_s17_q[58:40], census_memory_rdata_s17_q[38:0], and_568_s17_q, whole_2_s17_q, select_560_s17_q, select_556_s17_q};
+    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_s15_q[58:40], census_memory_rdata_s15_q[38:0], and_566_s15_q, whole_2_s15_q, select_558_s15_q, select_554_s15_q};
   end
 `ifndef SYNTHESIS
-  logic [6:0] census_memory_raddr_s16_sim;
-  logic census_memory_re_s16_sim;
+  logic [6:0] census_memory_raddr_s14_sim;
+  logic census_memory_re_s14_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      census_memory_re_s16_sim <= 1'b0;
+      census_memory_re_s14_sim <= 1'b0;
     end else if (en_i) begin
-      census_memory_re_s16_sim <= census_memory_re;
-      census_memory_raddr_s16_sim <= census_memory_raddr;
+      census_memory_re_s14_sim <= census_memory_re;
+      census_memory_raddr_s14_sim <= census_memory_raddr;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -6711,7 +6605,7 @@ module horopter_agreement (
       if (census_memory_re && census_memory_raddr == census_memory_waddr) begin
         $error("census_memory: address %0d is read less than DISTANCE steps after its write", census_memory_waddr);
       end
-      if (census_memory_re_s16_sim && census_memory_raddr_s16_sim == census_memory_waddr) begin
+      if (census_memory_re_s14_sim && census_memory_raddr_s14_sim == census_memory_waddr) begin
         $error("census_memory: address %0d is read less than DISTANCE steps after its write", census_memory_waddr);
       end
       if (census_memory_waddr >= 7'd120) $error("census_memory: write outside, address %0d", census_memory_waddr);
@@ -6722,26 +6616,26 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_1579_s17_q;
+  assign shown_right_waddr = select_1577_s15_q;
   logic shown_right_we;
-  assign shown_right_we = s17_en & and_1590_s17_q;
+  assign shown_right_we = s15_en & and_1588_s15_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1587, not_578_s17_q};
+    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1585, not_576_s15_q};
   end
 `ifndef SYNTHESIS
-  logic [6:0] shown_right_raddr_s15_sim;
-  logic shown_right_re_s15_sim;
-  logic [6:0] shown_right_raddr_s16_sim;
-  logic shown_right_re_s16_sim;
+  logic [6:0] shown_right_raddr_s13_sim;
+  logic shown_right_re_s13_sim;
+  logic [6:0] shown_right_raddr_s14_sim;
+  logic shown_right_re_s14_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      shown_right_re_s15_sim <= 1'b0;
-      shown_right_re_s16_sim <= 1'b0;
+      shown_right_re_s13_sim <= 1'b0;
+      shown_right_re_s14_sim <= 1'b0;
     end else if (en_i) begin
-      shown_right_re_s15_sim <= shown_right_re;
-      shown_right_raddr_s15_sim <= shown_right_raddr;
-      shown_right_re_s16_sim <= shown_right_re_s15_sim;
-      shown_right_raddr_s16_sim <= shown_right_raddr_s15_sim;
+      shown_right_re_s13_sim <= shown_right_re;
+      shown_right_raddr_s13_sim <= shown_right_raddr;
+      shown_right_re_s14_sim <= shown_right_re_s13_sim;
+      shown_right_raddr_s14_sim <= shown_right_raddr_s13_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -6749,10 +6643,10 @@ module horopter_agreement (
       if (shown_right_re && shown_right_raddr == shown_right_waddr) begin
         $error("shown_right: address %0d is read less than DISTANCE steps after its write", shown_right_waddr);
       end
-      if (shown_right_re_s15_sim && shown_right_raddr_s15_sim == shown_right_waddr) begin
+      if (shown_right_re_s13_sim && shown_right_raddr_s13_sim == shown_right_waddr) begin
         $error("shown_right: address %0d is read less than DISTANCE steps after its write", shown_right_waddr);
       end
-      if (shown_right_re_s16_sim && shown_right_raddr_s16_sim == shown_right_waddr) begin
+      if (shown_right_re_s14_sim && shown_right_raddr_s14_sim == shown_right_waddr) begin
         $error("shown_right: address %0d is read less than DISTANCE steps after its write", shown_right_waddr);
       end
       if (shown_right_waddr >= 7'd120) $error("shown_right: write outside, address %0d", shown_right_waddr);
@@ -6763,31 +6657,31 @@ module horopter_agreement (
 
   // Memory seen_columns, write
   logic [6:0] seen_columns_waddr;
-  assign seen_columns_waddr = x_s17_q[6:0];
+  assign seen_columns_waddr = x_s15_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s17_en & and_1575_s17_q;
+  assign seen_columns_we = s15_en & and_1573_s15_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s17_q, near_s17_q, shown_s17_q, explained, and_2030, textured_s17_q};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s15_q, near_s15_q, shown_s15_q, explained, and_2025, textured_s15_q};
   end
 `ifndef SYNTHESIS
+  logic [6:0] seen_columns_raddr_s12_sim;
+  logic seen_columns_re_s12_sim;
+  logic [6:0] seen_columns_raddr_s13_sim;
+  logic seen_columns_re_s13_sim;
   logic [6:0] seen_columns_raddr_s14_sim;
   logic seen_columns_re_s14_sim;
-  logic [6:0] seen_columns_raddr_s15_sim;
-  logic seen_columns_re_s15_sim;
-  logic [6:0] seen_columns_raddr_s16_sim;
-  logic seen_columns_re_s16_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      seen_columns_re_s12_sim <= 1'b0;
+      seen_columns_re_s13_sim <= 1'b0;
       seen_columns_re_s14_sim <= 1'b0;
-      seen_columns_re_s15_sim <= 1'b0;
-      seen_columns_re_s16_sim <= 1'b0;
     end else if (en_i) begin
-      seen_columns_re_s14_sim <= seen_columns_re;
-      seen_columns_raddr_s14_sim <= seen_columns_raddr;
-      seen_columns_re_s15_sim <= seen_columns_re_s14_sim;
-      seen_columns_raddr_s15_sim <= seen_columns_raddr_s14_sim;
-      seen_columns_re_s16_sim <= seen_columns_re_s15_sim;
-      seen_columns_raddr_s16_sim <= seen_columns_raddr_s15_sim;
+      seen_columns_re_s12_sim <= seen_columns_re;
+      seen_columns_raddr_s12_sim <= seen_columns_raddr;
+      seen_columns_re_s13_sim <= seen_columns_re_s12_sim;
+      seen_columns_raddr_s13_sim <= seen_columns_raddr_s12_sim;
+      seen_columns_re_s14_sim <= seen_columns_re_s13_sim;
+      seen_columns_raddr_s14_sim <= seen_columns_raddr_s13_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -6795,13 +6689,13 @@ module horopter_agreement (
       if (seen_columns_re && seen_columns_raddr == seen_columns_waddr) begin
         $error("seen_columns: address %0d is read less than DISTANCE steps after its write", seen_columns_waddr);
       end
+      if (seen_columns_re_s12_sim && seen_columns_raddr_s12_sim == seen_columns_waddr) begin
+        $error("seen_columns: address %0d is read less than DISTANCE steps after its write", seen_columns_waddr);
+      end
+      if (seen_columns_re_s13_sim && seen_columns_raddr_s13_sim == seen_columns_waddr) begin
+        $error("seen_columns: address %0d is read less than DISTANCE steps after its write", seen_columns_waddr);
+      end
       if (seen_columns_re_s14_sim && seen_columns_raddr_s14_sim == seen_columns_waddr) begin
-        $error("seen_columns: address %0d is read less than DISTANCE steps after its write", seen_columns_waddr);
-      end
-      if (seen_columns_re_s15_sim && seen_columns_raddr_s15_sim == seen_columns_waddr) begin
-        $error("seen_columns: address %0d is read less than DISTANCE steps after its write", seen_columns_waddr);
-      end
-      if (seen_columns_re_s16_sim && seen_columns_raddr_s16_sim == seen_columns_waddr) begin
         $error("seen_columns: address %0d is read less than DISTANCE steps after its write", seen_columns_waddr);
       end
       if (seen_columns_waddr >= 7'd120) $error("seen_columns: write outside, address %0d", seen_columns_waddr);
@@ -6823,17 +6717,17 @@ module horopter_agreement (
       patches_summed_row_column_q <= 5'h0;
       patches_read_far_q <= 10'h3ff;
       segment_started_q <= 1'b0;
-    end else if (s17_en) begin
-      census_filled_q <= and_550_s17_q ? {select_683[2:0], 1'b1} : census_filled_q;
-      moments_has_before_q <= select_2304;
-      rows_passed_above_q <= and_550_s17_q ? select_682 : rows_passed_above_q;
-      counts_textured_q <= and_2597 ? 14'h0 : (counts_textured_q + {13'h0, and_2608});
-      counts_skin_supervised_q <= select_2667;
-      counts_skin_textured_q <= select_2674;
-      registration_fresh_q <= select_2827;
-      patches_left_row_q <= select_3158;
-      patches_summed_row_column_q <= equal_1788_s17_q ? patches_summed_row_column_q : select_3503;
-      patches_read_far_q <= equal_1788_s17_q ? select_3583 : patches_read_far_q;
+    end else if (s15_en) begin
+      census_filled_q <= and_548_s15_q ? {select_681[2:0], 1'b1} : census_filled_q;
+      moments_has_before_q <= select_2299;
+      rows_passed_above_q <= and_548_s15_q ? select_680 : rows_passed_above_q;
+      counts_textured_q <= and_2592 ? 14'h0 : (counts_textured_q + {13'h0, and_2603});
+      counts_skin_supervised_q <= select_2662;
+      counts_skin_textured_q <= select_2669;
+      registration_fresh_q <= select_2822;
+      patches_left_row_q <= select_3152;
+      patches_summed_row_column_q <= equal_1783_s15_q ? patches_summed_row_column_q : select_3497;
+      patches_read_far_q <= equal_1783_s15_q ? select_3577 : patches_read_far_q;
       segment_started_q <= ~segment_starts_q;
     end
   end
@@ -6890,540 +6784,540 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s17_en) begin
-      averager_quarter_1_0_q <= select_2166;
-      averager_quarter_1_1_q <= select_2168;
-      averager_quarter_2_0_q <= select_2170;
-      averager_quarter_2_1_q <= select_2172;
-      census_columns_values_0_cell_0_left_q <= select_2201;
-      census_columns_values_0_cell_0_right_q <= select_2202;
-      census_columns_values_0_cell_1_left_q <= select_2204;
-      census_columns_values_0_cell_1_right_q <= select_2205;
-      census_columns_values_0_cell_1_mask_q <= select_2206;
-      census_columns_values_0_cell_2_left_q <= select_2207;
-      census_columns_values_0_cell_2_right_q <= select_2208;
-      census_columns_values_0_cell_2_mask_q <= select_2209;
-      census_columns_values_0_cell_2_of_skin_q <= select_2210;
-      census_columns_values_0_cell_3_left_q <= select_2211;
-      census_columns_values_0_cell_3_right_q <= select_2212;
-      census_columns_values_0_cell_3_mask_q <= select_2213;
-      census_columns_values_0_cell_4_left_q <= select_2214;
-      census_columns_values_0_cell_4_right_q <= select_2215;
-      census_columns_values_0_cell_4_mask_q <= select_2216;
-      census_columns_values_1_cell_0_left_q <= select_2217;
-      census_columns_values_1_cell_0_right_q <= select_2218;
-      census_columns_values_1_cell_1_left_q <= select_2220;
-      census_columns_values_1_cell_1_right_q <= select_2221;
-      census_columns_values_1_cell_2_left_q <= select_2223;
-      census_columns_values_1_cell_2_right_q <= select_2224;
-      census_columns_values_1_cell_2_of_skin_q <= select_2226;
-      census_columns_values_1_cell_3_left_q <= select_2227;
-      census_columns_values_1_cell_3_right_q <= select_2228;
-      census_columns_values_1_cell_4_left_q <= select_2230;
-      census_columns_values_1_cell_4_right_q <= select_2231;
-      census_columns_values_2_cell_0_left_q <= select_2233;
-      census_columns_values_2_cell_0_right_q <= select_2234;
-      census_columns_values_2_cell_1_left_q <= select_2236;
-      census_columns_values_2_cell_1_right_q <= select_2237;
-      census_columns_values_2_cell_2_left_q <= select_2239;
-      census_columns_values_2_cell_2_right_q <= select_2240;
-      census_columns_values_2_cell_3_left_q <= select_2242;
-      census_columns_values_2_cell_3_right_q <= select_2243;
-      census_columns_values_2_cell_4_left_q <= select_2245;
-      census_columns_values_2_cell_4_right_q <= select_2246;
-      census_columns_values_3_cell_1_left_q <= select_2249;
-      census_columns_values_3_cell_1_right_q <= select_2250;
-      census_columns_values_3_cell_3_left_q <= select_2253;
-      census_columns_values_3_cell_3_right_q <= select_2254;
-      sharpness_last_mean_0_q <= and_550_s17_q ? select_556_s17_q : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_550_s17_q ? select_560_s17_q : sharpness_last_mean_1_q;
+    if (s15_en) begin
+      averager_quarter_1_0_q <= select_2161;
+      averager_quarter_1_1_q <= select_2163;
+      averager_quarter_2_0_q <= select_2165;
+      averager_quarter_2_1_q <= select_2167;
+      census_columns_values_0_cell_0_left_q <= select_2196;
+      census_columns_values_0_cell_0_right_q <= select_2197;
+      census_columns_values_0_cell_1_left_q <= select_2199;
+      census_columns_values_0_cell_1_right_q <= select_2200;
+      census_columns_values_0_cell_1_mask_q <= select_2201;
+      census_columns_values_0_cell_2_left_q <= select_2202;
+      census_columns_values_0_cell_2_right_q <= select_2203;
+      census_columns_values_0_cell_2_mask_q <= select_2204;
+      census_columns_values_0_cell_2_of_skin_q <= select_2205;
+      census_columns_values_0_cell_3_left_q <= select_2206;
+      census_columns_values_0_cell_3_right_q <= select_2207;
+      census_columns_values_0_cell_3_mask_q <= select_2208;
+      census_columns_values_0_cell_4_left_q <= select_2209;
+      census_columns_values_0_cell_4_right_q <= select_2210;
+      census_columns_values_0_cell_4_mask_q <= select_2211;
+      census_columns_values_1_cell_0_left_q <= select_2212;
+      census_columns_values_1_cell_0_right_q <= select_2213;
+      census_columns_values_1_cell_1_left_q <= select_2215;
+      census_columns_values_1_cell_1_right_q <= select_2216;
+      census_columns_values_1_cell_2_left_q <= select_2218;
+      census_columns_values_1_cell_2_right_q <= select_2219;
+      census_columns_values_1_cell_2_of_skin_q <= select_2221;
+      census_columns_values_1_cell_3_left_q <= select_2222;
+      census_columns_values_1_cell_3_right_q <= select_2223;
+      census_columns_values_1_cell_4_left_q <= select_2225;
+      census_columns_values_1_cell_4_right_q <= select_2226;
+      census_columns_values_2_cell_0_left_q <= select_2228;
+      census_columns_values_2_cell_0_right_q <= select_2229;
+      census_columns_values_2_cell_1_left_q <= select_2231;
+      census_columns_values_2_cell_1_right_q <= select_2232;
+      census_columns_values_2_cell_2_left_q <= select_2234;
+      census_columns_values_2_cell_2_right_q <= select_2235;
+      census_columns_values_2_cell_3_left_q <= select_2237;
+      census_columns_values_2_cell_3_right_q <= select_2238;
+      census_columns_values_2_cell_4_left_q <= select_2240;
+      census_columns_values_2_cell_4_right_q <= select_2241;
+      census_columns_values_3_cell_1_left_q <= select_2244;
+      census_columns_values_3_cell_1_right_q <= select_2245;
+      census_columns_values_3_cell_3_left_q <= select_2248;
+      census_columns_values_3_cell_3_right_q <= select_2249;
+      sharpness_last_mean_0_q <= and_548_s15_q ? select_554_s15_q : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_548_s15_q ? select_558_s15_q : sharpness_last_mean_1_q;
     end
   end
 
-  logic [7:0] pixel_0_s18_q;
-  logic [7:0] pixel_1_s18_q;
-  logic saturated_s18_q;
-  logic mask_s18_q;
-  logic marks_first_s18_q;
-  logic marks_last_s18_q;
-  logic [7:0] sample_pair_pixel_0_s18_q;
-  logic [7:0] sample_pair_pixel_1_s18_q;
-  logic sample_pair_whole_s18_q;
-  logic sample_present_s18_q;
-  logic census_columns_values_0_cell_1_mask_s18_q;
-  logic census_columns_values_0_cell_2_mask_s18_q;
-  logic census_columns_values_0_cell_3_mask_s18_q;
-  logic census_columns_values_0_cell_4_mask_s18_q;
-  logic census_columns_values_1_cell_2_of_skin_s18_q;
-  logic moments_starts_s18_q;
-  logic [7:0] x_s18_q;
-  logic age_s18_q;
-  logic [2:0] slot_s18_q;
-  logic ends_cell_s18_q;
-  logic lower_half_s18_q;
-  logic [13:0] counts_textured_s18_q;
-  logic registration_of_right_s18_q;
-  logic [4:0] patches_choosing_band_s18_q;
-  logic patches_lower_s18_q;
-  logic patches_second_s18_q;
-  logic [4:0] patches_code_row_s18_q;
-  logic [4:0] patches_summed_row_column_s18_q;
-  logic patches_summed_last_s18_q;
-  logic [4:0] patches_summed_down_by_s18_q;
-  logic patches_read_first_s18_q;
-  logic [9:0] patches_read_far_s18_q;
-  logic [2:0] region_row_s18_q;
-  logic region_fresh_s18_q;
-  logic segment_started_s18_q;
-  logic centres_values_1_textured_s18_q;
-  logic centres_values_1_of_skin_s18_q;
-  logic [3:0] select_508_s18_q;
-  logic [6:0] select_511_s18_q;
-  logic [6:0] last_s18_q;
-  logic and_548_s18_q;
-  logic and_550_s18_q;
-  logic equal_553_s18_q;
-  logic whole_2_s18_q;
-  logic equal_570_s18_q;
-  logic equal_575_s18_q;
-  logic not_576_s18_q;
-  logic so_s18_q;
-  logic not_578_s18_q;
-  logic equal_579_s18_q;
-  logic inside_v_s18_q;
-  logic [6:0] x_s18_2_q;
-  logic [6:0] right_s18_q;
-  logic less_653_s18_q;
-  logic less_654_s18_q;
-  logic less_655_s18_q;
-  logic less_656_s18_q;
-  logic less_657_s18_q;
-  logic less_658_s18_q;
-  logic less_659_s18_q;
-  logic less_660_s18_q;
-  logic less_661_s18_q;
-  logic less_662_s18_q;
-  logic less_663_s18_q;
-  logic less_664_s18_q;
-  logic less_665_s18_q;
-  logic less_666_s18_q;
-  logic less_667_s18_q;
-  logic less_668_s18_q;
-  logic less_669_s18_q;
-  logic less_670_s18_q;
-  logic less_671_s18_q;
-  logic less_672_s18_q;
-  logic less_673_s18_q;
-  logic less_674_s18_q;
-  logic less_675_s18_q;
-  logic less_676_s18_q;
-  logic and_684_s18_q;
-  logic and_688_s18_q;
-  logic difference_711_s18_q;
-  logic [8:0] xor_712_s18_q;
-  logic difference_714_s18_q;
-  logic [8:0] xor_715_s18_q;
-  logic difference_718_s18_q;
-  logic [8:0] xor_719_s18_q;
-  logic difference_722_s18_q;
-  logic [8:0] xor_723_s18_q;
-  logic difference_726_s18_q;
-  logic [8:0] xor_727_s18_q;
-  logic [9:0] half_grey_levels_s18_q;
-  logic [9:0] half_grey_levels_2_s18_q;
-  logic [5:0] select_1518_s18_q;
-  logic [2:0] select_1523_s18_q;
-  logic [7:0] select_1524_s18_q;
-  logic [7:0] select_1532_s18_q;
-  logic [7:0] select_1535_s18_q;
-  logic [6:0] select_1553_s18_q;
-  logic [5:0] select_1555_s18_q;
-  logic [7:0] select_1558_s18_q;
-  logic [7:0] select_1561_s18_q;
-  logic and_1562_s18_q;
-  logic [7:0] select_1567_s18_q;
-  logic [6:0] select_1568_s18_q;
-  logic [6:0] select_1571_s18_q;
-  logic [6:0] select_1572_s18_q;
-  logic and_1595_s18_q;
-  logic and_1598_s18_q;
-  logic and_1601_s18_q;
-  logic and_1604_s18_q;
-  logic and_1607_s18_q;
-  logic equal_1608_s18_q;
-  logic all_s18_q;
-  logic [1:0] sum_1614_s18_q;
-  logic equal_1616_s18_q;
-  logic equal_1618_s18_q;
-  logic equal_1620_s18_q;
-  logic equal_1622_s18_q;
-  logic equal_1624_s18_q;
-  logic equal_1626_s18_q;
-  logic equal_1628_s18_q;
-  logic equal_1630_s18_q;
-  logic less_1639_s18_q;
-  logic or_1643_s18_q;
-  logic equal_1663_s18_q;
-  logic and_1673_s18_q;
-  logic and_1676_s18_q;
-  logic select_1693_s18_q;
-  logic equal_1694_s18_q;
-  logic [22:0] patches_choices_rdata_s18_q;
-  logic and_1702_s18_q;
-  logic equal_1704_s18_q;
-  logic and_1741_s18_q;
-  logic [7:0] select_1748_s18_q;
-  logic [5:0] select_1753_s18_q;
-  logic [7:0] select_1779_s18_q;
-  logic and_1786_s18_q;
-  logic and_1787_s18_q;
-  logic equal_1788_s18_q;
-  logic equal_1790_s18_q;
-  logic equal_1793_s18_q;
-  logic or_1794_s18_q;
-  logic and_1803_s18_q;
-  logic [4:0] select_1818_s18_q;
-  logic select_1824_s18_q;
-  logic [3:0] select_1862_s18_q;
-  logic less_1878_s18_q;
-  logic new_row_s18_q;
-  logic [1:0] of_row_2_s18_q;
-  logic not_1908_s18_q;
-  logic and_1911_s18_q;
-  logic not_1913_s18_q;
-  logic and_1918_s18_q;
-  logic and_1934_s18_q;
-  logic and_1937_s18_q;
-  logic and_1951_s18_q;
-  logic and_1960_s18_q;
-  logic and_1965_s18_q;
-  logic less_1966_s18_q;
-  logic equal_1967_s18_q;
-  logic not_1968_s18_q;
-  logic equal_1969_s18_q;
-  logic or_1988_s18_q;
-  logic or_1991_s18_q;
-  logic or_1994_s18_q;
-  logic not_1996_s18_q;
-  logic [29:0] regions_rdata_s18_q;
-  logic textured_s18_q;
-  logic explained_s18_q;
-  logic and_2023_s18_q;
-  logic and_2028_s18_q;
-  logic and_2069_s18_q;
-  logic and_2070_s18_q;
-  logic [1:0] sum_2074_s18_q;
-  logic or_2086_s18_q;
-  logic or_2089_s18_q;
-  logic or_2092_s18_q;
-  logic and_2103_s18_q;
-  logic [2:0] sum_2109_s18_q;
-  logic and_2119_s18_q;
-  logic [2:0] sum_2125_s18_q;
-  logic and_2142_s18_q;
-  logic sum_2177_s18_q;
-  logic [9:0] difference_2178_s18_q;
-  logic sum_2185_s18_q;
-  logic [9:0] difference_2186_s18_q;
-  logic difference_2258_s18_q;
-  logic [8:0] xor_2259_s18_q;
-  logic difference_2261_s18_q;
-  logic [8:0] xor_2262_s18_q;
-  logic difference_2265_s18_q;
-  logic [8:0] xor_2266_s18_q;
-  logic difference_2269_s18_q;
-  logic [8:0] xor_2270_s18_q;
-  logic difference_2273_s18_q;
-  logic [8:0] xor_2274_s18_q;
-  logic equal_2283_s18_q;
-  logic equal_2298_s18_q;
-  logic difference_2369_s18_q;
-  logic [8:0] xor_2370_s18_q;
-  logic difference_2381_s18_q;
-  logic [8:0] xor_2382_s18_q;
-  logic equal_2472_s18_q;
-  logic and_2597_s18_q;
-  logic and_2603_s18_q;
-  logic and_2608_s18_q;
-  logic not_2622_s18_q;
-  logic and_2623_s18_q;
-  logic [2:0] sum_2629_s18_q;
-  logic and_2699_s18_q;
-  logic and_2716_s18_q;
-  logic and_2723_s18_q;
-  logic and_2757_s18_q;
-  logic and_2758_s18_q;
-  logic [7:0] residual_s18_q;
-  logic less_2793_s18_q;
-  logic less_2807_s18_q;
-  logic equal_2851_s18_q;
-  logic and_2996_s18_q;
-  logic [27:0] word_s18_q;
-  logic equal_3117_s18_q;
-  logic less_3123_s18_q;
-  logic [47:0] select_3156_s18_q;
-  logic equal_3466_s18_q;
-  logic [4:0] select_3554_s18_q;
-  logic [14:0] select_3585_s18_q;
-  logic less_3628_s18_q;
-  logic [9:0] eight_s18_q;
-  logic [9:0] fall_2_s18_q;
-  logic equal_3706_s18_q;
-  logic and_3931_s18_q;
-  logic equal_3950_s18_q;
-  logic equal_3952_s18_q;
-  logic equal_3953_s18_q;
-  logic equal_3954_s18_q;
-  logic equal_3955_s18_q;
-  logic equal_3981_s18_q;
-  logic [13:0] of_s18_q;
-  logic equal_4095_s18_q;
-  logic equal_4191_s18_q;
+  logic [7:0] pixel_0_s16_q;
+  logic [7:0] pixel_1_s16_q;
+  logic saturated_s16_q;
+  logic mask_s16_q;
+  logic marks_first_s16_q;
+  logic marks_last_s16_q;
+  logic [7:0] sample_pair_pixel_0_s16_q;
+  logic [7:0] sample_pair_pixel_1_s16_q;
+  logic sample_pair_whole_s16_q;
+  logic sample_present_s16_q;
+  logic census_columns_values_0_cell_1_mask_s16_q;
+  logic census_columns_values_0_cell_2_mask_s16_q;
+  logic census_columns_values_0_cell_3_mask_s16_q;
+  logic census_columns_values_0_cell_4_mask_s16_q;
+  logic census_columns_values_1_cell_2_of_skin_s16_q;
+  logic moments_starts_s16_q;
+  logic [7:0] x_s16_q;
+  logic age_s16_q;
+  logic [2:0] slot_s16_q;
+  logic ends_cell_s16_q;
+  logic lower_half_s16_q;
+  logic [13:0] counts_textured_s16_q;
+  logic registration_of_right_s16_q;
+  logic [4:0] patches_choosing_band_s16_q;
+  logic patches_lower_s16_q;
+  logic patches_second_s16_q;
+  logic [4:0] patches_code_row_s16_q;
+  logic [4:0] patches_summed_row_column_s16_q;
+  logic patches_summed_last_s16_q;
+  logic [4:0] patches_summed_down_by_s16_q;
+  logic patches_read_first_s16_q;
+  logic [9:0] patches_read_far_s16_q;
+  logic [2:0] region_row_s16_q;
+  logic region_fresh_s16_q;
+  logic segment_started_s16_q;
+  logic centres_values_1_textured_s16_q;
+  logic centres_values_1_of_skin_s16_q;
+  logic row_starts_s16_q;
+  logic [3:0] select_508_s16_q;
+  logic [6:0] select_542_s16_q;
+  logic [6:0] last_s16_q;
+  logic and_546_s16_q;
+  logic and_548_s16_q;
+  logic equal_551_s16_q;
+  logic whole_2_s16_q;
+  logic equal_568_s16_q;
+  logic equal_573_s16_q;
+  logic not_574_s16_q;
+  logic so_s16_q;
+  logic not_576_s16_q;
+  logic equal_577_s16_q;
+  logic inside_v_s16_q;
+  logic [6:0] x_s16_2_q;
+  logic [6:0] right_s16_q;
+  logic less_651_s16_q;
+  logic less_652_s16_q;
+  logic less_653_s16_q;
+  logic less_654_s16_q;
+  logic less_655_s16_q;
+  logic less_656_s16_q;
+  logic less_657_s16_q;
+  logic less_658_s16_q;
+  logic less_659_s16_q;
+  logic less_660_s16_q;
+  logic less_661_s16_q;
+  logic less_662_s16_q;
+  logic less_663_s16_q;
+  logic less_664_s16_q;
+  logic less_665_s16_q;
+  logic less_666_s16_q;
+  logic less_667_s16_q;
+  logic less_668_s16_q;
+  logic less_669_s16_q;
+  logic less_670_s16_q;
+  logic less_671_s16_q;
+  logic less_672_s16_q;
+  logic less_673_s16_q;
+  logic less_674_s16_q;
+  logic and_682_s16_q;
+  logic and_686_s16_q;
+  logic difference_709_s16_q;
+  logic [8:0] xor_710_s16_q;
+  logic difference_712_s16_q;
+  logic [8:0] xor_713_s16_q;
+  logic difference_716_s16_q;
+  logic [8:0] xor_717_s16_q;
+  logic difference_720_s16_q;
+  logic [8:0] xor_721_s16_q;
+  logic difference_724_s16_q;
+  logic [8:0] xor_725_s16_q;
+  logic [9:0] half_grey_levels_s16_q;
+  logic [9:0] half_grey_levels_2_s16_q;
+  logic [5:0] select_1516_s16_q;
+  logic [2:0] select_1521_s16_q;
+  logic [7:0] select_1522_s16_q;
+  logic [7:0] select_1530_s16_q;
+  logic [7:0] select_1533_s16_q;
+  logic [6:0] select_1551_s16_q;
+  logic [5:0] select_1553_s16_q;
+  logic [7:0] select_1556_s16_q;
+  logic [7:0] select_1559_s16_q;
+  logic and_1560_s16_q;
+  logic [7:0] select_1565_s16_q;
+  logic [6:0] select_1566_s16_q;
+  logic [6:0] select_1569_s16_q;
+  logic [6:0] select_1570_s16_q;
+  logic and_1593_s16_q;
+  logic and_1596_s16_q;
+  logic and_1599_s16_q;
+  logic and_1602_s16_q;
+  logic and_1605_s16_q;
+  logic equal_1606_s16_q;
+  logic all_s16_q;
+  logic [1:0] sum_1612_s16_q;
+  logic equal_1614_s16_q;
+  logic equal_1616_s16_q;
+  logic equal_1618_s16_q;
+  logic equal_1620_s16_q;
+  logic equal_1622_s16_q;
+  logic equal_1624_s16_q;
+  logic equal_1626_s16_q;
+  logic equal_1628_s16_q;
+  logic less_1637_s16_q;
+  logic or_1641_s16_q;
+  logic equal_1661_s16_q;
+  logic and_1671_s16_q;
+  logic select_1688_s16_q;
+  logic equal_1689_s16_q;
+  logic [22:0] patches_choices_rdata_s16_q;
+  logic and_1697_s16_q;
+  logic equal_1699_s16_q;
+  logic and_1736_s16_q;
+  logic [7:0] select_1743_s16_q;
+  logic [5:0] select_1748_s16_q;
+  logic [7:0] select_1774_s16_q;
+  logic and_1781_s16_q;
+  logic and_1782_s16_q;
+  logic equal_1783_s16_q;
+  logic equal_1785_s16_q;
+  logic equal_1788_s16_q;
+  logic or_1789_s16_q;
+  logic and_1798_s16_q;
+  logic [4:0] select_1813_s16_q;
+  logic select_1819_s16_q;
+  logic [3:0] select_1857_s16_q;
+  logic less_1873_s16_q;
+  logic new_row_s16_q;
+  logic [1:0] of_row_2_s16_q;
+  logic not_1903_s16_q;
+  logic and_1906_s16_q;
+  logic not_1908_s16_q;
+  logic and_1913_s16_q;
+  logic and_1929_s16_q;
+  logic and_1932_s16_q;
+  logic and_1946_s16_q;
+  logic and_1955_s16_q;
+  logic and_1960_s16_q;
+  logic less_1961_s16_q;
+  logic equal_1962_s16_q;
+  logic not_1963_s16_q;
+  logic equal_1964_s16_q;
+  logic or_1983_s16_q;
+  logic or_1986_s16_q;
+  logic or_1989_s16_q;
+  logic not_1991_s16_q;
+  logic [29:0] regions_rdata_s16_q;
+  logic textured_s16_q;
+  logic explained_s16_q;
+  logic and_2018_s16_q;
+  logic and_2023_s16_q;
+  logic and_2064_s16_q;
+  logic and_2065_s16_q;
+  logic [1:0] sum_2069_s16_q;
+  logic or_2081_s16_q;
+  logic or_2084_s16_q;
+  logic or_2087_s16_q;
+  logic and_2098_s16_q;
+  logic [2:0] sum_2104_s16_q;
+  logic and_2114_s16_q;
+  logic [2:0] sum_2120_s16_q;
+  logic and_2137_s16_q;
+  logic sum_2172_s16_q;
+  logic [9:0] difference_2173_s16_q;
+  logic sum_2180_s16_q;
+  logic [9:0] difference_2181_s16_q;
+  logic difference_2253_s16_q;
+  logic [8:0] xor_2254_s16_q;
+  logic difference_2256_s16_q;
+  logic [8:0] xor_2257_s16_q;
+  logic difference_2260_s16_q;
+  logic [8:0] xor_2261_s16_q;
+  logic difference_2264_s16_q;
+  logic [8:0] xor_2265_s16_q;
+  logic difference_2268_s16_q;
+  logic [8:0] xor_2269_s16_q;
+  logic equal_2278_s16_q;
+  logic equal_2293_s16_q;
+  logic difference_2364_s16_q;
+  logic [8:0] xor_2365_s16_q;
+  logic difference_2376_s16_q;
+  logic [8:0] xor_2377_s16_q;
+  logic equal_2467_s16_q;
+  logic and_2592_s16_q;
+  logic and_2598_s16_q;
+  logic and_2603_s16_q;
+  logic not_2617_s16_q;
+  logic and_2618_s16_q;
+  logic [2:0] sum_2624_s16_q;
+  logic and_2694_s16_q;
+  logic and_2711_s16_q;
+  logic and_2718_s16_q;
+  logic and_2752_s16_q;
+  logic and_2753_s16_q;
+  logic [7:0] residual_s16_q;
+  logic less_2788_s16_q;
+  logic less_2802_s16_q;
+  logic equal_2846_s16_q;
+  logic and_2991_s16_q;
+  logic [27:0] word_s16_q;
+  logic equal_3111_s16_q;
+  logic less_3117_s16_q;
+  logic [47:0] select_3150_s16_q;
+  logic equal_3460_s16_q;
+  logic [4:0] select_3548_s16_q;
+  logic [14:0] select_3579_s16_q;
+  logic less_3622_s16_q;
+  logic [9:0] eight_s16_q;
+  logic [9:0] fall_2_s16_q;
+  logic equal_3700_s16_q;
+  logic and_3925_s16_q;
+  logic equal_3944_s16_q;
+  logic equal_3946_s16_q;
+  logic equal_3947_s16_q;
+  logic equal_3948_s16_q;
+  logic equal_3949_s16_q;
+  logic equal_3975_s16_q;
+  logic [13:0] of_s16_q;
+  logic equal_4089_s16_q;
+  logic equal_4185_s16_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s18_q <= pixel_0_s17_q;
-      pixel_1_s18_q <= pixel_1_s17_q;
-      saturated_s18_q <= saturated_s17_q;
-      mask_s18_q <= mask_s17_q;
-      marks_first_s18_q <= marks_first_s17_q;
-      marks_last_s18_q <= marks_last_s17_q;
-      sample_pair_pixel_0_s18_q <= sample_pair_pixel_0_s17_q;
-      sample_pair_pixel_1_s18_q <= sample_pair_pixel_1_s17_q;
-      sample_pair_whole_s18_q <= sample_pair_whole_s17_q;
-      sample_present_s18_q <= sample_present_s17_q;
-      census_columns_values_0_cell_1_mask_s18_q <= census_columns_values_0_cell_1_mask_q;
-      census_columns_values_0_cell_2_mask_s18_q <= census_columns_values_0_cell_2_mask_q;
-      census_columns_values_0_cell_3_mask_s18_q <= census_columns_values_0_cell_3_mask_q;
-      census_columns_values_0_cell_4_mask_s18_q <= census_columns_values_0_cell_4_mask_q;
-      census_columns_values_1_cell_2_of_skin_s18_q <= census_columns_values_1_cell_2_of_skin_q;
-      moments_starts_s18_q <= moments_starts_s17_q;
-      x_s18_q <= x_s17_q;
-      age_s18_q <= age_s17_q;
-      slot_s18_q <= slot_s17_q;
-      ends_cell_s18_q <= ends_cell_s17_q;
-      lower_half_s18_q <= lower_half_s17_q;
-      counts_textured_s18_q <= counts_textured_q;
-      registration_of_right_s18_q <= registration_of_right_s17_q;
-      patches_choosing_band_s18_q <= patches_choosing_band_s17_q;
-      patches_lower_s18_q <= patches_lower_s17_q;
-      patches_second_s18_q <= patches_second_s17_q;
-      patches_code_row_s18_q <= patches_code_row_s17_q;
-      patches_summed_row_column_s18_q <= patches_summed_row_column_q;
-      patches_summed_last_s18_q <= patches_summed_last_s17_q;
-      patches_summed_down_by_s18_q <= patches_summed_down_by_s17_q;
-      patches_read_first_s18_q <= patches_read_first_s17_q;
-      patches_read_far_s18_q <= patches_read_far_q;
-      region_row_s18_q <= region_row_s17_q;
-      region_fresh_s18_q <= region_fresh_s17_q;
-      segment_started_s18_q <= segment_started_q;
-      centres_values_1_textured_s18_q <= centres_values_1_textured_s17_q;
-      centres_values_1_of_skin_s18_q <= centres_values_1_of_skin_s17_q;
-      select_508_s18_q <= select_508_s17_q;
-      select_511_s18_q <= select_511_s17_q;
-      last_s18_q <= last_s17_q;
-      and_548_s18_q <= and_548_s17_q;
-      and_550_s18_q <= and_550_s17_q;
-      equal_553_s18_q <= equal_553_s17_q;
-      whole_2_s18_q <= whole_2_s17_q;
-      equal_570_s18_q <= equal_570_s17_q;
-      equal_575_s18_q <= equal_575_s17_q;
-      not_576_s18_q <= not_576_s17_q;
-      so_s18_q <= so_s17_q;
-      not_578_s18_q <= not_578_s17_q;
-      equal_579_s18_q <= equal_579_s17_q;
-      inside_v_s18_q <= inside_v_s17_q;
-      x_s18_2_q <= x_s17_2_q;
-      right_s18_q <= right_s17_q;
-      less_653_s18_q <= less_653;
-      less_654_s18_q <= less_654;
-      less_655_s18_q <= less_655;
-      less_656_s18_q <= less_656;
-      less_657_s18_q <= less_657;
-      less_658_s18_q <= less_658;
-      less_659_s18_q <= less_659;
-      less_660_s18_q <= less_660;
-      less_661_s18_q <= less_661;
-      less_662_s18_q <= less_662;
-      less_663_s18_q <= less_663;
-      less_664_s18_q <= less_664;
-      less_665_s18_q <= less_665;
-      less_666_s18_q <= less_666;
-      less_667_s18_q <= less_667;
-      less_668_s18_q <= less_668;
-      less_669_s18_q <= less_669;
-      less_670_s18_q <= less_670;
-      less_671_s18_q <= less_671;
-      less_672_s18_q <= less_672;
-      less_673_s18_q <= less_673;
-      less_674_s18_q <= less_674;
-      less_675_s18_q <= less_675;
-      less_676_s18_q <= less_676;
-      and_684_s18_q <= select_682[4] & select_683[3];
-      and_688_s18_q <= and_688;
-      difference_711_s18_q <= difference_711[9];
-      xor_712_s18_q <= difference_711[8:0] ^ {9{difference_711[9]}};
-      difference_714_s18_q <= difference_714[9];
-      xor_715_s18_q <= difference_714[8:0] ^ {9{difference_714[9]}};
-      difference_718_s18_q <= difference_718[9];
-      xor_719_s18_q <= difference_718[8:0] ^ {9{difference_718[9]}};
-      difference_722_s18_q <= difference_722[9];
-      xor_723_s18_q <= difference_722[8:0] ^ {9{difference_722[9]}};
-      difference_726_s18_q <= difference_726[9];
-      xor_727_s18_q <= difference_726[8:0] ^ {9{difference_726[9]}};
-      half_grey_levels_s18_q <= half_grey_levels;
-      half_grey_levels_2_s18_q <= half_grey_levels_2;
-      select_1518_s18_q <= or_1517_s17_q ? run_shift_s17_q : best_left_rdata_s17_q[5:0];
-      select_1523_s18_q <= or_1517_s17_q ? select_1522_s17_q : best_left_rdata_s17_q[8:6];
-      select_1524_s18_q <= or_1517_s17_q ? of_best_s17_q : best_left_rdata_s17_q[16:9];
-      select_1532_s18_q <= or_1517_s17_q ? select_1531_s17_q : best_left_rdata_s17_q[24:17];
-      select_1535_s18_q <= or_1517_s17_q ? select_1534_s17_q : best_left_rdata_s17_q[32:25];
-      select_1553_s18_q <= select_1553_s17_q;
-      select_1555_s18_q <= select_1555_s17_q;
-      select_1558_s18_q <= select_1558_s17_q;
-      select_1561_s18_q <= select_1561_s17_q;
-      and_1562_s18_q <= and_1562_s17_q;
-      select_1567_s18_q <= or_1566_s17_q ? of_best_s17_q : best_right_rdata_s17_q[7:0];
-      select_1568_s18_q <= or_1566_s17_q ? x_s17_2_q : best_right_rdata_s17_q[14:8];
-      select_1571_s18_q <= select_1571_s17_q;
-      select_1572_s18_q <= select_1572_s17_q;
-      and_1595_s18_q <= not_588_s17_q & and_1594;
-      and_1598_s18_q <= and_1598;
-      and_1601_s18_q <= and_1601_s17_q;
-      and_1604_s18_q <= not_588_s17_q & and_1603;
-      and_1607_s18_q <= and_1607;
-      equal_1608_s18_q <= equal_1608_s17_q;
-      all_s18_q <= all_s17_q;
-      sum_1614_s18_q <= sum_1614_s17_q;
-      equal_1616_s18_q <= equal_1616_s17_q;
-      equal_1618_s18_q <= equal_1618_s17_q;
-      equal_1620_s18_q <= equal_1620_s17_q;
-      equal_1622_s18_q <= equal_1622_s17_q;
-      equal_1624_s18_q <= equal_1624_s17_q;
-      equal_1626_s18_q <= equal_1626_s17_q;
-      equal_1628_s18_q <= equal_1628_s17_q;
-      equal_1630_s18_q <= equal_1630_s17_q;
-      less_1639_s18_q <= less_1639_s17_q;
-      or_1643_s18_q <= or_1643_s17_q;
-      equal_1663_s18_q <= (registration_fresh_q & select_1661_s17_q) == 4'h0;
-      and_1673_s18_q <= not_576_s17_q & and_1657;
-      and_1676_s18_q <= and_1676_s17_q;
-      select_1693_s18_q <= select_1693_s17_q;
-      equal_1694_s18_q <= equal_1694_s17_q;
-      patches_choices_rdata_s18_q <= patches_choices_rdata_q;
-      and_1702_s18_q <= and_1702_s17_q;
-      equal_1704_s18_q <= equal_1704_s17_q;
-      and_1741_s18_q <= and_1741;
-      select_1748_s18_q <= equal_575_s17_q ? 8'h0 : select_1747;
-      select_1753_s18_q <= select_1753_s17_q;
-      select_1779_s18_q <= select_1779_s17_q;
-      and_1786_s18_q <= and_1786_s17_q;
-      and_1787_s18_q <= and_1787_s17_q;
-      equal_1788_s18_q <= equal_1788_s17_q;
-      equal_1790_s18_q <= equal_1790_s17_q;
-      equal_1793_s18_q <= equal_1793_s17_q;
-      or_1794_s18_q <= or_1794_s17_q;
-      and_1803_s18_q <= and_1803_s17_q;
-      select_1818_s18_q <= select_1818_s17_q;
-      select_1824_s18_q <= select_1824_s17_q;
-      select_1862_s18_q <= select_1862_s17_q;
-      less_1878_s18_q <= less_1878_s17_q;
-      new_row_s18_q <= new_row_s17_q;
-      of_row_2_s18_q <= of_row_2_s17_q;
-      not_1908_s18_q <= ~sum_1907[14];
-      and_1911_s18_q <= sum_1907[8] & (~(sum_1907[7:0] == 8'h0));
-      not_1913_s18_q <= ~(sum_1907[13:9] == 5'h0);
-      and_1918_s18_q <= sum_1907[14] & (~(sum_1907[13:8] == 6'h3f));
-      and_1934_s18_q <= and_1934;
-      and_1937_s18_q <= and_1937;
-      and_1951_s18_q <= and_1951_s17_q;
-      and_1960_s18_q <= and_1960_s17_q;
-      and_1965_s18_q <= and_1965_s17_q;
-      less_1966_s18_q <= less_1966_s17_q;
-      equal_1967_s18_q <= equal_1967_s17_q;
-      not_1968_s18_q <= not_1968_s17_q;
-      equal_1969_s18_q <= equal_1969_s17_q;
-      or_1988_s18_q <= or_1988_s17_q;
-      or_1991_s18_q <= or_1991_s17_q;
-      or_1994_s18_q <= or_1994_s17_q;
-      not_1996_s18_q <= not_1996_s17_q;
-      regions_rdata_s18_q <= regions_rdata_q;
-      textured_s18_q <= textured_s17_q;
-      explained_s18_q <= explained;
-      and_2023_s18_q <= inside_v_s17_q & (and_2021_s17_q & and_1586_s17_q);
-      and_2028_s18_q <= and_2028_s17_q;
-      and_2069_s18_q <= and_2069_s17_q;
-      and_2070_s18_q <= seen_columns_rdata_s17_q[9] & inside_v_s17_q;
-      sum_2074_s18_q <= sum_2074;
-      or_2086_s18_q <= or_2086_s17_q;
-      or_2089_s18_q <= or_2089_s17_q;
-      or_2092_s18_q <= or_2092_s17_q;
-      and_2103_s18_q <= and_2103_s17_q;
-      sum_2109_s18_q <= {2'h0, and_2104} + {1'b0, sum_2108};
-      and_2119_s18_q <= and_2119_s17_q;
-      sum_2125_s18_q <= {2'h0, and_2120} + {1'b0, sum_2124};
-      and_2142_s18_q <= and_2142_s17_q;
-      sum_2177_s18_q <= sum_2177[0];
-      difference_2178_s18_q <= {1'b0, sum_2177[9:1]} - {1'b0, averager_quarter_1_0_q};
-      sum_2185_s18_q <= sum_2185[0];
-      difference_2186_s18_q <= {1'b0, sum_2185[9:1]} - {1'b0, averager_quarter_1_1_q};
-      difference_2258_s18_q <= difference_2258[9];
-      xor_2259_s18_q <= difference_2258[8:0] ^ {9{difference_2258[9]}};
-      difference_2261_s18_q <= difference_2261[9];
-      xor_2262_s18_q <= difference_2261[8:0] ^ {9{difference_2261[9]}};
-      difference_2265_s18_q <= difference_2265[9];
-      xor_2266_s18_q <= difference_2265[8:0] ^ {9{difference_2265[9]}};
-      difference_2269_s18_q <= difference_2269[9];
-      xor_2270_s18_q <= difference_2269[8:0] ^ {9{difference_2269[9]}};
-      difference_2273_s18_q <= difference_2273[9];
-      xor_2274_s18_q <= difference_2273[8:0] ^ {9{difference_2273[9]}};
-      equal_2283_s18_q <= equal_2283_s17_q;
-      equal_2298_s18_q <= equal_2298;
-      difference_2369_s18_q <= difference_2369[9];
-      xor_2370_s18_q <= difference_2369[8:0] ^ {9{difference_2369[9]}};
-      difference_2381_s18_q <= difference_2381[9];
-      xor_2382_s18_q <= difference_2381[8:0] ^ {9{difference_2381[9]}};
-      equal_2472_s18_q <= equal_2472_s17_q;
-      and_2597_s18_q <= and_2597;
-      and_2603_s18_q <= and_2603_s17_q;
-      and_2608_s18_q <= and_2608;
-      not_2622_s18_q <= not_2622_s17_q;
-      and_2623_s18_q <= and_2623_s17_q;
-      sum_2629_s18_q <= {2'h0, and_2624} + {1'b0, sum_2628};
-      and_2699_s18_q <= not_576_s17_q & (so_s17_q & (ends_cell_s17_q & and_2696_s17_q));
-      and_2716_s18_q <= not_576_s17_q & (so_s17_q & and_2714);
-      and_2723_s18_q <= not_576_s17_q & (so_s17_q & and_2721);
-      and_2757_s18_q <= and_2757_s17_q;
-      and_2758_s18_q <= and_2758_s17_q;
-      residual_s18_q <= residual_s17_q[7:0];
-      less_2793_s18_q <= $signed(difference_2792) < $signed({7'h0, cfg_moved_limit_i});
-      less_2807_s18_q <= less_2807;
-      equal_2851_s18_q <= (registration_fresh_q & select_2849) == 4'h0;
-      and_2996_s18_q <= and_2996_s17_q;
-      word_s18_q <= word;
-      equal_3117_s18_q <= patches_along_s17_q == 5'h7;
-      less_3123_s18_q <= less_3123_s17_q;
-      select_3156_s18_q <= select_3156;
-      equal_3466_s18_q <= equal_3466_s17_q;
-      select_3554_s18_q <= select_3554_s17_q;
-      select_3585_s18_q <= select_3585_s17_q;
-      less_3628_s18_q <= less_3628_s17_q;
-      eight_s18_q <= eight;
-      fall_2_s18_q <= fall_2;
-      equal_3706_s18_q <= equal_3706;
-      and_3931_s18_q <= equal_3930_s17_q & equal_3706;
-      equal_3950_s18_q <= equal_3950_s17_q;
-      equal_3952_s18_q <= equal_3952;
-      equal_3953_s18_q <= equal_3953_s17_q;
-      equal_3954_s18_q <= equal_3954_s17_q;
-      equal_3955_s18_q <= equal_3955_s17_q;
-      equal_3981_s18_q <= (limit & select_3979) == 8'h0;
-      of_s18_q <= of;
-      equal_4095_s18_q <= equal_4095_s17_q;
-      equal_4191_s18_q <= (registration_fresh_q & select_4189) == 4'h0;
+      pixel_0_s16_q <= pixel_0_s15_q;
+      pixel_1_s16_q <= pixel_1_s15_q;
+      saturated_s16_q <= saturated_s15_q;
+      mask_s16_q <= mask_s15_q;
+      marks_first_s16_q <= marks_first_s15_q;
+      marks_last_s16_q <= marks_last_s15_q;
+      sample_pair_pixel_0_s16_q <= sample_pair_pixel_0_s15_q;
+      sample_pair_pixel_1_s16_q <= sample_pair_pixel_1_s15_q;
+      sample_pair_whole_s16_q <= sample_pair_whole_s15_q;
+      sample_present_s16_q <= sample_present_s15_q;
+      census_columns_values_0_cell_1_mask_s16_q <= census_columns_values_0_cell_1_mask_q;
+      census_columns_values_0_cell_2_mask_s16_q <= census_columns_values_0_cell_2_mask_q;
+      census_columns_values_0_cell_3_mask_s16_q <= census_columns_values_0_cell_3_mask_q;
+      census_columns_values_0_cell_4_mask_s16_q <= census_columns_values_0_cell_4_mask_q;
+      census_columns_values_1_cell_2_of_skin_s16_q <= census_columns_values_1_cell_2_of_skin_q;
+      moments_starts_s16_q <= moments_starts_s15_q;
+      x_s16_q <= x_s15_q;
+      age_s16_q <= age_s15_q;
+      slot_s16_q <= slot_s15_q;
+      ends_cell_s16_q <= ends_cell_s15_q;
+      lower_half_s16_q <= lower_half_s15_q;
+      counts_textured_s16_q <= counts_textured_q;
+      registration_of_right_s16_q <= registration_of_right_s15_q;
+      patches_choosing_band_s16_q <= patches_choosing_band_s15_q;
+      patches_lower_s16_q <= patches_lower_s15_q;
+      patches_second_s16_q <= patches_second_s15_q;
+      patches_code_row_s16_q <= patches_code_row_s15_q;
+      patches_summed_row_column_s16_q <= patches_summed_row_column_q;
+      patches_summed_last_s16_q <= patches_summed_last_s15_q;
+      patches_summed_down_by_s16_q <= patches_summed_down_by_s15_q;
+      patches_read_first_s16_q <= patches_read_first_s15_q;
+      patches_read_far_s16_q <= patches_read_far_q;
+      region_row_s16_q <= region_row_s15_q;
+      region_fresh_s16_q <= region_fresh_s15_q;
+      segment_started_s16_q <= segment_started_q;
+      centres_values_1_textured_s16_q <= centres_values_1_textured_s15_q;
+      centres_values_1_of_skin_s16_q <= centres_values_1_of_skin_s15_q;
+      row_starts_s16_q <= row_starts_s15_q;
+      select_508_s16_q <= select_508_s15_q;
+      select_542_s16_q <= select_542_s15_q;
+      last_s16_q <= last_s15_q;
+      and_546_s16_q <= and_546_s15_q;
+      and_548_s16_q <= and_548_s15_q;
+      equal_551_s16_q <= equal_551_s15_q;
+      whole_2_s16_q <= whole_2_s15_q;
+      equal_568_s16_q <= equal_568_s15_q;
+      equal_573_s16_q <= equal_573_s15_q;
+      not_574_s16_q <= not_574_s15_q;
+      so_s16_q <= so_s15_q;
+      not_576_s16_q <= not_576_s15_q;
+      equal_577_s16_q <= equal_577_s15_q;
+      inside_v_s16_q <= inside_v_s15_q;
+      x_s16_2_q <= x_s15_2_q;
+      right_s16_q <= right_s15_q;
+      less_651_s16_q <= less_651;
+      less_652_s16_q <= less_652;
+      less_653_s16_q <= less_653;
+      less_654_s16_q <= less_654;
+      less_655_s16_q <= less_655;
+      less_656_s16_q <= less_656;
+      less_657_s16_q <= less_657;
+      less_658_s16_q <= less_658;
+      less_659_s16_q <= less_659;
+      less_660_s16_q <= less_660;
+      less_661_s16_q <= less_661;
+      less_662_s16_q <= less_662;
+      less_663_s16_q <= less_663;
+      less_664_s16_q <= less_664;
+      less_665_s16_q <= less_665;
+      less_666_s16_q <= less_666;
+      less_667_s16_q <= less_667;
+      less_668_s16_q <= less_668;
+      less_669_s16_q <= less_669;
+      less_670_s16_q <= less_670;
+      less_671_s16_q <= less_671;
+      less_672_s16_q <= less_672;
+      less_673_s16_q <= less_673;
+      less_674_s16_q <= less_674;
+      and_682_s16_q <= select_680[4] & select_681[3];
+      and_686_s16_q <= and_686;
+      difference_709_s16_q <= difference_709[9];
+      xor_710_s16_q <= difference_709[8:0] ^ {9{difference_709[9]}};
+      difference_712_s16_q <= difference_712[9];
+      xor_713_s16_q <= difference_712[8:0] ^ {9{difference_712[9]}};
+      difference_716_s16_q <= difference_716[9];
+      xor_717_s16_q <= difference_716[8:0] ^ {9{difference_716[9]}};
+      difference_720_s16_q <= difference_720[9];
+      xor_721_s16_q <= difference_720[8:0] ^ {9{difference_720[9]}};
+      difference_724_s16_q <= difference_724[9];
+      xor_725_s16_q <= difference_724[8:0] ^ {9{difference_724[9]}};
+      half_grey_levels_s16_q <= half_grey_levels;
+      half_grey_levels_2_s16_q <= half_grey_levels_2;
+      select_1516_s16_q <= or_1515_s15_q ? run_shift_s15_q : best_left_rdata_s15_q[5:0];
+      select_1521_s16_q <= or_1515_s15_q ? select_1520_s15_q : best_left_rdata_s15_q[8:6];
+      select_1522_s16_q <= or_1515_s15_q ? of_best_s15_q : best_left_rdata_s15_q[16:9];
+      select_1530_s16_q <= or_1515_s15_q ? select_1529_s15_q : best_left_rdata_s15_q[24:17];
+      select_1533_s16_q <= or_1515_s15_q ? select_1532_s15_q : best_left_rdata_s15_q[32:25];
+      select_1551_s16_q <= select_1551_s15_q;
+      select_1553_s16_q <= select_1553_s15_q;
+      select_1556_s16_q <= select_1556_s15_q;
+      select_1559_s16_q <= select_1559_s15_q;
+      and_1560_s16_q <= and_1560_s15_q;
+      select_1565_s16_q <= or_1564_s15_q ? of_best_s15_q : best_right_rdata_s15_q[7:0];
+      select_1566_s16_q <= or_1564_s15_q ? x_s15_2_q : best_right_rdata_s15_q[14:8];
+      select_1569_s16_q <= select_1569_s15_q;
+      select_1570_s16_q <= select_1570_s15_q;
+      and_1593_s16_q <= not_586_s15_q & and_1592;
+      and_1596_s16_q <= and_1596;
+      and_1599_s16_q <= and_1599_s15_q;
+      and_1602_s16_q <= not_586_s15_q & and_1601;
+      and_1605_s16_q <= and_1605;
+      equal_1606_s16_q <= equal_1606_s15_q;
+      all_s16_q <= all_s15_q;
+      sum_1612_s16_q <= sum_1612_s15_q;
+      equal_1614_s16_q <= equal_1614_s15_q;
+      equal_1616_s16_q <= equal_1616_s15_q;
+      equal_1618_s16_q <= equal_1618_s15_q;
+      equal_1620_s16_q <= equal_1620_s15_q;
+      equal_1622_s16_q <= equal_1622_s15_q;
+      equal_1624_s16_q <= equal_1624_s15_q;
+      equal_1626_s16_q <= equal_1626_s15_q;
+      equal_1628_s16_q <= equal_1628_s15_q;
+      less_1637_s16_q <= less_1637_s15_q;
+      or_1641_s16_q <= or_1641_s15_q;
+      equal_1661_s16_q <= (registration_fresh_q & select_1659_s15_q) == 4'h0;
+      and_1671_s16_q <= not_574_s15_q & and_1655;
+      select_1688_s16_q <= select_1688_s15_q;
+      equal_1689_s16_q <= equal_1689_s15_q;
+      patches_choices_rdata_s16_q <= patches_choices_rdata_q;
+      and_1697_s16_q <= and_1697_s15_q;
+      equal_1699_s16_q <= equal_1699_s15_q;
+      and_1736_s16_q <= and_1736;
+      select_1743_s16_q <= equal_573_s15_q ? 8'h0 : select_1742;
+      select_1748_s16_q <= select_1748_s15_q;
+      select_1774_s16_q <= select_1774_s15_q;
+      and_1781_s16_q <= and_1781_s15_q;
+      and_1782_s16_q <= and_1782_s15_q;
+      equal_1783_s16_q <= equal_1783_s15_q;
+      equal_1785_s16_q <= equal_1785_s15_q;
+      equal_1788_s16_q <= equal_1788_s15_q;
+      or_1789_s16_q <= or_1789_s15_q;
+      and_1798_s16_q <= and_1798_s15_q;
+      select_1813_s16_q <= select_1813_s15_q;
+      select_1819_s16_q <= select_1819_s15_q;
+      select_1857_s16_q <= select_1857_s15_q;
+      less_1873_s16_q <= less_1873_s15_q;
+      new_row_s16_q <= new_row_s15_q;
+      of_row_2_s16_q <= of_row_2_s15_q;
+      not_1903_s16_q <= ~sum_1902[14];
+      and_1906_s16_q <= sum_1902[8] & (~(sum_1902[7:0] == 8'h0));
+      not_1908_s16_q <= ~(sum_1902[13:9] == 5'h0);
+      and_1913_s16_q <= sum_1902[14] & (~(sum_1902[13:8] == 6'h3f));
+      and_1929_s16_q <= and_1929;
+      and_1932_s16_q <= and_1932;
+      and_1946_s16_q <= and_1946_s15_q;
+      and_1955_s16_q <= and_1955_s15_q;
+      and_1960_s16_q <= and_1960_s15_q;
+      less_1961_s16_q <= less_1961_s15_q;
+      equal_1962_s16_q <= equal_1962_s15_q;
+      not_1963_s16_q <= not_1963_s15_q;
+      equal_1964_s16_q <= equal_1964_s15_q;
+      or_1983_s16_q <= or_1983_s15_q;
+      or_1986_s16_q <= or_1986_s15_q;
+      or_1989_s16_q <= or_1989_s15_q;
+      not_1991_s16_q <= not_1991_s15_q;
+      regions_rdata_s16_q <= regions_rdata_q;
+      textured_s16_q <= textured_s15_q;
+      explained_s16_q <= explained;
+      and_2018_s16_q <= inside_v_s15_q & (and_2016_s15_q & and_1584_s15_q);
+      and_2023_s16_q <= and_2023_s15_q;
+      and_2064_s16_q <= and_2064_s15_q;
+      and_2065_s16_q <= seen_columns_rdata_s15_q[9] & inside_v_s15_q;
+      sum_2069_s16_q <= sum_2069;
+      or_2081_s16_q <= or_2081_s15_q;
+      or_2084_s16_q <= or_2084_s15_q;
+      or_2087_s16_q <= or_2087_s15_q;
+      and_2098_s16_q <= and_2098_s15_q;
+      sum_2104_s16_q <= {2'h0, and_2099} + {1'b0, sum_2103};
+      and_2114_s16_q <= and_2114_s15_q;
+      sum_2120_s16_q <= {2'h0, and_2115} + {1'b0, sum_2119};
+      and_2137_s16_q <= and_2137_s15_q;
+      sum_2172_s16_q <= sum_2172[0];
+      difference_2173_s16_q <= {1'b0, sum_2172[9:1]} - {1'b0, averager_quarter_1_0_q};
+      sum_2180_s16_q <= sum_2180[0];
+      difference_2181_s16_q <= {1'b0, sum_2180[9:1]} - {1'b0, averager_quarter_1_1_q};
+      difference_2253_s16_q <= difference_2253[9];
+      xor_2254_s16_q <= difference_2253[8:0] ^ {9{difference_2253[9]}};
+      difference_2256_s16_q <= difference_2256[9];
+      xor_2257_s16_q <= difference_2256[8:0] ^ {9{difference_2256[9]}};
+      difference_2260_s16_q <= difference_2260[9];
+      xor_2261_s16_q <= difference_2260[8:0] ^ {9{difference_2260[9]}};
+      difference_2264_s16_q <= difference_2264[9];
+      xor_2265_s16_q <= difference_2264[8:0] ^ {9{difference_2264[9]}};
+      difference_2268_s16_q <= difference_2268[9];
+      xor_2269_s16_q <= difference_2268[8:0] ^ {9{difference_2268[9]}};
+      equal_2278_s16_q <= equal_2278_s15_q;
+      equal_2293_s16_q <= equal_2293;
+      difference_2364_s16_q <= difference_2364[9];
+      xor_2365_s16_q <= difference_2364[8:0] ^ {9{difference_2364[9]}};
+      difference_2376_s16_q <= difference_2376[9];
+      xor_2377_s16_q <= difference_2376[8:0] ^ {9{difference_2376[9]}};
+      equal_2467_s16_q <= equal_2467_s15_q;
+      and_2592_s16_q <= and_2592;
+      and_2598_s16_q <= and_2598_s15_q;
+      and_2603_s16_q <= and_2603;
+      not_2617_s16_q <= not_2617_s15_q;
+      and_2618_s16_q <= and_2618_s15_q;
+      sum_2624_s16_q <= {2'h0, and_2619} + {1'b0, sum_2623};
+      and_2694_s16_q <= not_574_s15_q & (so_s15_q & (ends_cell_s15_q & and_2691_s15_q));
+      and_2711_s16_q <= not_574_s15_q & (so_s15_q & and_2709);
+      and_2718_s16_q <= not_574_s15_q & (so_s15_q & and_2716);
+      and_2752_s16_q <= and_2752_s15_q;
+      and_2753_s16_q <= and_2753_s15_q;
+      residual_s16_q <= residual_s15_q[7:0];
+      less_2788_s16_q <= $signed(difference_2787) < $signed({7'h0, cfg_moved_limit_i});
+      less_2802_s16_q <= less_2802;
+      equal_2846_s16_q <= (registration_fresh_q & select_2844) == 4'h0;
+      and_2991_s16_q <= and_2991_s15_q;
+      word_s16_q <= word;
+      equal_3111_s16_q <= patches_along_s15_q == 5'h7;
+      less_3117_s16_q <= less_3117_s15_q;
+      select_3150_s16_q <= select_3150;
+      equal_3460_s16_q <= equal_3460_s15_q;
+      select_3548_s16_q <= select_3548_s15_q;
+      select_3579_s16_q <= select_3579_s15_q;
+      less_3622_s16_q <= less_3622_s15_q;
+      eight_s16_q <= eight;
+      fall_2_s16_q <= fall_2;
+      equal_3700_s16_q <= equal_3700;
+      and_3925_s16_q <= equal_3924_s15_q & equal_3700;
+      equal_3944_s16_q <= equal_3944_s15_q;
+      equal_3946_s16_q <= equal_3946;
+      equal_3947_s16_q <= equal_3947_s15_q;
+      equal_3948_s16_q <= equal_3948_s15_q;
+      equal_3949_s16_q <= equal_3949_s15_q;
+      equal_3975_s16_q <= (limit & select_3973) == 8'h0;
+      of_s16_q <= of;
+      equal_4089_s16_q <= equal_4089_s15_q;
+      equal_4185_s16_q <= (registration_fresh_q & select_4183) == 4'h0;
     end
   end
 
-  // Stage 18 ----------------------------------------------------------------------------------------------------------
+  // Stage 16 ----------------------------------------------------------------------------------------------------------
   logic census_columns_values_0_cell_0_mask_q;
   logic census_columns_values_1_cell_0_mask_q;
   logic census_columns_values_1_cell_1_mask_q;
@@ -7470,345 +7364,349 @@ module horopter_agreement (
   logic line_ended_q;
   // hls/stages/agreement.hpp:456
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_688_s18_q;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_686_s16_q;
   logic whole_4;
-  assign whole_4 = census_columns_values_0_cell_1_mask_s18_q & whole_3;
+  assign whole_4 = census_columns_values_0_cell_1_mask_s16_q & whole_3;
   logic whole_5;
-  assign whole_5 = census_columns_values_0_cell_2_mask_s18_q & whole_4;
+  assign whole_5 = census_columns_values_0_cell_2_mask_s16_q & whole_4;
   logic whole_6;
-  assign whole_6 = census_columns_values_0_cell_3_mask_s18_q & whole_5;
+  assign whole_6 = census_columns_values_0_cell_3_mask_s16_q & whole_5;
   logic whole_7;
-  assign whole_7 = census_columns_values_0_cell_4_mask_s18_q & whole_6;
+  assign whole_7 = census_columns_values_0_cell_4_mask_s16_q & whole_6;
   logic whole_8;
   assign whole_8 = census_columns_values_1_cell_0_mask_q & whole_7;
   logic whole_9;
   assign whole_9 = census_columns_values_1_cell_1_mask_q & whole_8;
-  // hls/stages/census.hpp:281
-  logic [9:0] sum_713;
-  assign sum_713 = {9'h0, difference_711_s18_q} + {1'b0, xor_712_s18_q};
-  logic [9:0] sum_716;
-  assign sum_716 = {9'h0, difference_714_s18_q} + {1'b0, xor_715_s18_q};
+  // hls/stages/census.hpp:284
+  logic [9:0] sum_711;
+  assign sum_711 = {9'h0, difference_709_s16_q} + {1'b0, xor_710_s16_q};
+  logic [9:0] sum_714;
+  assign sum_714 = {9'h0, difference_712_s16_q} + {1'b0, xor_713_s16_q};
   // hls/stages/moments.hpp:30
-  logic [6:0] sum_738;
-  assign sum_738 = {half_grey_levels_s18_q[9], half_grey_levels_s18_q[9:4]} + 7'h7f;
-  logic less_739;
-  assign less_739 = {{5{sum_738[6]}}, sum_738, half_grey_levels_s18_q[3:0]} < 16'hffe1;
-  logic [6:0] sum_744;
-  assign sum_744 = {half_grey_levels_2_s18_q[9], half_grey_levels_2_s18_q[9:4]} + 7'h7f;
-  logic less_745;
-  assign less_745 = {{5{sum_744[6]}}, sum_744, half_grey_levels_2_s18_q[3:0]} < 16'hffe1;
+  logic [6:0] sum_736;
+  assign sum_736 = {half_grey_levels_s16_q[9], half_grey_levels_s16_q[9:4]} + 7'h7f;
+  logic less_737;
+  assign less_737 = {{5{sum_736[6]}}, sum_736, half_grey_levels_s16_q[3:0]} < 16'hffe1;
+  logic [6:0] sum_742;
+  assign sum_742 = {half_grey_levels_2_s16_q[9], half_grey_levels_2_s16_q[9:4]} + 7'h7f;
+  logic less_743;
+  assign less_743 = {{5{sum_742[6]}}, sum_742, half_grey_levels_2_s16_q[3:0]} < 16'hffe1;
   // hls/stages/patches.hpp:157
-  logic and_1743;
-  assign and_1743 = and_1741_s18_q & (~patches_fixed_q);
+  logic and_1738;
+  assign and_1738 = and_1736_s16_q & (~patches_fixed_q);
   // hls/stages/patches.hpp:345
-  logic select_1744;
-  assign select_1744 = and_1743 ? and_1741_s18_q : patches_choice_valid_q;
-  logic [7:0] select_1749;
-  assign select_1749 = and_1743 ? select_1748_s18_q : patches_choice_column_q;
-  logic [5:0] select_1754;
-  assign select_1754 = and_1743 ? select_1753_s18_q : patches_choice_shift_q;
-  logic [7:0] select_1780;
-  assign select_1780 = and_1743 ? select_1779_s18_q : patches_choice_slope_q;
+  logic select_1739;
+  assign select_1739 = and_1738 ? and_1736_s16_q : patches_choice_valid_q;
+  logic [7:0] select_1744;
+  assign select_1744 = and_1738 ? select_1743_s16_q : patches_choice_column_q;
+  logic [5:0] select_1749;
+  assign select_1749 = and_1738 ? select_1748_s16_q : patches_choice_shift_q;
+  logic [7:0] select_1775;
+  assign select_1775 = and_1738 ? select_1774_s16_q : patches_choice_slope_q;
   // hls/stages/patches.hpp:354
-  logic [22:0] select_1804;
-  assign select_1804 = and_1803_s18_q ? {select_1780, select_1754, select_1749, select_1744} : patches_choices_rdata_s18_q;
+  logic [22:0] select_1799;
+  assign select_1799 = and_1798_s16_q ? {select_1775, select_1749, select_1744, select_1739} : patches_choices_rdata_s16_q;
   // hls/stages/patches.hpp:487
-  logic [2:0] sum_1899;
-  assign sum_1899 = patches_code_row_s18_q[4:2] + 3'h7;
+  logic [2:0] sum_1894;
+  assign sum_1894 = patches_code_row_s16_q[4:2] + 3'h7;
   // hls/stages/patches.hpp:454
-  logic and_1915;
-  assign and_1915 = not_1908_s18_q & (and_1911_s18_q | not_1913_s18_q);
+  logic and_1910;
+  assign and_1910 = not_1903_s16_q & (and_1906_s16_q | not_1908_s16_q);
   // hls/stages/patches.hpp:491
-  logic [1:0] sum_1955;
-  assign sum_1955 = patches_code_row_s18_q[3:2] + 2'h3;
+  logic [1:0] sum_1950;
+  assign sum_1950 = patches_code_row_s16_q[3:2] + 2'h3;
+  // hls/stages/agreement.hpp:900
+  logic [6:0] select_2004;
+  assign select_2004 = segment_started_s16_q ? segment_textured_q : 7'h0;
+  // hls/stages/agreement.hpp:901
+  logic [6:0] sum_2005;
+  assign sum_2005 = {6'h0, textured_s16_q} + select_2004;
+  // hls/stages/agreement.hpp:1061
+  logic [9:0] sum_2007;
+  assign sum_2007 = {3'h0, sum_2005} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[9:0]);
   // hls/stages/agreement.hpp:900
   logic [6:0] select_2009;
-  assign select_2009 = segment_started_s18_q ? segment_textured_q : 7'h0;
+  assign select_2009 = segment_started_s16_q ? segment_explained_q : 7'h0;
   // hls/stages/agreement.hpp:901
   logic [6:0] sum_2010;
-  assign sum_2010 = {6'h0, textured_s18_q} + select_2009;
-  // hls/stages/agreement.hpp:1061
-  logic [9:0] sum_2012;
-  assign sum_2012 = {3'h0, sum_2010} + (region_fresh_s18_q ? 10'h0 : regions_rdata_s18_q[9:0]);
-  // hls/stages/agreement.hpp:900
-  logic [6:0] select_2014;
-  assign select_2014 = segment_started_s18_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:901
-  logic [6:0] sum_2015;
-  assign sum_2015 = {6'h0, explained_s18_q} + select_2014;
+  assign sum_2010 = {6'h0, explained_s16_q} + select_2009;
   // hls/stages/agreement.hpp:1062
-  logic [9:0] sum_2017;
-  assign sum_2017 = {3'h0, sum_2015} + (region_fresh_s18_q ? 10'h0 : regions_rdata_s18_q[19:10]);
+  logic [9:0] sum_2012;
+  assign sum_2012 = {3'h0, sum_2010} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[19:10]);
   // hls/stages/agreement.hpp:900
-  logic [6:0] select_2024;
-  assign select_2024 = segment_started_s18_q ? segment_nearer_q : 7'h0;
+  logic [6:0] select_2019;
+  assign select_2019 = segment_started_s16_q ? segment_nearer_q : 7'h0;
   // hls/stages/agreement.hpp:902
-  logic [6:0] sum_2025;
-  assign sum_2025 = {6'h0, and_2023_s18_q} + select_2024;
+  logic [6:0] sum_2020;
+  assign sum_2020 = {6'h0, and_2018_s16_q} + select_2019;
   // hls/stages/agreement.hpp:1063
-  logic [9:0] sum_2027;
-  assign sum_2027 = {3'h0, sum_2025} + (region_fresh_s18_q ? 10'h0 : regions_rdata_s18_q[29:20]);
+  logic [9:0] sum_2022;
+  assign sum_2022 = {3'h0, sum_2020} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[29:20]);
   // hls/stages/agreement.hpp:1275
-  logic or_2037;
-  assign or_2037 = marks_first_s18_q | line_ended_q;
+  logic or_2032;
+  assign or_2032 = marks_first_s16_q | line_ended_q;
   // hls/stages/agreement.hpp:1277
-  logic [12:0] select_2039;
-  assign select_2039 = marks_first_s18_q ? 13'h1 : (or_2037 ? {rows_passed_q[11:0], 1'b1} : rows_passed_q);
+  logic [12:0] select_2034;
+  assign select_2034 = marks_first_s16_q ? 13'h1 : (or_2032 ? {rows_passed_q[11:0], 1'b1} : rows_passed_q);
   // hls/stages/agreement.hpp:1276
-  logic [8:0] select_2041;
-  assign select_2041 = or_2037 ? 9'h0 : columns_passed_q;
+  logic [8:0] select_2036;
+  assign select_2036 = or_2032 ? 9'h0 : columns_passed_q;
   // hls/stages/agreement.hpp:1284
-  logic select_2043;
-  assign select_2043 = cfg_compete_i ? (or_2037 & select_2039[12]) : (select_2041[8] & select_2039[9]);
+  logic select_2038;
+  assign select_2038 = cfg_compete_i ? (or_2032 & select_2034[12]) : (select_2036[8] & select_2034[9]);
   // hls/stages/agreement.hpp:1087
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2069_s18_q} + ({2'h0, and_2070_s18_q} + {1'b0, sum_2074_s18_q});
+  assign textured_2 = {2'h0, and_2064_s16_q} + ({2'h0, and_2065_s16_q} + {1'b0, sum_2069_s16_q});
   // hls/stages/agreement.hpp:1089
   logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2103_s18_q} + sum_2109_s18_q;
+  assign shown_2 = {2'h0, and_2098_s16_q} + sum_2104_s16_q;
   // hls/stages/agreement.hpp:1096
-  logic [2:0] select_2111;
-  assign select_2111 = age_s18_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [2:0] select_2106;
+  assign select_2106 = age_s16_q ? box_shown_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:1090
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2119_s18_q} + sum_2125_s18_q;
+  assign near_2 = {2'h0, and_2114_s16_q} + sum_2120_s16_q;
   // hls/stages/agreement.hpp:1097
-  logic [2:0] select_2127;
-  assign select_2127 = age_s18_q ? box_nearer_columns_values_4_q : 3'h0;
-  // hls/stages/census.hpp:218
-  logic [9:0] xor_2179;
-  assign xor_2179 = {difference_2178_s18_q[8:0], sum_2177_s18_q} ^ {10{difference_2178_s18_q[9]}};
+  logic [2:0] select_2122;
+  assign select_2122 = age_s16_q ? box_nearer_columns_values_4_q : 3'h0;
+  // hls/stages/census.hpp:221
+  logic [9:0] xor_2174;
+  assign xor_2174 = {difference_2173_s16_q[8:0], sum_2172_s16_q} ^ {10{difference_2173_s16_q[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2178_s18_q[9]} + {1'b0, xor_2179};
-  logic [9:0] xor_2187;
-  assign xor_2187 = {difference_2186_s18_q[8:0], sum_2185_s18_q} ^ {10{difference_2186_s18_q[9]}};
+  assign size = {10'h0, difference_2173_s16_q[9]} + {1'b0, xor_2174};
+  logic [9:0] xor_2182;
+  assign xor_2182 = {difference_2181_s16_q[8:0], sum_2180_s16_q} ^ {10{difference_2181_s16_q[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2186_s18_q[9]} + {1'b0, xor_2187};
+  assign size_2 = {10'h0, difference_2181_s16_q[9]} + {1'b0, xor_2182};
   // hls/stages/agreement.hpp:520
-  logic select_2203;
-  assign select_2203 = and_550_s18_q ? whole_2_s18_q : census_columns_values_0_cell_0_mask_q;
-  logic select_2219;
-  assign select_2219 = and_550_s18_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic select_2222;
-  assign select_2222 = and_550_s18_q ? census_columns_values_0_cell_1_mask_s18_q : census_columns_values_1_cell_1_mask_q;
-  logic select_2229;
-  assign select_2229 = and_550_s18_q ? census_columns_values_0_cell_3_mask_s18_q : census_columns_values_1_cell_3_mask_q;
-  logic select_2232;
-  assign select_2232 = and_550_s18_q ? census_columns_values_0_cell_4_mask_s18_q : census_columns_values_1_cell_4_mask_q;
-  logic select_2235;
-  assign select_2235 = and_550_s18_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic select_2238;
-  assign select_2238 = and_550_s18_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  // hls/stages/census.hpp:283
-  logic [9:0] sum_2260;
-  assign sum_2260 = {9'h0, difference_2258_s18_q} + {1'b0, xor_2259_s18_q};
-  logic [9:0] sum_2263;
-  assign sum_2263 = {9'h0, difference_2261_s18_q} + {1'b0, xor_2262_s18_q};
+  logic select_2198;
+  assign select_2198 = and_548_s16_q ? whole_2_s16_q : census_columns_values_0_cell_0_mask_q;
+  logic select_2214;
+  assign select_2214 = and_548_s16_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic select_2217;
+  assign select_2217 = and_548_s16_q ? census_columns_values_0_cell_1_mask_s16_q : census_columns_values_1_cell_1_mask_q;
+  logic select_2224;
+  assign select_2224 = and_548_s16_q ? census_columns_values_0_cell_3_mask_s16_q : census_columns_values_1_cell_3_mask_q;
+  logic select_2227;
+  assign select_2227 = and_548_s16_q ? census_columns_values_0_cell_4_mask_s16_q : census_columns_values_1_cell_4_mask_q;
+  logic select_2230;
+  assign select_2230 = and_548_s16_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic select_2233;
+  assign select_2233 = and_548_s16_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  // hls/stages/census.hpp:286
+  logic [9:0] sum_2255;
+  assign sum_2255 = {9'h0, difference_2253_s16_q} + {1'b0, xor_2254_s16_q};
+  logic [9:0] sum_2258;
+  assign sum_2258 = {9'h0, difference_2256_s16_q} + {1'b0, xor_2257_s16_q};
   // hls/stages/moments.hpp:54
-  logic [13:0] sum_2295;
-  assign sum_2295 = {13'h0, moments_turns_0_q} + (moments_starts_s18_q ? 14'h0 : moments_turned_0_q);
-  logic [13:0] sum_2297;
-  assign sum_2297 = {13'h0, moments_turns_1_q} + (moments_starts_s18_q ? 14'h0 : moments_turned_1_q);
+  logic [13:0] sum_2290;
+  assign sum_2290 = {13'h0, moments_turns_0_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2292;
+  assign sum_2292 = {13'h0, moments_turns_1_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_1_q);
   // hls/stages/agreement.hpp:788
-  logic and_2338;
-  assign and_2338 = not_578_s18_q & (equal_579_s18_q & (inside_v_s18_q & and_1598_s18_q));
-  logic and_2342;
-  assign and_2342 = not_578_s18_q & (equal_579_s18_q & (inside_v_s18_q & and_1607_s18_q));
-  // hls/stages/census.hpp:368
+  logic and_2333;
+  assign and_2333 = not_576_s16_q & (equal_577_s16_q & (inside_v_s16_q & and_1596_s16_q));
+  logic and_2337;
+  assign and_2337 = not_576_s16_q & (equal_577_s16_q & (inside_v_s16_q & and_1605_s16_q));
+  // hls/stages/census.hpp:371
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2369_s18_q} + xor_2370_s18_q;
+  assign contrast = {8'h0, difference_2364_s16_q} + xor_2365_s16_q;
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2381_s18_q} + xor_2382_s18_q;
+  assign contrast_2 = {8'h0, difference_2376_s16_q} + xor_2377_s16_q;
+  // hls/stages/agreement.hpp:788
+  logic and_2608;
+  assign and_2608 = not_574_s16_q & (so_s16_q & (ends_cell_s16_q & explained_s16_q));
+  // hls/stages/agreement.hpp:926
+  logic [13:0] select_2610;
+  assign select_2610 = and_2592_s16_q ? 14'h0 : (counts_explained_q + {13'h0, and_2608});
   // hls/stages/agreement.hpp:788
   logic and_2613;
-  assign and_2613 = not_576_s18_q & (so_s18_q & (ends_cell_s18_q & explained_s18_q));
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_2615;
-  assign select_2615 = and_2597_s18_q ? 14'h0 : (counts_explained_q + {13'h0, and_2613});
-  // hls/stages/agreement.hpp:788
-  logic and_2618;
-  assign and_2618 = not_576_s18_q & (so_s18_q & (ends_cell_s18_q & and_2023_s18_q));
+  assign and_2613 = not_574_s16_q & (so_s16_q & (ends_cell_s16_q & and_2018_s16_q));
   // hls/stages/agreement.hpp:1088
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2623_s18_q} + sum_2629_s18_q;
+  assign explained_2 = {2'h0, and_2618_s16_q} + sum_2624_s16_q;
   // hls/stages/agreement.hpp:1095
-  logic [2:0] select_2631;
-  assign select_2631 = age_s18_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [2:0] select_2626;
+  assign select_2626 = age_s16_q ? box_explained_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:1132
-  logic less_2647;
-  assign less_2647 = region_row_s18_q < x_s18_q[5:3];
+  logic less_2642;
+  assign less_2642 = region_row_s16_q < x_s16_q[5:3];
   // hls/stages/patches.hpp:346
-  logic not_2986;
-  assign not_2986 = ~and_1786_s18_q;
+  logic not_2981;
+  assign not_2981 = ~and_1781_s16_q;
   // hls/stages/patches.hpp:523
   logic [55:0] other;
-  assign other = new_row_s18_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
+  assign other = new_row_s16_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
   // hls/stages/patches.hpp:185
-  logic [51:0] select_3113;
-  assign select_3113 = or_1794_s18_q ? {and_1937_s18_q, and_1934_s18_q, and_1918_s18_q, and_1915, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_3115;
-  assign select_3115 = equal_1788_s18_q ? patches_codes_at_q : (equal_1790_s18_q ? other[55:4] : select_3113);
+  logic [51:0] select_3107;
+  assign select_3107 = or_1789_s16_q ? {and_1932_s16_q, and_1929_s16_q, and_1913_s16_q, and_1910, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3109;
+  assign select_3109 = equal_1783_s16_q ? patches_codes_at_q : (equal_1785_s16_q ? other[55:4] : select_3107);
   // hls/stages/patches.hpp:522
-  logic [27:0] select_3118;
-  assign select_3118 = equal_3117_s18_q ? word_s18_q : {4'h0, patches_codes_further_q[27:4]};
+  logic [27:0] select_3112;
+  assign select_3112 = equal_3111_s16_q ? word_s16_q : {4'h0, patches_codes_further_q[27:4]};
   // hls/stages/patches.hpp:185
-  logic [27:0] select_3120;
-  assign select_3120 = equal_1790_s18_q ? (new_row_s18_q ? word_s18_q : select_3118) : patches_codes_further_q;
+  logic [27:0] select_3114;
+  assign select_3114 = equal_1785_s16_q ? (new_row_s16_q ? word_s16_q : select_3112) : patches_codes_further_q;
   // hls/stages/patches.hpp:524
-  logic [55:0] select_3122;
-  assign select_3122 = less_1878_s18_q ? {word_s18_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3116;
+  assign select_3116 = less_1873_s16_q ? {word_s16_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/patches.hpp:494
-  logic [55:0] select_3124;
-  assign select_3124 = less_3123_s18_q ? {word_s18_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3118;
+  assign select_3118 = less_3117_s16_q ? {word_s16_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/patches.hpp:185
-  logic [55:0] select_3126;
-  assign select_3126 = or_1794_s18_q ? (equal_1793_s18_q ? patches_next_codes_q : select_3124) : patches_next_codes_q;
-  logic [55:0] select_3128;
-  assign select_3128 = equal_1788_s18_q ? patches_next_codes_q : (equal_1790_s18_q ? select_3122 : select_3126);
+  logic [55:0] select_3120;
+  assign select_3120 = or_1789_s16_q ? (equal_1788_s16_q ? patches_next_codes_q : select_3118) : patches_next_codes_q;
+  logic [55:0] select_3122;
+  assign select_3122 = equal_1783_s16_q ? patches_next_codes_q : (equal_1785_s16_q ? select_3116 : select_3120);
   // hls/stages/count_bits.hpp:24
-  logic parity_3133;
-  assign parity_3133 = ^{and_1937_s18_q, and_1934_s18_q, and_1918_s18_q, and_1915};
+  logic parity_3127;
+  assign parity_3127 = ^{and_1932_s16_q, and_1929_s16_q, and_1913_s16_q, and_1910};
   // hls/stages/count_bits.hpp:25
-  logic or_3137;
-  assign or_3137 = ({and_1918_s18_q, and_1915} == 2'h3) | (and_1934_s18_q & (and_1918_s18_q | and_1915));
-  logic and_3138;
-  assign and_3138 = and_1937_s18_q & (^{and_1934_s18_q, and_1918_s18_q, and_1915});
+  logic or_3131;
+  assign or_3131 = ({and_1913_s16_q, and_1910} == 2'h3) | (and_1929_s16_q & (and_1913_s16_q | and_1910));
+  logic and_3132;
+  assign and_3132 = and_1932_s16_q & (^{and_1929_s16_q, and_1913_s16_q, and_1910});
   // hls/stages/count_bits.hpp:24
-  logic xor_3139;
-  assign xor_3139 = or_3137 ^ and_3138;
+  logic xor_3133;
+  assign xor_3133 = or_3131 ^ and_3132;
   // hls/stages/count_bits.hpp:27
-  logic and_3140;
-  assign and_3140 = or_3137 & and_3138;
+  logic and_3134;
+  assign and_3134 = or_3131 & and_3132;
   // hls/stages/patches.hpp:525
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3156_s18_q;
+  assign bits = other[47:0] ^ select_3150_s16_q;
   // hls/stages/count_bits.hpp:24
+  logic xor_3156;
+  assign xor_3156 = bits[17] ^ (^{select_3150_s16_q[16:15], other[16:15]});
+  logic xor_3159;
+  assign xor_3159 = bits[11] ^ (^{select_3150_s16_q[10:9], other[10:9]});
   logic xor_3162;
-  assign xor_3162 = bits[17] ^ (^{select_3156_s18_q[16:15], other[16:15]});
+  assign xor_3162 = bits[14] ^ (^{select_3150_s16_q[13:12], other[13:12]});
   logic xor_3165;
-  assign xor_3165 = bits[11] ^ (^{select_3156_s18_q[10:9], other[10:9]});
+  assign xor_3165 = xor_3156 ^ (^{select_3150_s16_q[14:9], other[14:9]});
   logic xor_3168;
-  assign xor_3168 = bits[14] ^ (^{select_3156_s18_q[13:12], other[13:12]});
+  assign xor_3168 = bits[47] ^ (^{select_3150_s16_q[46:45], other[46:45]});
   logic xor_3171;
-  assign xor_3171 = xor_3162 ^ (^{select_3156_s18_q[14:9], other[14:9]});
+  assign xor_3171 = bits[8] ^ (^{select_3150_s16_q[7:6], other[7:6]});
   logic xor_3174;
-  assign xor_3174 = bits[47] ^ (^{select_3156_s18_q[46:45], other[46:45]});
+  assign xor_3174 = bits[2] ^ (^{select_3150_s16_q[1:0], other[1:0]});
   logic xor_3177;
-  assign xor_3177 = bits[8] ^ (^{select_3156_s18_q[7:6], other[7:6]});
+  assign xor_3177 = bits[5] ^ (^{select_3150_s16_q[4:3], other[4:3]});
   logic xor_3180;
-  assign xor_3180 = bits[2] ^ (^{select_3156_s18_q[1:0], other[1:0]});
-  logic xor_3183;
-  assign xor_3183 = bits[5] ^ (^{select_3156_s18_q[4:3], other[4:3]});
+  assign xor_3180 = xor_3171 ^ (^{select_3150_s16_q[5:0], other[5:0]});
+  logic parity_3182;
+  assign parity_3182 = ^{select_3150_s16_q[47:45], select_3150_s16_q[8:0], other[47:45], other[8:0]};
   logic xor_3186;
-  assign xor_3186 = xor_3177 ^ (^{select_3156_s18_q[5:0], other[5:0]});
-  logic parity_3188;
-  assign parity_3188 = ^{select_3156_s18_q[47:45], select_3156_s18_q[8:0], other[47:45], other[8:0]};
+  assign xor_3186 = bits[44] ^ (^{select_3150_s16_q[43:42], other[43:42]});
+  logic xor_3189;
+  assign xor_3189 = bits[38] ^ (^{select_3150_s16_q[37:36], other[37:36]});
   logic xor_3192;
-  assign xor_3192 = bits[44] ^ (^{select_3156_s18_q[43:42], other[43:42]});
-  logic xor_3195;
-  assign xor_3195 = bits[38] ^ (^{select_3156_s18_q[37:36], other[37:36]});
+  assign xor_3192 = bits[41] ^ (^{select_3150_s16_q[40:39], other[40:39]});
   logic xor_3198;
-  assign xor_3198 = bits[41] ^ (^{select_3156_s18_q[40:39], other[40:39]});
+  assign xor_3198 = bits[26] ^ (^{select_3150_s16_q[25:24], other[25:24]});
+  logic xor_3201;
+  assign xor_3201 = bits[20] ^ (^{select_3150_s16_q[19:18], other[19:18]});
   logic xor_3204;
-  assign xor_3204 = bits[26] ^ (^{select_3156_s18_q[25:24], other[25:24]});
-  logic xor_3207;
-  assign xor_3207 = bits[20] ^ (^{select_3156_s18_q[19:18], other[19:18]});
+  assign xor_3204 = bits[23] ^ (^{select_3150_s16_q[22:21], other[22:21]});
   logic xor_3210;
-  assign xor_3210 = bits[23] ^ (^{select_3156_s18_q[22:21], other[22:21]});
+  assign xor_3210 = bits[35] ^ (^{select_3150_s16_q[34:33], other[34:33]});
+  logic xor_3213;
+  assign xor_3213 = bits[29] ^ (^{select_3150_s16_q[28:27], other[28:27]});
   logic xor_3216;
-  assign xor_3216 = bits[35] ^ (^{select_3156_s18_q[34:33], other[34:33]});
-  logic xor_3219;
-  assign xor_3219 = bits[29] ^ (^{select_3156_s18_q[28:27], other[28:27]});
-  logic xor_3222;
-  assign xor_3222 = bits[32] ^ (^{select_3156_s18_q[31:30], other[31:30]});
+  assign xor_3216 = bits[32] ^ (^{select_3150_s16_q[31:30], other[31:30]});
   // hls/stages/patches.hpp:185
-  logic select_3506;
-  assign select_3506 = equal_1788_s18_q ? patches_summed_first_q : (equal_1790_s18_q ? new_row_s18_q : patches_summed_first_q);
+  logic select_3500;
+  assign select_3500 = equal_1783_s16_q ? patches_summed_first_q : (equal_1785_s16_q ? new_row_s16_q : patches_summed_first_q);
   // hls/stages/patches.hpp:544
-  logic [9:0] select_3594;
-  assign select_3594 = (patches_read_far_s18_q < patches_peak_far_q) ? patches_read_far_s18_q : patches_peak_far_q;
-  logic [9:0] select_3595;
-  assign select_3595 = patches_read_first_s18_q ? patches_read_far_s18_q : select_3594;
+  logic [9:0] select_3588;
+  assign select_3588 = (patches_read_far_s16_q < patches_peak_far_q) ? patches_read_far_s16_q : patches_peak_far_q;
+  logic [9:0] select_3589;
+  assign select_3589 = patches_read_first_s16_q ? patches_read_far_s16_q : select_3588;
   // hls/stages/patches.hpp:584
-  logic [10:0] sum_3637;
-  assign sum_3637 = {1'b0, fall_2_s18_q} + {2'h0, fall_2_s18_q[9:1]};
+  logic [10:0] sum_3631;
+  assign sum_3631 = {1'b0, fall_2_s16_q} + {2'h0, fall_2_s16_q[9:1]};
   // hls/stages/patches.hpp:585
-  logic [10:0] sum_3641;
-  assign sum_3641 = {1'b0, fall_2_s18_q} + {3'h0, fall_2_s18_q[9:2]};
-  logic less_3645;
-  assign less_3645 = {eight_s18_q, 3'h0} < ({fall_2_s18_q, 3'h0} - {3'h0, fall_2_s18_q});
+  logic [10:0] sum_3635;
+  assign sum_3635 = {1'b0, fall_2_s16_q} + {3'h0, fall_2_s16_q[9:2]};
+  logic less_3639;
+  assign less_3639 = {eight_s16_q, 3'h0} < ({fall_2_s16_q, 3'h0} - {3'h0, fall_2_s16_q});
   // hls/stages/agreement.hpp:1231
-  logic [13:0] select_3968;
-  assign select_3968 = equal_3706_s18_q ? 14'h0 : product_q;
-  logic [13:0] select_3987;
-  assign select_3987 = equal_3981_s18_q ? 14'h0 : of_s18_q;
+  logic [13:0] select_3962;
+  assign select_3962 = equal_3700_s16_q ? 14'h0 : product_q;
+  logic [13:0] select_3981;
+  assign select_3981 = equal_3975_s16_q ? 14'h0 : of_s16_q;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_3968} + {1'b0, select_3987};
+  assign sum_4 = {1'b0, select_3962} + {1'b0, select_3981};
   // hls/stages/agreement.hpp:788
-  logic [2:0] select_4029;
-  assign select_4029 = so_s18_q ? (ends_cell_s18_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
+  logic [2:0] select_4023;
+  assign select_4023 = so_s16_q ? (ends_cell_s16_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
+  logic [2:0] select_4025;
+  assign select_4025 = ends_cell_s16_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_4027;
+  assign select_4027 = equal_573_s16_q ? box_explained_columns_values_1_q : (so_s16_q ? select_4025 : box_explained_columns_values_1_q);
+  logic [2:0] select_4028;
+  assign select_4028 = ends_cell_s16_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_4030;
+  assign select_4030 = equal_573_s16_q ? box_explained_columns_values_2_q : (so_s16_q ? select_4028 : box_explained_columns_values_2_q);
   logic [2:0] select_4031;
-  assign select_4031 = ends_cell_s18_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_4031 = ends_cell_s16_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
   logic [2:0] select_4033;
-  assign select_4033 = equal_575_s18_q ? box_explained_columns_values_1_q : (so_s18_q ? select_4031 : box_explained_columns_values_1_q);
+  assign select_4033 = equal_573_s16_q ? box_explained_columns_values_3_q : (so_s16_q ? select_4031 : box_explained_columns_values_3_q);
   logic [2:0] select_4034;
-  assign select_4034 = ends_cell_s18_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_4034 = ends_cell_s16_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
   logic [2:0] select_4036;
-  assign select_4036 = equal_575_s18_q ? box_explained_columns_values_2_q : (so_s18_q ? select_4034 : box_explained_columns_values_2_q);
-  logic [2:0] select_4037;
-  assign select_4037 = ends_cell_s18_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [2:0] select_4039;
-  assign select_4039 = equal_575_s18_q ? box_explained_columns_values_3_q : (so_s18_q ? select_4037 : box_explained_columns_values_3_q);
-  logic [2:0] select_4040;
-  assign select_4040 = ends_cell_s18_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [2:0] select_4042;
-  assign select_4042 = equal_575_s18_q ? box_explained_columns_values_4_q : (so_s18_q ? select_4040 : box_explained_columns_values_4_q);
-  logic [2:0] select_4047;
-  assign select_4047 = so_s18_q ? (ends_cell_s18_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  assign select_4036 = equal_573_s16_q ? box_explained_columns_values_4_q : (so_s16_q ? select_4034 : box_explained_columns_values_4_q);
+  logic [2:0] select_4041;
+  assign select_4041 = so_s16_q ? (ends_cell_s16_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_4043;
+  assign select_4043 = ends_cell_s16_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4045;
+  assign select_4045 = equal_573_s16_q ? box_shown_columns_values_1_q : (so_s16_q ? select_4043 : box_shown_columns_values_1_q);
+  logic [2:0] select_4046;
+  assign select_4046 = ends_cell_s16_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_4048;
+  assign select_4048 = equal_573_s16_q ? box_shown_columns_values_2_q : (so_s16_q ? select_4046 : box_shown_columns_values_2_q);
   logic [2:0] select_4049;
-  assign select_4049 = ends_cell_s18_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_4049 = ends_cell_s16_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
   logic [2:0] select_4051;
-  assign select_4051 = equal_575_s18_q ? box_shown_columns_values_1_q : (so_s18_q ? select_4049 : box_shown_columns_values_1_q);
+  assign select_4051 = equal_573_s16_q ? box_shown_columns_values_3_q : (so_s16_q ? select_4049 : box_shown_columns_values_3_q);
   logic [2:0] select_4052;
-  assign select_4052 = ends_cell_s18_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_4052 = ends_cell_s16_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
   logic [2:0] select_4054;
-  assign select_4054 = equal_575_s18_q ? box_shown_columns_values_2_q : (so_s18_q ? select_4052 : box_shown_columns_values_2_q);
-  logic [2:0] select_4055;
-  assign select_4055 = ends_cell_s18_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [2:0] select_4057;
-  assign select_4057 = equal_575_s18_q ? box_shown_columns_values_3_q : (so_s18_q ? select_4055 : box_shown_columns_values_3_q);
-  logic [2:0] select_4058;
-  assign select_4058 = ends_cell_s18_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_4060;
-  assign select_4060 = equal_575_s18_q ? box_shown_columns_values_4_q : (so_s18_q ? select_4058 : box_shown_columns_values_4_q);
-  logic [2:0] select_4065;
-  assign select_4065 = so_s18_q ? (ends_cell_s18_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  assign select_4054 = equal_573_s16_q ? box_shown_columns_values_4_q : (so_s16_q ? select_4052 : box_shown_columns_values_4_q);
+  logic [2:0] select_4059;
+  assign select_4059 = so_s16_q ? (ends_cell_s16_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_4061;
+  assign select_4061 = ends_cell_s16_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4063;
+  assign select_4063 = equal_573_s16_q ? box_nearer_columns_values_1_q : (so_s16_q ? select_4061 : box_nearer_columns_values_1_q);
+  logic [2:0] select_4064;
+  assign select_4064 = ends_cell_s16_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4066;
+  assign select_4066 = equal_573_s16_q ? box_nearer_columns_values_2_q : (so_s16_q ? select_4064 : box_nearer_columns_values_2_q);
   logic [2:0] select_4067;
-  assign select_4067 = ends_cell_s18_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_4067 = ends_cell_s16_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
   logic [2:0] select_4069;
-  assign select_4069 = equal_575_s18_q ? box_nearer_columns_values_1_q : (so_s18_q ? select_4067 : box_nearer_columns_values_1_q);
+  assign select_4069 = equal_573_s16_q ? box_nearer_columns_values_3_q : (so_s16_q ? select_4067 : box_nearer_columns_values_3_q);
   logic [2:0] select_4070;
-  assign select_4070 = ends_cell_s18_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_4070 = ends_cell_s16_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
   logic [2:0] select_4072;
-  assign select_4072 = equal_575_s18_q ? box_nearer_columns_values_2_q : (so_s18_q ? select_4070 : box_nearer_columns_values_2_q);
-  logic [2:0] select_4073;
-  assign select_4073 = ends_cell_s18_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [2:0] select_4075;
-  assign select_4075 = equal_575_s18_q ? box_nearer_columns_values_3_q : (so_s18_q ? select_4073 : box_nearer_columns_values_3_q);
-  logic [2:0] select_4076;
-  assign select_4076 = ends_cell_s18_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_4078;
-  assign select_4078 = equal_575_s18_q ? box_nearer_columns_values_4_q : (so_s18_q ? select_4076 : box_nearer_columns_values_4_q);
+  assign select_4072 = equal_573_s16_q ? box_nearer_columns_values_4_q : (so_s16_q ? select_4070 : box_nearer_columns_values_4_q);
 
   // Memory best_left, write
   logic [6:0] best_left_waddr;
-  assign best_left_waddr = x_s18_2_q;
+  assign best_left_waddr = x_s16_2_q;
   logic best_left_we;
-  assign best_left_we = s18_en & and_1562_s18_q;
+  assign best_left_we = s16_en & and_1560_s16_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1561_s18_q, select_1558_s18_q, select_1555_s18_q, select_1553_s18_q, select_1535_s18_q, select_1532_s18_q, select_1524_s18_q, select_1523_s18_q, select_1518_s18_q};
+    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1559_s16_q, select_1556_s16_q, select_1553_s16_q, select_1551_s16_q, select_1533_s16_q, select_1530_s16_q, select_1522_s16_q, select_1521_s16_q, select_1516_s16_q};
   end
 `ifndef SYNTHESIS
+  logic [6:0] best_left_raddr_s6_sim;
+  logic best_left_re_s6_sim;
+  logic [6:0] best_left_raddr_s7_sim;
+  logic best_left_re_s7_sim;
   logic [6:0] best_left_raddr_s8_sim;
   logic best_left_re_s8_sim;
   logic [6:0] best_left_raddr_s9_sim;
@@ -7825,12 +7723,10 @@ module horopter_agreement (
   logic best_left_re_s14_sim;
   logic [6:0] best_left_raddr_s15_sim;
   logic best_left_re_s15_sim;
-  logic [6:0] best_left_raddr_s16_sim;
-  logic best_left_re_s16_sim;
-  logic [6:0] best_left_raddr_s17_sim;
-  logic best_left_re_s17_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      best_left_re_s6_sim <= 1'b0;
+      best_left_re_s7_sim <= 1'b0;
       best_left_re_s8_sim <= 1'b0;
       best_left_re_s9_sim <= 1'b0;
       best_left_re_s10_sim <= 1'b0;
@@ -7839,11 +7735,13 @@ module horopter_agreement (
       best_left_re_s13_sim <= 1'b0;
       best_left_re_s14_sim <= 1'b0;
       best_left_re_s15_sim <= 1'b0;
-      best_left_re_s16_sim <= 1'b0;
-      best_left_re_s17_sim <= 1'b0;
     end else if (en_i) begin
-      best_left_re_s8_sim <= best_left_re;
-      best_left_raddr_s8_sim <= best_left_raddr;
+      best_left_re_s6_sim <= best_left_re;
+      best_left_raddr_s6_sim <= best_left_raddr;
+      best_left_re_s7_sim <= best_left_re_s6_sim;
+      best_left_raddr_s7_sim <= best_left_raddr_s6_sim;
+      best_left_re_s8_sim <= best_left_re_s7_sim;
+      best_left_raddr_s8_sim <= best_left_raddr_s7_sim;
       best_left_re_s9_sim <= best_left_re_s8_sim;
       best_left_raddr_s9_sim <= best_left_raddr_s8_sim;
       best_left_re_s10_sim <= best_left_re_s9_sim;
@@ -7858,15 +7756,17 @@ module horopter_agreement (
       best_left_raddr_s14_sim <= best_left_raddr_s13_sim;
       best_left_re_s15_sim <= best_left_re_s14_sim;
       best_left_raddr_s15_sim <= best_left_raddr_s14_sim;
-      best_left_re_s16_sim <= best_left_re_s15_sim;
-      best_left_raddr_s16_sim <= best_left_raddr_s15_sim;
-      best_left_re_s17_sim <= best_left_re_s16_sim;
-      best_left_raddr_s17_sim <= best_left_raddr_s16_sim;
     end
   end
   always_ff @(posedge clk_i) begin
     if (rst_ni && best_left_we) begin
       if (best_left_re && best_left_raddr == best_left_waddr) begin
+        $error("best_left: address %0d is read less than DISTANCE steps after its write", best_left_waddr);
+      end
+      if (best_left_re_s6_sim && best_left_raddr_s6_sim == best_left_waddr) begin
+        $error("best_left: address %0d is read less than DISTANCE steps after its write", best_left_waddr);
+      end
+      if (best_left_re_s7_sim && best_left_raddr_s7_sim == best_left_waddr) begin
         $error("best_left: address %0d is read less than DISTANCE steps after its write", best_left_waddr);
       end
       if (best_left_re_s8_sim && best_left_raddr_s8_sim == best_left_waddr) begin
@@ -7893,12 +7793,6 @@ module horopter_agreement (
       if (best_left_re_s15_sim && best_left_raddr_s15_sim == best_left_waddr) begin
         $error("best_left: address %0d is read less than DISTANCE steps after its write", best_left_waddr);
       end
-      if (best_left_re_s16_sim && best_left_raddr_s16_sim == best_left_waddr) begin
-        $error("best_left: address %0d is read less than DISTANCE steps after its write", best_left_waddr);
-      end
-      if (best_left_re_s17_sim && best_left_raddr_s17_sim == best_left_waddr) begin
-        $error("best_left: address %0d is read less than DISTANCE steps after its write", best_left_waddr);
-      end
       if (best_left_waddr >= 7'd120) $error("best_left: write outside, address %0d", best_left_waddr);
     end
     if (rst_ni && best_left_re && best_left_raddr >= 7'd120) $error("best_left: read outside, address %0d", best_left_raddr);
@@ -7907,13 +7801,17 @@ module horopter_agreement (
 
   // Memory best_right, write
   logic [6:0] best_right_waddr;
-  assign best_right_waddr = right_s18_q;
+  assign best_right_waddr = right_s16_q;
   logic best_right_we;
-  assign best_right_we = s18_en & and_1562_s18_q;
+  assign best_right_we = s16_en & and_1560_s16_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1572_s18_q, select_1571_s18_q, select_1568_s18_q, select_1567_s18_q};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1570_s16_q, select_1569_s16_q, select_1566_s16_q, select_1565_s16_q};
   end
 `ifndef SYNTHESIS
+  logic [6:0] best_right_raddr_s10_sim;
+  logic best_right_re_s10_sim;
+  logic [6:0] best_right_raddr_s11_sim;
+  logic best_right_re_s11_sim;
   logic [6:0] best_right_raddr_s12_sim;
   logic best_right_re_s12_sim;
   logic [6:0] best_right_raddr_s13_sim;
@@ -7922,36 +7820,38 @@ module horopter_agreement (
   logic best_right_re_s14_sim;
   logic [6:0] best_right_raddr_s15_sim;
   logic best_right_re_s15_sim;
-  logic [6:0] best_right_raddr_s16_sim;
-  logic best_right_re_s16_sim;
-  logic [6:0] best_right_raddr_s17_sim;
-  logic best_right_re_s17_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      best_right_re_s10_sim <= 1'b0;
+      best_right_re_s11_sim <= 1'b0;
       best_right_re_s12_sim <= 1'b0;
       best_right_re_s13_sim <= 1'b0;
       best_right_re_s14_sim <= 1'b0;
       best_right_re_s15_sim <= 1'b0;
-      best_right_re_s16_sim <= 1'b0;
-      best_right_re_s17_sim <= 1'b0;
     end else if (en_i) begin
-      best_right_re_s12_sim <= best_right_re;
-      best_right_raddr_s12_sim <= best_right_raddr;
+      best_right_re_s10_sim <= best_right_re;
+      best_right_raddr_s10_sim <= best_right_raddr;
+      best_right_re_s11_sim <= best_right_re_s10_sim;
+      best_right_raddr_s11_sim <= best_right_raddr_s10_sim;
+      best_right_re_s12_sim <= best_right_re_s11_sim;
+      best_right_raddr_s12_sim <= best_right_raddr_s11_sim;
       best_right_re_s13_sim <= best_right_re_s12_sim;
       best_right_raddr_s13_sim <= best_right_raddr_s12_sim;
       best_right_re_s14_sim <= best_right_re_s13_sim;
       best_right_raddr_s14_sim <= best_right_raddr_s13_sim;
       best_right_re_s15_sim <= best_right_re_s14_sim;
       best_right_raddr_s15_sim <= best_right_raddr_s14_sim;
-      best_right_re_s16_sim <= best_right_re_s15_sim;
-      best_right_raddr_s16_sim <= best_right_raddr_s15_sim;
-      best_right_re_s17_sim <= best_right_re_s16_sim;
-      best_right_raddr_s17_sim <= best_right_raddr_s16_sim;
     end
   end
   always_ff @(posedge clk_i) begin
     if (rst_ni && best_right_we) begin
       if (best_right_re && best_right_raddr == best_right_waddr) begin
+        $error("best_right: address %0d is read less than DISTANCE steps after its write", best_right_waddr);
+      end
+      if (best_right_re_s10_sim && best_right_raddr_s10_sim == best_right_waddr) begin
+        $error("best_right: address %0d is read less than DISTANCE steps after its write", best_right_waddr);
+      end
+      if (best_right_re_s11_sim && best_right_raddr_s11_sim == best_right_waddr) begin
         $error("best_right: address %0d is read less than DISTANCE steps after its write", best_right_waddr);
       end
       if (best_right_re_s12_sim && best_right_raddr_s12_sim == best_right_waddr) begin
@@ -7966,12 +7866,6 @@ module horopter_agreement (
       if (best_right_re_s15_sim && best_right_raddr_s15_sim == best_right_waddr) begin
         $error("best_right: address %0d is read less than DISTANCE steps after its write", best_right_waddr);
       end
-      if (best_right_re_s16_sim && best_right_raddr_s16_sim == best_right_waddr) begin
-        $error("best_right: address %0d is read less than DISTANCE steps after its write", best_right_waddr);
-      end
-      if (best_right_re_s17_sim && best_right_raddr_s17_sim == best_right_waddr) begin
-        $error("best_right: address %0d is read less than DISTANCE steps after its write", best_right_waddr);
-      end
       if (best_right_waddr >= 7'd120) $error("best_right: write outside, address %0d", best_right_waddr);
     end
     if (rst_ni && best_right_re && best_right_raddr >= 7'd120) $error("best_right: read outside, address %0d", best_right_raddr);
@@ -7980,31 +7874,31 @@ module horopter_agreement (
 
   // Memory left_turns, write
   logic [6:0] left_turns_waddr;
-  assign left_turns_waddr = x_s18_q[6:0];
+  assign left_turns_waddr = x_s16_q[6:0];
   logic left_turns_we;
-  assign left_turns_we = s18_en & and_1601_s18_q;
+  assign left_turns_we = s16_en & and_1599_s16_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_turns_we) left_turns_mem[left_turns_waddr] <= {and_1598_s18_q, and_1595_s18_q};
+    if (left_turns_we) left_turns_mem[left_turns_waddr] <= {and_1596_s16_q, and_1593_s16_q};
   end
 `ifndef SYNTHESIS
+  logic [6:0] left_turns_raddr_s13_sim;
+  logic left_turns_re_s13_sim;
+  logic [6:0] left_turns_raddr_s14_sim;
+  logic left_turns_re_s14_sim;
   logic [6:0] left_turns_raddr_s15_sim;
   logic left_turns_re_s15_sim;
-  logic [6:0] left_turns_raddr_s16_sim;
-  logic left_turns_re_s16_sim;
-  logic [6:0] left_turns_raddr_s17_sim;
-  logic left_turns_re_s17_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      left_turns_re_s13_sim <= 1'b0;
+      left_turns_re_s14_sim <= 1'b0;
       left_turns_re_s15_sim <= 1'b0;
-      left_turns_re_s16_sim <= 1'b0;
-      left_turns_re_s17_sim <= 1'b0;
     end else if (en_i) begin
-      left_turns_re_s15_sim <= left_turns_re;
-      left_turns_raddr_s15_sim <= left_turns_raddr;
-      left_turns_re_s16_sim <= left_turns_re_s15_sim;
-      left_turns_raddr_s16_sim <= left_turns_raddr_s15_sim;
-      left_turns_re_s17_sim <= left_turns_re_s16_sim;
-      left_turns_raddr_s17_sim <= left_turns_raddr_s16_sim;
+      left_turns_re_s13_sim <= left_turns_re;
+      left_turns_raddr_s13_sim <= left_turns_raddr;
+      left_turns_re_s14_sim <= left_turns_re_s13_sim;
+      left_turns_raddr_s14_sim <= left_turns_raddr_s13_sim;
+      left_turns_re_s15_sim <= left_turns_re_s14_sim;
+      left_turns_raddr_s15_sim <= left_turns_raddr_s14_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -8012,13 +7906,13 @@ module horopter_agreement (
       if (left_turns_re && left_turns_raddr == left_turns_waddr) begin
         $error("left_turns: address %0d is read less than DISTANCE steps after its write", left_turns_waddr);
       end
+      if (left_turns_re_s13_sim && left_turns_raddr_s13_sim == left_turns_waddr) begin
+        $error("left_turns: address %0d is read less than DISTANCE steps after its write", left_turns_waddr);
+      end
+      if (left_turns_re_s14_sim && left_turns_raddr_s14_sim == left_turns_waddr) begin
+        $error("left_turns: address %0d is read less than DISTANCE steps after its write", left_turns_waddr);
+      end
       if (left_turns_re_s15_sim && left_turns_raddr_s15_sim == left_turns_waddr) begin
-        $error("left_turns: address %0d is read less than DISTANCE steps after its write", left_turns_waddr);
-      end
-      if (left_turns_re_s16_sim && left_turns_raddr_s16_sim == left_turns_waddr) begin
-        $error("left_turns: address %0d is read less than DISTANCE steps after its write", left_turns_waddr);
-      end
-      if (left_turns_re_s17_sim && left_turns_raddr_s17_sim == left_turns_waddr) begin
         $error("left_turns: address %0d is read less than DISTANCE steps after its write", left_turns_waddr);
       end
       if (left_turns_waddr >= 7'd120) $error("left_turns: write outside, address %0d", left_turns_waddr);
@@ -8029,31 +7923,31 @@ module horopter_agreement (
 
   // Memory right_turns, write
   logic [6:0] right_turns_waddr;
-  assign right_turns_waddr = x_s18_q[6:0];
+  assign right_turns_waddr = x_s16_q[6:0];
   logic right_turns_we;
-  assign right_turns_we = s18_en & and_1601_s18_q;
+  assign right_turns_we = s16_en & and_1599_s16_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_turns_we) right_turns_mem[right_turns_waddr] <= {and_1607_s18_q, and_1604_s18_q};
+    if (right_turns_we) right_turns_mem[right_turns_waddr] <= {and_1605_s16_q, and_1602_s16_q};
   end
 `ifndef SYNTHESIS
+  logic [6:0] right_turns_raddr_s13_sim;
+  logic right_turns_re_s13_sim;
+  logic [6:0] right_turns_raddr_s14_sim;
+  logic right_turns_re_s14_sim;
   logic [6:0] right_turns_raddr_s15_sim;
   logic right_turns_re_s15_sim;
-  logic [6:0] right_turns_raddr_s16_sim;
-  logic right_turns_re_s16_sim;
-  logic [6:0] right_turns_raddr_s17_sim;
-  logic right_turns_re_s17_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      right_turns_re_s13_sim <= 1'b0;
+      right_turns_re_s14_sim <= 1'b0;
       right_turns_re_s15_sim <= 1'b0;
-      right_turns_re_s16_sim <= 1'b0;
-      right_turns_re_s17_sim <= 1'b0;
     end else if (en_i) begin
-      right_turns_re_s15_sim <= right_turns_re;
-      right_turns_raddr_s15_sim <= right_turns_raddr;
-      right_turns_re_s16_sim <= right_turns_re_s15_sim;
-      right_turns_raddr_s16_sim <= right_turns_raddr_s15_sim;
-      right_turns_re_s17_sim <= right_turns_re_s16_sim;
-      right_turns_raddr_s17_sim <= right_turns_raddr_s16_sim;
+      right_turns_re_s13_sim <= right_turns_re;
+      right_turns_raddr_s13_sim <= right_turns_raddr;
+      right_turns_re_s14_sim <= right_turns_re_s13_sim;
+      right_turns_raddr_s14_sim <= right_turns_raddr_s13_sim;
+      right_turns_re_s15_sim <= right_turns_re_s14_sim;
+      right_turns_raddr_s15_sim <= right_turns_raddr_s14_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -8061,13 +7955,13 @@ module horopter_agreement (
       if (right_turns_re && right_turns_raddr == right_turns_waddr) begin
         $error("right_turns: address %0d is read less than DISTANCE steps after its write", right_turns_waddr);
       end
+      if (right_turns_re_s13_sim && right_turns_raddr_s13_sim == right_turns_waddr) begin
+        $error("right_turns: address %0d is read less than DISTANCE steps after its write", right_turns_waddr);
+      end
+      if (right_turns_re_s14_sim && right_turns_raddr_s14_sim == right_turns_waddr) begin
+        $error("right_turns: address %0d is read less than DISTANCE steps after its write", right_turns_waddr);
+      end
       if (right_turns_re_s15_sim && right_turns_raddr_s15_sim == right_turns_waddr) begin
-        $error("right_turns: address %0d is read less than DISTANCE steps after its write", right_turns_waddr);
-      end
-      if (right_turns_re_s16_sim && right_turns_raddr_s16_sim == right_turns_waddr) begin
-        $error("right_turns: address %0d is read less than DISTANCE steps after its write", right_turns_waddr);
-      end
-      if (right_turns_re_s17_sim && right_turns_raddr_s17_sim == right_turns_waddr) begin
         $error("right_turns: address %0d is read less than DISTANCE steps after its write", right_turns_waddr);
       end
       if (right_turns_waddr >= 7'd120) $error("right_turns: write outside, address %0d", right_turns_waddr);
@@ -8078,21 +7972,21 @@ module horopter_agreement (
 
   // Memory patches_choices, write
   logic [5:0] patches_choices_waddr;
-  assign patches_choices_waddr = {patches_choosing_band_s18_q, and_1702_s18_q};
+  assign patches_choices_waddr = {patches_choosing_band_s16_q, and_1697_s16_q};
   logic patches_choices_we;
-  assign patches_choices_we = s18_en & and_1787_s18_q;
+  assign patches_choices_we = s16_en & and_1782_s16_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {select_1780, select_1754, select_1749, select_1744};
+    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {select_1775, select_1749, select_1744, select_1739};
   end
 `ifndef SYNTHESIS
-  logic [5:0] patches_choices_raddr_s17_sim;
-  logic patches_choices_re_s17_sim;
+  logic [5:0] patches_choices_raddr_s15_sim;
+  logic patches_choices_re_s15_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      patches_choices_re_s17_sim <= 1'b0;
+      patches_choices_re_s15_sim <= 1'b0;
     end else if (en_i) begin
-      patches_choices_re_s17_sim <= patches_choices_re;
-      patches_choices_raddr_s17_sim <= patches_choices_raddr;
+      patches_choices_re_s15_sim <= patches_choices_re;
+      patches_choices_raddr_s15_sim <= patches_choices_raddr;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -8100,7 +7994,7 @@ module horopter_agreement (
       if (patches_choices_re && patches_choices_raddr == patches_choices_waddr) begin
         $error("patches_choices: address %0d is read less than DISTANCE steps after its write", patches_choices_waddr);
       end
-      if (patches_choices_re_s17_sim && patches_choices_raddr_s17_sim == patches_choices_waddr) begin
+      if (patches_choices_re_s15_sim && patches_choices_raddr_s15_sim == patches_choices_waddr) begin
         $error("patches_choices: address %0d is read less than DISTANCE steps after its write", patches_choices_waddr);
       end
     end
@@ -8109,26 +8003,26 @@ module horopter_agreement (
 
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_1899, patches_code_row_s18_q[1:0], of_row_2_s18_q};
+  assign patches_right_codes_waddr = {sum_1894, patches_code_row_s16_q[1:0], of_row_2_s16_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s18_en & and_1951_s18_q;
+  assign patches_right_codes_we = s16_en & and_1946_s16_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {and_1937_s18_q, and_1934_s18_q, and_1918_s18_q, and_1915, patches_codes_at_q[51:28]};
+    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {and_1932_s16_q, and_1929_s16_q, and_1913_s16_q, and_1910, patches_codes_at_q[51:28]};
   end
 `ifndef SYNTHESIS
-  logic [6:0] patches_right_codes_raddr_s16_sim;
-  logic patches_right_codes_re_s16_sim;
-  logic [6:0] patches_right_codes_raddr_s17_sim;
-  logic patches_right_codes_re_s17_sim;
+  logic [6:0] patches_right_codes_raddr_s14_sim;
+  logic patches_right_codes_re_s14_sim;
+  logic [6:0] patches_right_codes_raddr_s15_sim;
+  logic patches_right_codes_re_s15_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      patches_right_codes_re_s16_sim <= 1'b0;
-      patches_right_codes_re_s17_sim <= 1'b0;
+      patches_right_codes_re_s14_sim <= 1'b0;
+      patches_right_codes_re_s15_sim <= 1'b0;
     end else if (en_i) begin
-      patches_right_codes_re_s16_sim <= patches_right_codes_re;
-      patches_right_codes_raddr_s16_sim <= patches_right_codes_raddr;
-      patches_right_codes_re_s17_sim <= patches_right_codes_re_s16_sim;
-      patches_right_codes_raddr_s17_sim <= patches_right_codes_raddr_s16_sim;
+      patches_right_codes_re_s14_sim <= patches_right_codes_re;
+      patches_right_codes_raddr_s14_sim <= patches_right_codes_raddr;
+      patches_right_codes_re_s15_sim <= patches_right_codes_re_s14_sim;
+      patches_right_codes_raddr_s15_sim <= patches_right_codes_raddr_s14_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -8136,10 +8030,10 @@ module horopter_agreement (
       if (patches_right_codes_re && patches_right_codes_raddr == patches_right_codes_waddr) begin
         $error("patches_right_codes: address %0d is read less than DISTANCE steps after its write", patches_right_codes_waddr);
       end
-      if (patches_right_codes_re_s16_sim && patches_right_codes_raddr_s16_sim == patches_right_codes_waddr) begin
+      if (patches_right_codes_re_s14_sim && patches_right_codes_raddr_s14_sim == patches_right_codes_waddr) begin
         $error("patches_right_codes: address %0d is read less than DISTANCE steps after its write", patches_right_codes_waddr);
       end
-      if (patches_right_codes_re_s17_sim && patches_right_codes_raddr_s17_sim == patches_right_codes_waddr) begin
+      if (patches_right_codes_re_s15_sim && patches_right_codes_raddr_s15_sim == patches_right_codes_waddr) begin
         $error("patches_right_codes: address %0d is read less than DISTANCE steps after its write", patches_right_codes_waddr);
       end
       if (patches_right_codes_waddr >= 7'd112) $error("patches_right_codes: write outside, address %0d", patches_right_codes_waddr);
@@ -8150,26 +8044,26 @@ module horopter_agreement (
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_1955, patches_code_row_s18_q[1:0]};
+  assign patches_left_codes_waddr = {sum_1950, patches_code_row_s16_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s18_en & and_1965_s18_q;
+  assign patches_left_codes_we = s16_en & and_1960_s16_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {and_1937_s18_q, and_1934_s18_q, and_1918_s18_q, and_1915, patches_codes_at_q[51:8]};
+    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {and_1932_s16_q, and_1929_s16_q, and_1913_s16_q, and_1910, patches_codes_at_q[51:8]};
   end
 `ifndef SYNTHESIS
-  logic [3:0] patches_left_codes_raddr_s16_sim;
-  logic patches_left_codes_re_s16_sim;
-  logic [3:0] patches_left_codes_raddr_s17_sim;
-  logic patches_left_codes_re_s17_sim;
+  logic [3:0] patches_left_codes_raddr_s14_sim;
+  logic patches_left_codes_re_s14_sim;
+  logic [3:0] patches_left_codes_raddr_s15_sim;
+  logic patches_left_codes_re_s15_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      patches_left_codes_re_s16_sim <= 1'b0;
-      patches_left_codes_re_s17_sim <= 1'b0;
+      patches_left_codes_re_s14_sim <= 1'b0;
+      patches_left_codes_re_s15_sim <= 1'b0;
     end else if (en_i) begin
-      patches_left_codes_re_s16_sim <= patches_left_codes_re;
-      patches_left_codes_raddr_s16_sim <= patches_left_codes_raddr;
-      patches_left_codes_re_s17_sim <= patches_left_codes_re_s16_sim;
-      patches_left_codes_raddr_s17_sim <= patches_left_codes_raddr_s16_sim;
+      patches_left_codes_re_s14_sim <= patches_left_codes_re;
+      patches_left_codes_raddr_s14_sim <= patches_left_codes_raddr;
+      patches_left_codes_re_s15_sim <= patches_left_codes_re_s14_sim;
+      patches_left_codes_raddr_s15_sim <= patches_left_codes_raddr_s14_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -8177,10 +8071,10 @@ module horopter_agreement (
       if (patches_left_codes_re && patches_left_codes_raddr == patches_left_codes_waddr) begin
         $error("patches_left_codes: address %0d is read less than DISTANCE steps after its write", patches_left_codes_waddr);
       end
-      if (patches_left_codes_re_s16_sim && patches_left_codes_raddr_s16_sim == patches_left_codes_waddr) begin
+      if (patches_left_codes_re_s14_sim && patches_left_codes_raddr_s14_sim == patches_left_codes_waddr) begin
         $error("patches_left_codes: address %0d is read less than DISTANCE steps after its write", patches_left_codes_waddr);
       end
-      if (patches_left_codes_re_s17_sim && patches_left_codes_raddr_s17_sim == patches_left_codes_waddr) begin
+      if (patches_left_codes_re_s15_sim && patches_left_codes_raddr_s15_sim == patches_left_codes_waddr) begin
         $error("patches_left_codes: address %0d is read less than DISTANCE steps after its write", patches_left_codes_waddr);
       end
       if (patches_left_codes_waddr >= 4'd12) $error("patches_left_codes: write outside, address %0d", patches_left_codes_waddr);
@@ -8213,29 +8107,29 @@ module horopter_agreement (
       rows_passed_q <= 13'h0;
       columns_passed_q <= 9'h0;
       line_ended_q <= 1'b1;
-    end else if (s18_en) begin
-      moments_turned_0_q <= sum_2295;
-      moments_turned_1_q <= sum_2297;
-      moments_turns_0_q <= not_576_s18_q & and_2338;
-      moments_turns_1_q <= not_576_s18_q & and_2342;
-      counts_explained_q <= select_2615;
-      patches_fixed_q <= not_2986 & (patches_fixed_q | (and_2996_s18_q & and_1743));
-      patches_choice_valid_q <= and_1786_s18_q ? (select_1744 & not_2986) : select_1744;
-      patches_choice_column_q <= select_1749;
-      patches_choice_shift_q <= select_1754;
-      patches_choice_slope_q <= select_1780;
-      patches_codes_at_q <= select_3115;
-      patches_codes_further_q <= equal_1788_s18_q ? patches_codes_further_q : select_3120;
-      patches_next_codes_q <= select_3128;
-      patches_summed_first_q <= select_3506;
-      patches_peak_far_q <= equal_1788_s18_q ? select_3595 : patches_peak_far_q;
-      segment_textured_q <= select_2009 + {6'h0, and_2608_s18_q};
-      segment_explained_q <= select_2014 + {6'h0, and_2613};
-      segment_nearer_q <= select_2024 + {6'h0, and_2618};
-      product_q <= equal_575_s18_q ? sum_4[14:1] : product_q;
-      rows_passed_q <= select_2039;
-      columns_passed_q <= {select_2041[7:0], or_2037};
-      line_ended_q <= marks_last_s18_q;
+    end else if (s16_en) begin
+      moments_turned_0_q <= sum_2290;
+      moments_turned_1_q <= sum_2292;
+      moments_turns_0_q <= not_574_s16_q & and_2333;
+      moments_turns_1_q <= not_574_s16_q & and_2337;
+      counts_explained_q <= select_2610;
+      patches_fixed_q <= not_2981 & (patches_fixed_q | (and_2991_s16_q & and_1738));
+      patches_choice_valid_q <= and_1781_s16_q ? (select_1739 & not_2981) : select_1739;
+      patches_choice_column_q <= select_1744;
+      patches_choice_shift_q <= select_1749;
+      patches_choice_slope_q <= select_1775;
+      patches_codes_at_q <= select_3109;
+      patches_codes_further_q <= equal_1783_s16_q ? patches_codes_further_q : select_3114;
+      patches_next_codes_q <= select_3122;
+      patches_summed_first_q <= select_3500;
+      patches_peak_far_q <= equal_1783_s16_q ? select_3589 : patches_peak_far_q;
+      segment_textured_q <= select_2004 + {6'h0, and_2603_s16_q};
+      segment_explained_q <= select_2009 + {6'h0, and_2608};
+      segment_nearer_q <= select_2019 + {6'h0, and_2613};
+      product_q <= equal_573_s16_q ? sum_4[14:1] : product_q;
+      rows_passed_q <= select_2034;
+      columns_passed_q <= {select_2036[7:0], or_2032};
+      line_ended_q <= marks_last_s16_q;
     end
   end
 
@@ -8267,450 +8161,450 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s18_en) begin
-      census_columns_values_0_cell_0_mask_q <= select_2203;
-      census_columns_values_1_cell_0_mask_q <= select_2219;
-      census_columns_values_1_cell_1_mask_q <= select_2222;
-      census_columns_values_1_cell_3_mask_q <= select_2229;
-      census_columns_values_1_cell_4_mask_q <= select_2232;
-      census_columns_values_2_cell_0_mask_q <= select_2235;
-      census_columns_values_2_cell_1_mask_q <= select_2238;
-      box_explained_columns_values_0_q <= equal_575_s18_q ? box_explained_columns_values_0_q : select_4029;
-      box_explained_columns_values_1_q <= select_4033;
-      box_explained_columns_values_2_q <= select_4036;
-      box_explained_columns_values_3_q <= select_4039;
-      box_explained_columns_values_4_q <= select_4042;
-      box_shown_columns_values_0_q <= equal_575_s18_q ? box_shown_columns_values_0_q : select_4047;
-      box_shown_columns_values_1_q <= select_4051;
-      box_shown_columns_values_2_q <= select_4054;
-      box_shown_columns_values_3_q <= select_4057;
-      box_shown_columns_values_4_q <= select_4060;
-      box_nearer_columns_values_0_q <= equal_575_s18_q ? box_nearer_columns_values_0_q : select_4065;
-      box_nearer_columns_values_1_q <= select_4069;
-      box_nearer_columns_values_2_q <= select_4072;
-      box_nearer_columns_values_3_q <= select_4075;
-      box_nearer_columns_values_4_q <= select_4078;
+    if (s16_en) begin
+      census_columns_values_0_cell_0_mask_q <= select_2198;
+      census_columns_values_1_cell_0_mask_q <= select_2214;
+      census_columns_values_1_cell_1_mask_q <= select_2217;
+      census_columns_values_1_cell_3_mask_q <= select_2224;
+      census_columns_values_1_cell_4_mask_q <= select_2227;
+      census_columns_values_2_cell_0_mask_q <= select_2230;
+      census_columns_values_2_cell_1_mask_q <= select_2233;
+      box_explained_columns_values_0_q <= equal_573_s16_q ? box_explained_columns_values_0_q : select_4023;
+      box_explained_columns_values_1_q <= select_4027;
+      box_explained_columns_values_2_q <= select_4030;
+      box_explained_columns_values_3_q <= select_4033;
+      box_explained_columns_values_4_q <= select_4036;
+      box_shown_columns_values_0_q <= equal_573_s16_q ? box_shown_columns_values_0_q : select_4041;
+      box_shown_columns_values_1_q <= select_4045;
+      box_shown_columns_values_2_q <= select_4048;
+      box_shown_columns_values_3_q <= select_4051;
+      box_shown_columns_values_4_q <= select_4054;
+      box_nearer_columns_values_0_q <= equal_573_s16_q ? box_nearer_columns_values_0_q : select_4059;
+      box_nearer_columns_values_1_q <= select_4063;
+      box_nearer_columns_values_2_q <= select_4066;
+      box_nearer_columns_values_3_q <= select_4069;
+      box_nearer_columns_values_4_q <= select_4072;
     end
   end
 
-  logic [7:0] pixel_0_s19_q;
-  logic [7:0] pixel_1_s19_q;
-  logic saturated_s19_q;
-  logic mask_s19_q;
-  logic marks_first_s19_q;
-  logic [7:0] sample_pair_pixel_0_s19_q;
-  logic [7:0] sample_pair_pixel_1_s19_q;
-  logic sample_pair_whole_s19_q;
-  logic sample_present_s19_q;
-  logic census_columns_values_0_cell_2_mask_s19_q;
-  logic census_columns_values_1_cell_2_of_skin_s19_q;
-  logic census_columns_values_1_cell_3_mask_s19_q;
-  logic census_columns_values_1_cell_4_mask_s19_q;
-  logic census_columns_values_2_cell_0_mask_s19_q;
-  logic census_columns_values_2_cell_1_mask_s19_q;
-  logic [7:0] x_s19_q;
-  logic age_s19_q;
-  logic [2:0] slot_s19_q;
-  logic ends_cell_s19_q;
-  logic lower_half_s19_q;
-  logic [13:0] counts_textured_s19_q;
-  logic [13:0] counts_explained_s19_q;
-  logic registration_of_right_s19_q;
-  logic patches_lower_s19_q;
-  logic patches_second_s19_q;
-  logic [4:0] patches_summed_row_column_s19_q;
-  logic patches_summed_first_s19_q;
-  logic patches_summed_last_s19_q;
-  logic [4:0] patches_summed_down_by_s19_q;
-  logic [2:0] region_row_s19_q;
-  logic [13:0] product_s19_q;
-  logic centres_values_1_textured_s19_q;
-  logic centres_values_1_of_skin_s19_q;
-  logic [3:0] select_508_s19_q;
-  logic [6:0] select_511_s19_q;
-  logic [6:0] last_s19_q;
-  logic and_548_s19_q;
-  logic and_550_s19_q;
-  logic equal_553_s19_q;
-  logic whole_2_s19_q;
-  logic equal_570_s19_q;
-  logic equal_575_s19_q;
-  logic not_576_s19_q;
-  logic so_s19_q;
-  logic less_653_s19_q;
-  logic less_654_s19_q;
-  logic less_655_s19_q;
-  logic less_656_s19_q;
-  logic less_657_s19_q;
-  logic less_658_s19_q;
-  logic less_659_s19_q;
-  logic less_660_s19_q;
-  logic less_661_s19_q;
-  logic less_662_s19_q;
-  logic less_663_s19_q;
-  logic less_664_s19_q;
-  logic less_665_s19_q;
-  logic less_666_s19_q;
-  logic less_667_s19_q;
-  logic less_668_s19_q;
-  logic less_669_s19_q;
-  logic less_670_s19_q;
-  logic less_671_s19_q;
-  logic less_672_s19_q;
-  logic less_673_s19_q;
-  logic less_674_s19_q;
-  logic less_675_s19_q;
-  logic less_676_s19_q;
-  logic and_684_s19_q;
-  logic whole_9_s19_q;
-  logic [10:0] sum_717_s19_q;
-  logic [9:0] sum_720_s19_q;
-  logic [9:0] sum_724_s19_q;
-  logic [9:0] sum_728_s19_q;
-  logic less_739_s19_q;
-  logic less_741_s19_q;
-  logic less_745_s19_q;
-  logic less_747_s19_q;
-  logic equal_1608_s19_q;
-  logic all_s19_q;
-  logic [1:0] sum_1614_s19_q;
-  logic equal_1616_s19_q;
-  logic equal_1618_s19_q;
-  logic equal_1620_s19_q;
-  logic equal_1622_s19_q;
-  logic equal_1624_s19_q;
-  logic equal_1626_s19_q;
-  logic equal_1628_s19_q;
-  logic equal_1630_s19_q;
-  logic less_1639_s19_q;
-  logic or_1643_s19_q;
-  logic [31:0] registration_sums_rdata_s19_q;
-  logic equal_1663_s19_q;
-  logic and_1673_s19_q;
-  logic and_1676_s19_q;
-  logic select_1693_s19_q;
-  logic equal_1694_s19_q;
-  logic equal_1704_s19_q;
-  logic equal_1788_s19_q;
-  logic equal_1790_s19_q;
-  logic equal_1793_s19_q;
-  logic or_1794_s19_q;
-  logic [22:0] select_1804_s19_q;
-  logic [4:0] select_1818_s19_q;
-  logic select_1824_s19_q;
-  logic [3:0] select_1862_s19_q;
-  logic less_1966_s19_q;
-  logic equal_1967_s19_q;
-  logic not_1968_s19_q;
-  logic equal_1969_s19_q;
-  logic or_1988_s19_q;
-  logic or_1991_s19_q;
-  logic or_1994_s19_q;
-  logic not_1996_s19_q;
-  logic [9:0] sum_2012_s19_q;
-  logic [9:0] sum_2017_s19_q;
-  logic [9:0] sum_2027_s19_q;
-  logic and_2028_s19_q;
-  logic select_2043_s19_q;
-  logic [2:0] textured_2_s19_q;
-  logic or_2086_s19_q;
-  logic or_2089_s19_q;
-  logic or_2092_s19_q;
-  logic [3:0] difference_2112_s19_q;
-  logic [3:0] difference_2128_s19_q;
-  logic and_2142_s19_q;
-  logic [10:0] size_s19_q;
-  logic [10:0] size_2_s19_q;
-  logic [10:0] sum_2264_s19_q;
-  logic [9:0] sum_2267_s19_q;
-  logic [9:0] sum_2271_s19_q;
-  logic [9:0] sum_2275_s19_q;
-  logic equal_2283_s19_q;
-  logic equal_2298_s19_q;
-  logic [8:0] contrast_s19_q;
-  logic [8:0] contrast_2_s19_q;
-  logic equal_2472_s19_q;
-  logic and_2597_s19_q;
-  logic and_2603_s19_q;
-  logic and_2618_s19_q;
-  logic not_2622_s19_q;
-  logic [3:0] difference_2632_s19_q;
-  logic [9:0] select_2648_s19_q;
-  logic [9:0] select_2651_s19_q;
-  logic and_2699_s19_q;
-  logic and_2716_s19_q;
-  logic and_2723_s19_q;
-  logic and_2757_s19_q;
-  logic and_2758_s19_q;
-  logic [7:0] residual_s19_q;
-  logic and_2794_s19_q;
-  logic and_2808_s19_q;
-  logic equal_2851_s19_q;
-  logic [8:0] other_s19_q;
-  logic [2:0] select_3141_s19_q;
-  logic [8:0] select_3156_s19_q;
-  logic xor_3171_s19_q;
-  logic xor_3189_s19_q;
-  logic xor_3201_s19_q;
-  logic xor_3213_s19_q;
-  logic xor_3225_s19_q;
-  logic or_3234_s19_q;
-  logic or_3238_s19_q;
-  logic or_3242_s19_q;
-  logic or_3249_s19_q;
-  logic or_3253_s19_q;
-  logic or_3257_s19_q;
-  logic or_3264_s19_q;
-  logic or_3268_s19_q;
-  logic or_3272_s19_q;
-  logic or_3282_s19_q;
-  logic or_3286_s19_q;
-  logic or_3290_s19_q;
-  logic or_3298_s19_q;
-  logic or_3302_s19_q;
-  logic or_3306_s19_q;
-  logic or_3313_s19_q;
-  logic or_3317_s19_q;
-  logic or_3321_s19_q;
-  logic or_3331_s19_q;
-  logic or_3335_s19_q;
-  logic or_3339_s19_q;
-  logic and_3344_s19_q;
-  logic or_3345_s19_q;
-  logic equal_3466_s19_q;
-  logic [4:0] select_3554_s19_q;
-  logic [14:0] select_3585_s19_q;
-  logic [9:0] select_3595_s19_q;
-  logic less_3628_s19_q;
-  logic not_3636_s19_q;
-  logic not_3639_s19_q;
-  logic not_3643_s19_q;
-  logic not_3646_s19_q;
-  logic equal_3706_s19_q;
-  logic and_3931_s19_q;
-  logic less_3932_s19_q;
-  logic equal_3933_s19_q;
-  logic equal_3950_s19_q;
-  logic equal_3952_s19_q;
-  logic equal_3953_s19_q;
-  logic equal_3954_s19_q;
-  logic equal_3955_s19_q;
-  logic sum_4_s19_q;
-  logic equal_4095_s19_q;
-  logic equal_4191_s19_q;
-  logic [9:0] select_4201_s19_q;
+  logic [7:0] pixel_0_s17_q;
+  logic [7:0] pixel_1_s17_q;
+  logic saturated_s17_q;
+  logic mask_s17_q;
+  logic marks_first_s17_q;
+  logic [7:0] sample_pair_pixel_0_s17_q;
+  logic [7:0] sample_pair_pixel_1_s17_q;
+  logic sample_pair_whole_s17_q;
+  logic sample_present_s17_q;
+  logic census_columns_values_0_cell_2_mask_s17_q;
+  logic census_columns_values_1_cell_2_of_skin_s17_q;
+  logic census_columns_values_1_cell_3_mask_s17_q;
+  logic census_columns_values_1_cell_4_mask_s17_q;
+  logic census_columns_values_2_cell_0_mask_s17_q;
+  logic census_columns_values_2_cell_1_mask_s17_q;
+  logic [7:0] x_s17_q;
+  logic age_s17_q;
+  logic [2:0] slot_s17_q;
+  logic ends_cell_s17_q;
+  logic lower_half_s17_q;
+  logic [13:0] counts_textured_s17_q;
+  logic [13:0] counts_explained_s17_q;
+  logic registration_of_right_s17_q;
+  logic patches_lower_s17_q;
+  logic patches_second_s17_q;
+  logic [4:0] patches_summed_row_column_s17_q;
+  logic patches_summed_first_s17_q;
+  logic patches_summed_last_s17_q;
+  logic [4:0] patches_summed_down_by_s17_q;
+  logic [2:0] region_row_s17_q;
+  logic [13:0] product_s17_q;
+  logic centres_values_1_textured_s17_q;
+  logic centres_values_1_of_skin_s17_q;
+  logic row_starts_s17_q;
+  logic [3:0] select_508_s17_q;
+  logic [6:0] select_542_s17_q;
+  logic [6:0] last_s17_q;
+  logic and_546_s17_q;
+  logic and_548_s17_q;
+  logic equal_551_s17_q;
+  logic whole_2_s17_q;
+  logic equal_568_s17_q;
+  logic equal_573_s17_q;
+  logic not_574_s17_q;
+  logic so_s17_q;
+  logic less_651_s17_q;
+  logic less_652_s17_q;
+  logic less_653_s17_q;
+  logic less_654_s17_q;
+  logic less_655_s17_q;
+  logic less_656_s17_q;
+  logic less_657_s17_q;
+  logic less_658_s17_q;
+  logic less_659_s17_q;
+  logic less_660_s17_q;
+  logic less_661_s17_q;
+  logic less_662_s17_q;
+  logic less_663_s17_q;
+  logic less_664_s17_q;
+  logic less_665_s17_q;
+  logic less_666_s17_q;
+  logic less_667_s17_q;
+  logic less_668_s17_q;
+  logic less_669_s17_q;
+  logic less_670_s17_q;
+  logic less_671_s17_q;
+  logic less_672_s17_q;
+  logic less_673_s17_q;
+  logic less_674_s17_q;
+  logic and_682_s17_q;
+  logic whole_9_s17_q;
+  logic [10:0] sum_715_s17_q;
+  logic [9:0] sum_718_s17_q;
+  logic [9:0] sum_722_s17_q;
+  logic [9:0] sum_726_s17_q;
+  logic less_737_s17_q;
+  logic less_739_s17_q;
+  logic less_743_s17_q;
+  logic less_745_s17_q;
+  logic equal_1606_s17_q;
+  logic all_s17_q;
+  logic [1:0] sum_1612_s17_q;
+  logic equal_1614_s17_q;
+  logic equal_1616_s17_q;
+  logic equal_1618_s17_q;
+  logic equal_1620_s17_q;
+  logic equal_1622_s17_q;
+  logic equal_1624_s17_q;
+  logic equal_1626_s17_q;
+  logic equal_1628_s17_q;
+  logic less_1637_s17_q;
+  logic or_1641_s17_q;
+  logic [31:0] registration_sums_rdata_s17_q;
+  logic equal_1661_s17_q;
+  logic and_1671_s17_q;
+  logic select_1688_s17_q;
+  logic equal_1689_s17_q;
+  logic equal_1699_s17_q;
+  logic equal_1783_s17_q;
+  logic equal_1785_s17_q;
+  logic equal_1788_s17_q;
+  logic or_1789_s17_q;
+  logic [22:0] select_1799_s17_q;
+  logic [4:0] select_1813_s17_q;
+  logic select_1819_s17_q;
+  logic [3:0] select_1857_s17_q;
+  logic less_1961_s17_q;
+  logic equal_1962_s17_q;
+  logic not_1963_s17_q;
+  logic equal_1964_s17_q;
+  logic or_1983_s17_q;
+  logic or_1986_s17_q;
+  logic or_1989_s17_q;
+  logic not_1991_s17_q;
+  logic [9:0] sum_2007_s17_q;
+  logic [9:0] sum_2012_s17_q;
+  logic [9:0] sum_2022_s17_q;
+  logic and_2023_s17_q;
+  logic select_2038_s17_q;
+  logic [2:0] textured_2_s17_q;
+  logic or_2081_s17_q;
+  logic or_2084_s17_q;
+  logic or_2087_s17_q;
+  logic [3:0] difference_2107_s17_q;
+  logic [3:0] difference_2123_s17_q;
+  logic and_2137_s17_q;
+  logic [10:0] size_s17_q;
+  logic [10:0] size_2_s17_q;
+  logic [10:0] sum_2259_s17_q;
+  logic [9:0] sum_2262_s17_q;
+  logic [9:0] sum_2266_s17_q;
+  logic [9:0] sum_2270_s17_q;
+  logic equal_2278_s17_q;
+  logic equal_2293_s17_q;
+  logic [8:0] contrast_s17_q;
+  logic [8:0] contrast_2_s17_q;
+  logic equal_2467_s17_q;
+  logic and_2592_s17_q;
+  logic and_2598_s17_q;
+  logic and_2613_s17_q;
+  logic not_2617_s17_q;
+  logic [3:0] difference_2627_s17_q;
+  logic [9:0] select_2643_s17_q;
+  logic [9:0] select_2646_s17_q;
+  logic and_2694_s17_q;
+  logic and_2711_s17_q;
+  logic and_2718_s17_q;
+  logic and_2752_s17_q;
+  logic and_2753_s17_q;
+  logic [7:0] residual_s17_q;
+  logic and_2789_s17_q;
+  logic and_2803_s17_q;
+  logic equal_2846_s17_q;
+  logic [8:0] other_s17_q;
+  logic [2:0] select_3135_s17_q;
+  logic [8:0] select_3150_s17_q;
+  logic xor_3165_s17_q;
+  logic xor_3183_s17_q;
+  logic xor_3195_s17_q;
+  logic xor_3207_s17_q;
+  logic xor_3219_s17_q;
+  logic or_3228_s17_q;
+  logic or_3232_s17_q;
+  logic or_3236_s17_q;
+  logic or_3243_s17_q;
+  logic or_3247_s17_q;
+  logic or_3251_s17_q;
+  logic or_3258_s17_q;
+  logic or_3262_s17_q;
+  logic or_3266_s17_q;
+  logic or_3276_s17_q;
+  logic or_3280_s17_q;
+  logic or_3284_s17_q;
+  logic or_3292_s17_q;
+  logic or_3296_s17_q;
+  logic or_3300_s17_q;
+  logic or_3307_s17_q;
+  logic or_3311_s17_q;
+  logic or_3315_s17_q;
+  logic or_3325_s17_q;
+  logic or_3329_s17_q;
+  logic or_3333_s17_q;
+  logic and_3338_s17_q;
+  logic or_3339_s17_q;
+  logic equal_3460_s17_q;
+  logic [4:0] select_3548_s17_q;
+  logic [14:0] select_3579_s17_q;
+  logic [9:0] select_3589_s17_q;
+  logic less_3622_s17_q;
+  logic not_3630_s17_q;
+  logic not_3633_s17_q;
+  logic not_3637_s17_q;
+  logic not_3640_s17_q;
+  logic equal_3700_s17_q;
+  logic and_3925_s17_q;
+  logic less_3926_s17_q;
+  logic equal_3927_s17_q;
+  logic equal_3944_s17_q;
+  logic equal_3946_s17_q;
+  logic equal_3947_s17_q;
+  logic equal_3948_s17_q;
+  logic equal_3949_s17_q;
+  logic sum_4_s17_q;
+  logic equal_4089_s17_q;
+  logic equal_4185_s17_q;
+  logic [9:0] select_4195_s17_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s19_q <= pixel_0_s18_q;
-      pixel_1_s19_q <= pixel_1_s18_q;
-      saturated_s19_q <= saturated_s18_q;
-      mask_s19_q <= mask_s18_q;
-      marks_first_s19_q <= marks_first_s18_q;
-      sample_pair_pixel_0_s19_q <= sample_pair_pixel_0_s18_q;
-      sample_pair_pixel_1_s19_q <= sample_pair_pixel_1_s18_q;
-      sample_pair_whole_s19_q <= sample_pair_whole_s18_q;
-      sample_present_s19_q <= sample_present_s18_q;
-      census_columns_values_0_cell_2_mask_s19_q <= census_columns_values_0_cell_2_mask_s18_q;
-      census_columns_values_1_cell_2_of_skin_s19_q <= census_columns_values_1_cell_2_of_skin_s18_q;
-      census_columns_values_1_cell_3_mask_s19_q <= census_columns_values_1_cell_3_mask_q;
-      census_columns_values_1_cell_4_mask_s19_q <= census_columns_values_1_cell_4_mask_q;
-      census_columns_values_2_cell_0_mask_s19_q <= census_columns_values_2_cell_0_mask_q;
-      census_columns_values_2_cell_1_mask_s19_q <= census_columns_values_2_cell_1_mask_q;
-      x_s19_q <= x_s18_q;
-      age_s19_q <= age_s18_q;
-      slot_s19_q <= slot_s18_q;
-      ends_cell_s19_q <= ends_cell_s18_q;
-      lower_half_s19_q <= lower_half_s18_q;
-      counts_textured_s19_q <= counts_textured_s18_q;
-      counts_explained_s19_q <= counts_explained_q;
-      registration_of_right_s19_q <= registration_of_right_s18_q;
-      patches_lower_s19_q <= patches_lower_s18_q;
-      patches_second_s19_q <= patches_second_s18_q;
-      patches_summed_row_column_s19_q <= patches_summed_row_column_s18_q;
-      patches_summed_first_s19_q <= patches_summed_first_q;
-      patches_summed_last_s19_q <= patches_summed_last_s18_q;
-      patches_summed_down_by_s19_q <= patches_summed_down_by_s18_q;
-      region_row_s19_q <= region_row_s18_q;
-      product_s19_q <= product_q;
-      centres_values_1_textured_s19_q <= centres_values_1_textured_s18_q;
-      centres_values_1_of_skin_s19_q <= centres_values_1_of_skin_s18_q;
-      select_508_s19_q <= select_508_s18_q;
-      select_511_s19_q <= select_511_s18_q;
-      last_s19_q <= last_s18_q;
-      and_548_s19_q <= and_548_s18_q;
-      and_550_s19_q <= and_550_s18_q;
-      equal_553_s19_q <= equal_553_s18_q;
-      whole_2_s19_q <= whole_2_s18_q;
-      equal_570_s19_q <= equal_570_s18_q;
-      equal_575_s19_q <= equal_575_s18_q;
-      not_576_s19_q <= not_576_s18_q;
-      so_s19_q <= so_s18_q;
-      less_653_s19_q <= less_653_s18_q;
-      less_654_s19_q <= less_654_s18_q;
-      less_655_s19_q <= less_655_s18_q;
-      less_656_s19_q <= less_656_s18_q;
-      less_657_s19_q <= less_657_s18_q;
-      less_658_s19_q <= less_658_s18_q;
-      less_659_s19_q <= less_659_s18_q;
-      less_660_s19_q <= less_660_s18_q;
-      less_661_s19_q <= less_661_s18_q;
-      less_662_s19_q <= less_662_s18_q;
-      less_663_s19_q <= less_663_s18_q;
-      less_664_s19_q <= less_664_s18_q;
-      less_665_s19_q <= less_665_s18_q;
-      less_666_s19_q <= less_666_s18_q;
-      less_667_s19_q <= less_667_s18_q;
-      less_668_s19_q <= less_668_s18_q;
-      less_669_s19_q <= less_669_s18_q;
-      less_670_s19_q <= less_670_s18_q;
-      less_671_s19_q <= less_671_s18_q;
-      less_672_s19_q <= less_672_s18_q;
-      less_673_s19_q <= less_673_s18_q;
-      less_674_s19_q <= less_674_s18_q;
-      less_675_s19_q <= less_675_s18_q;
-      less_676_s19_q <= less_676_s18_q;
-      and_684_s19_q <= and_684_s18_q;
-      whole_9_s19_q <= whole_9;
-      sum_717_s19_q <= {1'b0, sum_713} + {1'b0, sum_716};
-      sum_720_s19_q <= {9'h0, difference_718_s18_q} + {1'b0, xor_719_s18_q};
-      sum_724_s19_q <= {9'h0, difference_722_s18_q} + {1'b0, xor_723_s18_q};
-      sum_728_s19_q <= {9'h0, difference_726_s18_q} + {1'b0, xor_727_s18_q};
-      less_739_s19_q <= less_739;
-      less_741_s19_q <= $signed(10'h0) < $signed(half_grey_levels_s18_q);
-      less_745_s19_q <= less_745;
-      less_747_s19_q <= $signed(10'h0) < $signed(half_grey_levels_2_s18_q);
-      equal_1608_s19_q <= equal_1608_s18_q;
-      all_s19_q <= all_s18_q;
-      sum_1614_s19_q <= sum_1614_s18_q;
-      equal_1616_s19_q <= equal_1616_s18_q;
-      equal_1618_s19_q <= equal_1618_s18_q;
-      equal_1620_s19_q <= equal_1620_s18_q;
-      equal_1622_s19_q <= equal_1622_s18_q;
-      equal_1624_s19_q <= equal_1624_s18_q;
-      equal_1626_s19_q <= equal_1626_s18_q;
-      equal_1628_s19_q <= equal_1628_s18_q;
-      equal_1630_s19_q <= equal_1630_s18_q;
-      less_1639_s19_q <= less_1639_s18_q;
-      or_1643_s19_q <= or_1643_s18_q;
-      registration_sums_rdata_s19_q <= registration_sums_rdata_q;
-      equal_1663_s19_q <= equal_1663_s18_q;
-      and_1673_s19_q <= and_1673_s18_q;
-      and_1676_s19_q <= and_1676_s18_q;
-      select_1693_s19_q <= select_1693_s18_q;
-      equal_1694_s19_q <= equal_1694_s18_q;
-      equal_1704_s19_q <= equal_1704_s18_q;
-      equal_1788_s19_q <= equal_1788_s18_q;
-      equal_1790_s19_q <= equal_1790_s18_q;
-      equal_1793_s19_q <= equal_1793_s18_q;
-      or_1794_s19_q <= or_1794_s18_q;
-      select_1804_s19_q <= select_1804;
-      select_1818_s19_q <= select_1818_s18_q;
-      select_1824_s19_q <= select_1824_s18_q;
-      select_1862_s19_q <= select_1862_s18_q;
-      less_1966_s19_q <= less_1966_s18_q;
-      equal_1967_s19_q <= equal_1967_s18_q;
-      not_1968_s19_q <= not_1968_s18_q;
-      equal_1969_s19_q <= equal_1969_s18_q;
-      or_1988_s19_q <= or_1988_s18_q;
-      or_1991_s19_q <= or_1991_s18_q;
-      or_1994_s19_q <= or_1994_s18_q;
-      not_1996_s19_q <= not_1996_s18_q;
-      sum_2012_s19_q <= sum_2012;
-      sum_2017_s19_q <= sum_2017;
-      sum_2027_s19_q <= sum_2027;
-      and_2028_s19_q <= and_2028_s18_q;
-      select_2043_s19_q <= select_2043;
-      textured_2_s19_q <= textured_2;
-      or_2086_s19_q <= or_2086_s18_q;
-      or_2089_s19_q <= or_2089_s18_q;
-      or_2092_s19_q <= or_2092_s18_q;
-      difference_2112_s19_q <= {1'b0, shown_2} - {1'b0, select_2111};
-      difference_2128_s19_q <= {1'b0, near_2} - {1'b0, select_2127};
-      and_2142_s19_q <= and_2142_s18_q;
-      size_s19_q <= size;
-      size_2_s19_q <= size_2;
-      sum_2264_s19_q <= {1'b0, sum_2260} + {1'b0, sum_2263};
-      sum_2267_s19_q <= {9'h0, difference_2265_s18_q} + {1'b0, xor_2266_s18_q};
-      sum_2271_s19_q <= {9'h0, difference_2269_s18_q} + {1'b0, xor_2270_s18_q};
-      sum_2275_s19_q <= {9'h0, difference_2273_s18_q} + {1'b0, xor_2274_s18_q};
-      equal_2283_s19_q <= equal_2283_s18_q;
-      equal_2298_s19_q <= equal_2298_s18_q;
-      contrast_s19_q <= contrast;
-      contrast_2_s19_q <= contrast_2;
-      equal_2472_s19_q <= equal_2472_s18_q;
-      and_2597_s19_q <= and_2597_s18_q;
-      and_2603_s19_q <= and_2603_s18_q;
-      and_2618_s19_q <= and_2618;
-      not_2622_s19_q <= not_2622_s18_q;
-      difference_2632_s19_q <= {1'b0, explained_2} - {1'b0, select_2631};
-      select_2648_s19_q <= less_2647 ? 10'h0 : regions_rdata_s18_q[9:0];
-      select_2651_s19_q <= less_2647 ? 10'h0 : regions_rdata_s18_q[19:10];
-      and_2699_s19_q <= and_2699_s18_q;
-      and_2716_s19_q <= and_2716_s18_q;
-      and_2723_s19_q <= and_2723_s18_q;
-      and_2757_s19_q <= and_2757_s18_q;
-      and_2758_s19_q <= and_2758_s18_q;
-      residual_s19_q <= residual_s18_q;
-      and_2794_s19_q <= and_2758_s18_q & less_2793_s18_q;
-      and_2808_s19_q <= and_2758_s18_q & less_2807_s18_q;
-      equal_2851_s19_q <= equal_2851_s18_q;
-      other_s19_q <= other[44:36];
-      select_3141_s19_q <= and_1960_s18_q ? {and_3140, xor_3139, parity_3133} : 3'h0;
-      select_3156_s19_q <= select_3156_s18_q[44:36];
-      xor_3171_s19_q <= xor_3171;
-      xor_3189_s19_q <= xor_3171 ^ parity_3188;
-      xor_3201_s19_q <= xor_3192 ^ (^{select_3156_s18_q[41:36], other[41:36]});
-      xor_3213_s19_q <= xor_3204 ^ (^{select_3156_s18_q[23:18], other[23:18]});
-      xor_3225_s19_q <= xor_3216 ^ (^{select_3156_s18_q[32:27], other[32:27]});
-      or_3234_s19_q <= (xor_3165 & xor_3168) | (xor_3162 & (xor_3165 | xor_3168));
-      or_3238_s19_q <= (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-      or_3242_s19_q <= (xor_3180 & xor_3183) | (xor_3177 & (xor_3180 | xor_3183));
-      or_3249_s19_q <= (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
-      or_3253_s19_q <= (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-      or_3257_s19_q <= (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
-      or_3264_s19_q <= (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
-      or_3268_s19_q <= (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-      or_3272_s19_q <= (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
-      or_3282_s19_q <= (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
-      or_3286_s19_q <= (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-      or_3290_s19_q <= (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
-      or_3298_s19_q <= (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
-      or_3302_s19_q <= (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-      or_3306_s19_q <= (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
-      or_3313_s19_q <= (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
-      or_3317_s19_q <= (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-      or_3321_s19_q <= (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
-      or_3331_s19_q <= (xor_3195 & xor_3198) | (xor_3192 & (xor_3195 | xor_3198));
-      or_3335_s19_q <= (xor_3207 & xor_3210) | (xor_3204 & (xor_3207 | xor_3210));
-      or_3339_s19_q <= (xor_3219 & xor_3222) | (xor_3216 & (xor_3219 | xor_3222));
-      and_3344_s19_q <= xor_3174 & xor_3186;
-      or_3345_s19_q <= xor_3174 | xor_3186;
-      equal_3466_s19_q <= equal_3466_s18_q;
-      select_3554_s19_q <= select_3554_s18_q;
-      select_3585_s19_q <= select_3585_s18_q;
-      select_3595_s19_q <= select_3595;
-      less_3628_s19_q <= less_3628_s18_q;
-      not_3636_s19_q <= ~({eight_s18_q, 3'h0} < {3'h0, fall_2_s18_q});
-      not_3639_s19_q <= ~({eight_s18_q, 3'h0} < {1'b0, sum_3637, fall_2_s18_q[0]});
-      not_3643_s19_q <= ~({eight_s18_q, 3'h0} < {sum_3641, fall_2_s18_q[1:0]});
-      not_3646_s19_q <= ~less_3645;
-      equal_3706_s19_q <= equal_3706_s18_q;
-      and_3931_s19_q <= and_3931_s18_q;
-      less_3932_s19_q <= counts_explained_q < product_q;
-      equal_3933_s19_q <= counts_explained_q == product_q;
-      equal_3950_s19_q <= equal_3950_s18_q;
-      equal_3952_s19_q <= equal_3952_s18_q;
-      equal_3953_s19_q <= equal_3953_s18_q;
-      equal_3954_s19_q <= equal_3954_s18_q;
-      equal_3955_s19_q <= equal_3955_s18_q;
-      sum_4_s19_q <= sum_4[0];
-      equal_4095_s19_q <= equal_4095_s18_q;
-      equal_4191_s19_q <= equal_4191_s18_q;
-      select_4201_s19_q <= less_2647 ? 10'h0 : regions_rdata_s18_q[29:20];
+      pixel_0_s17_q <= pixel_0_s16_q;
+      pixel_1_s17_q <= pixel_1_s16_q;
+      saturated_s17_q <= saturated_s16_q;
+      mask_s17_q <= mask_s16_q;
+      marks_first_s17_q <= marks_first_s16_q;
+      sample_pair_pixel_0_s17_q <= sample_pair_pixel_0_s16_q;
+      sample_pair_pixel_1_s17_q <= sample_pair_pixel_1_s16_q;
+      sample_pair_whole_s17_q <= sample_pair_whole_s16_q;
+      sample_present_s17_q <= sample_present_s16_q;
+      census_columns_values_0_cell_2_mask_s17_q <= census_columns_values_0_cell_2_mask_s16_q;
+      census_columns_values_1_cell_2_of_skin_s17_q <= census_columns_values_1_cell_2_of_skin_s16_q;
+      census_columns_values_1_cell_3_mask_s17_q <= census_columns_values_1_cell_3_mask_q;
+      census_columns_values_1_cell_4_mask_s17_q <= census_columns_values_1_cell_4_mask_q;
+      census_columns_values_2_cell_0_mask_s17_q <= census_columns_values_2_cell_0_mask_q;
+      census_columns_values_2_cell_1_mask_s17_q <= census_columns_values_2_cell_1_mask_q;
+      x_s17_q <= x_s16_q;
+      age_s17_q <= age_s16_q;
+      slot_s17_q <= slot_s16_q;
+      ends_cell_s17_q <= ends_cell_s16_q;
+      lower_half_s17_q <= lower_half_s16_q;
+      counts_textured_s17_q <= counts_textured_s16_q;
+      counts_explained_s17_q <= counts_explained_q;
+      registration_of_right_s17_q <= registration_of_right_s16_q;
+      patches_lower_s17_q <= patches_lower_s16_q;
+      patches_second_s17_q <= patches_second_s16_q;
+      patches_summed_row_column_s17_q <= patches_summed_row_column_s16_q;
+      patches_summed_first_s17_q <= patches_summed_first_q;
+      patches_summed_last_s17_q <= patches_summed_last_s16_q;
+      patches_summed_down_by_s17_q <= patches_summed_down_by_s16_q;
+      region_row_s17_q <= region_row_s16_q;
+      product_s17_q <= product_q;
+      centres_values_1_textured_s17_q <= centres_values_1_textured_s16_q;
+      centres_values_1_of_skin_s17_q <= centres_values_1_of_skin_s16_q;
+      row_starts_s17_q <= row_starts_s16_q;
+      select_508_s17_q <= select_508_s16_q;
+      select_542_s17_q <= select_542_s16_q;
+      last_s17_q <= last_s16_q;
+      and_546_s17_q <= and_546_s16_q;
+      and_548_s17_q <= and_548_s16_q;
+      equal_551_s17_q <= equal_551_s16_q;
+      whole_2_s17_q <= whole_2_s16_q;
+      equal_568_s17_q <= equal_568_s16_q;
+      equal_573_s17_q <= equal_573_s16_q;
+      not_574_s17_q <= not_574_s16_q;
+      so_s17_q <= so_s16_q;
+      less_651_s17_q <= less_651_s16_q;
+      less_652_s17_q <= less_652_s16_q;
+      less_653_s17_q <= less_653_s16_q;
+      less_654_s17_q <= less_654_s16_q;
+      less_655_s17_q <= less_655_s16_q;
+      less_656_s17_q <= less_656_s16_q;
+      less_657_s17_q <= less_657_s16_q;
+      less_658_s17_q <= less_658_s16_q;
+      less_659_s17_q <= less_659_s16_q;
+      less_660_s17_q <= less_660_s16_q;
+      less_661_s17_q <= less_661_s16_q;
+      less_662_s17_q <= less_662_s16_q;
+      less_663_s17_q <= less_663_s16_q;
+      less_664_s17_q <= less_664_s16_q;
+      less_665_s17_q <= less_665_s16_q;
+      less_666_s17_q <= less_666_s16_q;
+      less_667_s17_q <= less_667_s16_q;
+      less_668_s17_q <= less_668_s16_q;
+      less_669_s17_q <= less_669_s16_q;
+      less_670_s17_q <= less_670_s16_q;
+      less_671_s17_q <= less_671_s16_q;
+      less_672_s17_q <= less_672_s16_q;
+      less_673_s17_q <= less_673_s16_q;
+      less_674_s17_q <= less_674_s16_q;
+      and_682_s17_q <= and_682_s16_q;
+      whole_9_s17_q <= whole_9;
+      sum_715_s17_q <= {1'b0, sum_711} + {1'b0, sum_714};
+      sum_718_s17_q <= {9'h0, difference_716_s16_q} + {1'b0, xor_717_s16_q};
+      sum_722_s17_q <= {9'h0, difference_720_s16_q} + {1'b0, xor_721_s16_q};
+      sum_726_s17_q <= {9'h0, difference_724_s16_q} + {1'b0, xor_725_s16_q};
+      less_737_s17_q <= less_737;
+      less_739_s17_q <= $signed(10'h0) < $signed(half_grey_levels_s16_q);
+      less_743_s17_q <= less_743;
+      less_745_s17_q <= $signed(10'h0) < $signed(half_grey_levels_2_s16_q);
+      equal_1606_s17_q <= equal_1606_s16_q;
+      all_s17_q <= all_s16_q;
+      sum_1612_s17_q <= sum_1612_s16_q;
+      equal_1614_s17_q <= equal_1614_s16_q;
+      equal_1616_s17_q <= equal_1616_s16_q;
+      equal_1618_s17_q <= equal_1618_s16_q;
+      equal_1620_s17_q <= equal_1620_s16_q;
+      equal_1622_s17_q <= equal_1622_s16_q;
+      equal_1624_s17_q <= equal_1624_s16_q;
+      equal_1626_s17_q <= equal_1626_s16_q;
+      equal_1628_s17_q <= equal_1628_s16_q;
+      less_1637_s17_q <= less_1637_s16_q;
+      or_1641_s17_q <= or_1641_s16_q;
+      registration_sums_rdata_s17_q <= registration_sums_rdata_q;
+      equal_1661_s17_q <= equal_1661_s16_q;
+      and_1671_s17_q <= and_1671_s16_q;
+      select_1688_s17_q <= select_1688_s16_q;
+      equal_1689_s17_q <= equal_1689_s16_q;
+      equal_1699_s17_q <= equal_1699_s16_q;
+      equal_1783_s17_q <= equal_1783_s16_q;
+      equal_1785_s17_q <= equal_1785_s16_q;
+      equal_1788_s17_q <= equal_1788_s16_q;
+      or_1789_s17_q <= or_1789_s16_q;
+      select_1799_s17_q <= select_1799;
+      select_1813_s17_q <= select_1813_s16_q;
+      select_1819_s17_q <= select_1819_s16_q;
+      select_1857_s17_q <= select_1857_s16_q;
+      less_1961_s17_q <= less_1961_s16_q;
+      equal_1962_s17_q <= equal_1962_s16_q;
+      not_1963_s17_q <= not_1963_s16_q;
+      equal_1964_s17_q <= equal_1964_s16_q;
+      or_1983_s17_q <= or_1983_s16_q;
+      or_1986_s17_q <= or_1986_s16_q;
+      or_1989_s17_q <= or_1989_s16_q;
+      not_1991_s17_q <= not_1991_s16_q;
+      sum_2007_s17_q <= sum_2007;
+      sum_2012_s17_q <= sum_2012;
+      sum_2022_s17_q <= sum_2022;
+      and_2023_s17_q <= and_2023_s16_q;
+      select_2038_s17_q <= select_2038;
+      textured_2_s17_q <= textured_2;
+      or_2081_s17_q <= or_2081_s16_q;
+      or_2084_s17_q <= or_2084_s16_q;
+      or_2087_s17_q <= or_2087_s16_q;
+      difference_2107_s17_q <= {1'b0, shown_2} - {1'b0, select_2106};
+      difference_2123_s17_q <= {1'b0, near_2} - {1'b0, select_2122};
+      and_2137_s17_q <= and_2137_s16_q;
+      size_s17_q <= size;
+      size_2_s17_q <= size_2;
+      sum_2259_s17_q <= {1'b0, sum_2255} + {1'b0, sum_2258};
+      sum_2262_s17_q <= {9'h0, difference_2260_s16_q} + {1'b0, xor_2261_s16_q};
+      sum_2266_s17_q <= {9'h0, difference_2264_s16_q} + {1'b0, xor_2265_s16_q};
+      sum_2270_s17_q <= {9'h0, difference_2268_s16_q} + {1'b0, xor_2269_s16_q};
+      equal_2278_s17_q <= equal_2278_s16_q;
+      equal_2293_s17_q <= equal_2293_s16_q;
+      contrast_s17_q <= contrast;
+      contrast_2_s17_q <= contrast_2;
+      equal_2467_s17_q <= equal_2467_s16_q;
+      and_2592_s17_q <= and_2592_s16_q;
+      and_2598_s17_q <= and_2598_s16_q;
+      and_2613_s17_q <= and_2613;
+      not_2617_s17_q <= not_2617_s16_q;
+      difference_2627_s17_q <= {1'b0, explained_2} - {1'b0, select_2626};
+      select_2643_s17_q <= less_2642 ? 10'h0 : regions_rdata_s16_q[9:0];
+      select_2646_s17_q <= less_2642 ? 10'h0 : regions_rdata_s16_q[19:10];
+      and_2694_s17_q <= and_2694_s16_q;
+      and_2711_s17_q <= and_2711_s16_q;
+      and_2718_s17_q <= and_2718_s16_q;
+      and_2752_s17_q <= and_2752_s16_q;
+      and_2753_s17_q <= and_2753_s16_q;
+      residual_s17_q <= residual_s16_q;
+      and_2789_s17_q <= and_2753_s16_q & less_2788_s16_q;
+      and_2803_s17_q <= and_2753_s16_q & less_2802_s16_q;
+      equal_2846_s17_q <= equal_2846_s16_q;
+      other_s17_q <= other[44:36];
+      select_3135_s17_q <= and_1955_s16_q ? {and_3134, xor_3133, parity_3127} : 3'h0;
+      select_3150_s17_q <= select_3150_s16_q[44:36];
+      xor_3165_s17_q <= xor_3165;
+      xor_3183_s17_q <= xor_3165 ^ parity_3182;
+      xor_3195_s17_q <= xor_3186 ^ (^{select_3150_s16_q[41:36], other[41:36]});
+      xor_3207_s17_q <= xor_3198 ^ (^{select_3150_s16_q[23:18], other[23:18]});
+      xor_3219_s17_q <= xor_3210 ^ (^{select_3150_s16_q[32:27], other[32:27]});
+      or_3228_s17_q <= (xor_3159 & xor_3162) | (xor_3156 & (xor_3159 | xor_3162));
+      or_3232_s17_q <= (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+      or_3236_s17_q <= (xor_3174 & xor_3177) | (xor_3171 & (xor_3174 | xor_3177));
+      or_3243_s17_q <= (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+      or_3247_s17_q <= (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+      or_3251_s17_q <= (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+      or_3258_s17_q <= (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+      or_3262_s17_q <= (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+      or_3266_s17_q <= (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+      or_3276_s17_q <= (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+      or_3280_s17_q <= (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+      or_3284_s17_q <= (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+      or_3292_s17_q <= (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+      or_3296_s17_q <= (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+      or_3300_s17_q <= (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+      or_3307_s17_q <= (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+      or_3311_s17_q <= (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+      or_3315_s17_q <= (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+      or_3325_s17_q <= (xor_3189 & xor_3192) | (xor_3186 & (xor_3189 | xor_3192));
+      or_3329_s17_q <= (xor_3201 & xor_3204) | (xor_3198 & (xor_3201 | xor_3204));
+      or_3333_s17_q <= (xor_3213 & xor_3216) | (xor_3210 & (xor_3213 | xor_3216));
+      and_3338_s17_q <= xor_3168 & xor_3180;
+      or_3339_s17_q <= xor_3168 | xor_3180;
+      equal_3460_s17_q <= equal_3460_s16_q;
+      select_3548_s17_q <= select_3548_s16_q;
+      select_3579_s17_q <= select_3579_s16_q;
+      select_3589_s17_q <= select_3589;
+      less_3622_s17_q <= less_3622_s16_q;
+      not_3630_s17_q <= ~({eight_s16_q, 3'h0} < {3'h0, fall_2_s16_q});
+      not_3633_s17_q <= ~({eight_s16_q, 3'h0} < {1'b0, sum_3631, fall_2_s16_q[0]});
+      not_3637_s17_q <= ~({eight_s16_q, 3'h0} < {sum_3635, fall_2_s16_q[1:0]});
+      not_3640_s17_q <= ~less_3639;
+      equal_3700_s17_q <= equal_3700_s16_q;
+      and_3925_s17_q <= and_3925_s16_q;
+      less_3926_s17_q <= counts_explained_q < product_q;
+      equal_3927_s17_q <= counts_explained_q == product_q;
+      equal_3944_s17_q <= equal_3944_s16_q;
+      equal_3946_s17_q <= equal_3946_s16_q;
+      equal_3947_s17_q <= equal_3947_s16_q;
+      equal_3948_s17_q <= equal_3948_s16_q;
+      equal_3949_s17_q <= equal_3949_s16_q;
+      sum_4_s17_q <= sum_4[0];
+      equal_4089_s17_q <= equal_4089_s16_q;
+      equal_4185_s17_q <= equal_4185_s16_q;
+      select_4195_s17_q <= less_2642 ? 10'h0 : regions_rdata_s16_q[29:20];
     end
   end
 
-  // Stage 19 ----------------------------------------------------------------------------------------------------------
+  // Stage 17 ----------------------------------------------------------------------------------------------------------
   logic [13:0] averager_detail_0_q;
   logic [13:0] averager_detail_1_q;
   logic census_columns_values_1_cell_2_mask_q;
@@ -8760,355 +8654,355 @@ module horopter_agreement (
   logic [12:0] seen_base_q;
   // hls/stages/agreement.hpp:456
   logic whole_10;
-  assign whole_10 = census_columns_values_1_cell_2_mask_q & whole_9_s19_q;
+  assign whole_10 = census_columns_values_1_cell_2_mask_q & whole_9_s17_q;
   logic whole_11;
-  assign whole_11 = census_columns_values_1_cell_3_mask_s19_q & whole_10;
+  assign whole_11 = census_columns_values_1_cell_3_mask_s17_q & whole_10;
   logic whole_12;
-  assign whole_12 = census_columns_values_1_cell_4_mask_s19_q & whole_11;
+  assign whole_12 = census_columns_values_1_cell_4_mask_s17_q & whole_11;
   logic whole_13;
-  assign whole_13 = census_columns_values_2_cell_0_mask_s19_q & whole_12;
+  assign whole_13 = census_columns_values_2_cell_0_mask_s17_q & whole_12;
   logic whole_14;
-  assign whole_14 = census_columns_values_2_cell_1_mask_s19_q & whole_13;
+  assign whole_14 = census_columns_values_2_cell_1_mask_s17_q & whole_13;
   logic whole_15;
   assign whole_15 = census_columns_values_2_cell_2_mask_q & whole_14;
   logic whole_16;
   assign whole_16 = census_columns_values_2_cell_3_mask_q & whole_15;
-  // hls/stages/census.hpp:281
-  logic [10:0] sum_721;
-  assign sum_721 = sum_717_s19_q + {1'b0, sum_720_s19_q};
+  // hls/stages/census.hpp:284
+  logic [10:0] sum_719;
+  assign sum_719 = sum_715_s17_q + {1'b0, sum_718_s17_q};
   // hls/stages/agreement.hpp:456
-  logic and_735;
-  assign and_735 = census_columns_values_0_cell_2_mask_s19_q & census_columns_values_1_cell_2_mask_q;
-  logic and_736;
-  assign and_736 = and_684_s19_q & and_735;
+  logic and_733;
+  assign and_733 = census_columns_values_0_cell_2_mask_s17_q & census_columns_values_1_cell_2_mask_q;
+  logic and_734;
+  assign and_734 = and_682_s17_q & and_733;
   // hls/stages/registration.hpp:265
-  logic equal_1665;
-  assign equal_1665 = sum_1614_s19_q == 2'h0;
+  logic equal_1663;
+  assign equal_1663 = sum_1612_s17_q == 2'h0;
   // hls/stages/registration.hpp:264
   logic [6:0] up;
-  assign up = sum_1614_s19_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_1612_s17_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:266
-  logic [6:0] select_1671;
-  assign select_1671 = equal_1665 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_1672;
-  assign sum_1672 = (equal_1663_s19_q ? registration_sums_rdata_s19_q[31:20] : 12'h0) + {{5{select_1671[6]}}, select_1671};
+  logic [6:0] select_1669;
+  assign select_1669 = equal_1663 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_1670;
+  assign sum_1670 = (equal_1661_s17_q ? registration_sums_rdata_s17_q[31:20] : 12'h0) + {{5{select_1669[6]}}, select_1669};
   // hls/stages/patches.hpp:355
-  logic [21:0] select_1808;
-  assign select_1808 = select_1693_s19_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1804_s19_q[22:1];
+  logic [21:0] select_1803;
+  assign select_1803 = select_1688_s17_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1799_s17_q[22:1];
   // hls/stages/patches.hpp:127
-  logic [7:0] select_1809;
-  assign select_1809 = equal_1694_s19_q ? patches_place_0_column_q : select_1808[7:0];
-  logic [5:0] select_1810;
-  assign select_1810 = equal_1694_s19_q ? patches_place_0_shift_q : select_1808[13:8];
+  logic [7:0] select_1804;
+  assign select_1804 = equal_1689_s17_q ? patches_place_0_column_q : select_1803[7:0];
+  logic [5:0] select_1805;
+  assign select_1805 = equal_1689_s17_q ? patches_place_0_shift_q : select_1803[13:8];
   // hls/stages/patches.hpp:355
-  logic [21:0] select_1836;
-  assign select_1836 = select_1693_s19_q ? select_1804_s19_q[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  logic [21:0] select_1831;
+  assign select_1831 = select_1688_s17_q ? select_1799_s17_q[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:127
-  logic [7:0] select_1837;
-  assign select_1837 = equal_1694_s19_q ? patches_place_1_column_q : select_1836[7:0];
-  logic [5:0] select_1838;
-  assign select_1838 = equal_1694_s19_q ? patches_place_1_shift_q : select_1836[13:8];
+  logic [7:0] select_1832;
+  assign select_1832 = equal_1689_s17_q ? patches_place_1_column_q : select_1831[7:0];
+  logic [5:0] select_1833;
+  assign select_1833 = equal_1689_s17_q ? patches_place_1_shift_q : select_1831[13:8];
   // hls/stages/patches.hpp:133
-  logic equal_1853;
-  assign equal_1853 = {select_1809[7], select_511_s19_q, select_508_s19_q} == {1'b0, select_1809[6:0], 4'h0};
-  logic equal_1857;
-  assign equal_1857 = {select_1837[7], select_511_s19_q, select_508_s19_q} == {1'b0, select_1837[6:0], 4'h0};
+  logic equal_1848;
+  assign equal_1848 = {select_1804[7], select_542_s17_q, select_508_s17_q} == {1'b0, select_1804[6:0], 4'h0};
+  logic equal_1852;
+  assign equal_1852 = {select_1832[7], select_542_s17_q, select_508_s17_q} == {1'b0, select_1832[6:0], 4'h0};
   // hls/stages/agreement.hpp:436
   logic next_row;
-  assign next_row = select_2043_s19_q & (began_q & at_cell_end_q);
+  assign next_row = select_2038_s17_q & (began_q & at_cell_end_q);
   // hls/stages/agreement.hpp:1291
-  logic [6:0] select_2046;
-  assign select_2046 = next_row ? cfg_width_i[10:4] : 7'h0;
+  logic [6:0] select_2041;
+  assign select_2041 = next_row ? cfg_width_i[10:4] : 7'h0;
   // hls/stages/agreement.hpp:1301
-  logic equal_2049;
-  assign equal_2049 = seen_x_q == 4'hf;
+  logic equal_2044;
+  assign equal_2044 = seen_x_q == 4'hf;
   // hls/stages/agreement.hpp:1274
-  logic not_2056;
-  assign not_2056 = ~marks_first_s19_q;
+  logic not_2051;
+  assign not_2051 = ~marks_first_s17_q;
   // hls/stages/agreement.hpp:1094
-  logic [2:0] select_2077;
-  assign select_2077 = age_s19_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [2:0] select_2072;
+  assign select_2072 = age_s17_q ? box_textured_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:1101
-  logic not_2093;
-  assign not_2093 = ~region_row_s19_q[2];
-  logic [2:0] select_2094;
-  assign select_2094 = region_row_s19_q[1] ? {1'b0, not_2093, 1'b0} : {region_row_s19_q[2], 1'b0, not_2093};
-  logic [5:0] select_2095;
-  assign select_2095 = region_row_s19_q[0] ? {select_2094[2], 1'b0, select_2094[1], 1'b0, select_2094[0], 1'b0} : {1'b0, select_2094[2], 1'b0, select_2094[1], 1'b0, select_2094[0]};
-  logic [11:0] select_2096;
-  assign select_2096 = or_2092_s19_q ? {select_2095[5], 1'b0, select_2095[4], 1'b0, select_2095[3], 1'b0, select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0], 1'b0} : {1'b0, select_2095[5], 1'b0, select_2095[4], 1'b0, select_2095[3], 1'b0, select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0]};
-  logic [23:0] select_2097;
-  assign select_2097 = or_2089_s19_q ? {select_2096[11], 1'b0, select_2096[10], 1'b0, select_2096[9], 1'b0, select_2096[8], 1'b0, select_2096[7], 1'b0, select_2096[6], 1'b0, select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0], 1'b0} : {1'b0, select_2096[11], 1'b0, select_2096[10], 1'b0, select_2096[9], 1'b0, select_2096[8], 1'b0, select_2096[7], 1'b0, select_2096[6], 1'b0, select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0]};
+  logic not_2088;
+  assign not_2088 = ~region_row_s17_q[2];
+  logic [2:0] select_2089;
+  assign select_2089 = region_row_s17_q[1] ? {1'b0, not_2088, 1'b0} : {region_row_s17_q[2], 1'b0, not_2088};
+  logic [5:0] select_2090;
+  assign select_2090 = region_row_s17_q[0] ? {select_2089[2], 1'b0, select_2089[1], 1'b0, select_2089[0], 1'b0} : {1'b0, select_2089[2], 1'b0, select_2089[1], 1'b0, select_2089[0]};
+  logic [11:0] select_2091;
+  assign select_2091 = or_2087_s17_q ? {select_2090[5], 1'b0, select_2090[4], 1'b0, select_2090[3], 1'b0, select_2090[2], 1'b0, select_2090[1], 1'b0, select_2090[0], 1'b0} : {1'b0, select_2090[5], 1'b0, select_2090[4], 1'b0, select_2090[3], 1'b0, select_2090[2], 1'b0, select_2090[1], 1'b0, select_2090[0]};
+  logic [23:0] select_2092;
+  assign select_2092 = or_2084_s17_q ? {select_2091[11], 1'b0, select_2091[10], 1'b0, select_2091[9], 1'b0, select_2091[8], 1'b0, select_2091[7], 1'b0, select_2091[6], 1'b0, select_2091[5], 1'b0, select_2091[4], 1'b0, select_2091[3], 1'b0, select_2091[2], 1'b0, select_2091[1], 1'b0, select_2091[0], 1'b0} : {1'b0, select_2091[11], 1'b0, select_2091[10], 1'b0, select_2091[9], 1'b0, select_2091[8], 1'b0, select_2091[7], 1'b0, select_2091[6], 1'b0, select_2091[5], 1'b0, select_2091[4], 1'b0, select_2091[3], 1'b0, select_2091[2], 1'b0, select_2091[1], 1'b0, select_2091[0]};
   // hls/stages/agreement.hpp:1096
   logic [4:0] around;
-  assign around = {difference_2112_s19_q[3], difference_2112_s19_q} + (equal_570_s19_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  assign around = {difference_2107_s17_q[3], difference_2107_s17_q} + (equal_568_s17_q ? 5'h0 : box_shown_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1097
   logic [4:0] n;
-  assign n = {difference_2128_s19_q[3], difference_2128_s19_q} + (equal_570_s19_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/census.hpp:219
+  assign n = {difference_2123_s17_q[3], difference_2123_s17_q} + (equal_568_s17_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  // hls/stages/census.hpp:222
   logic [13:0] detail;
-  assign detail = {3'h0, size_s19_q} + (equal_553_s19_q ? 14'h0 : averager_detail_0_q);
+  assign detail = {3'h0, size_s17_q} + (equal_551_s17_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2184;
-  assign select_2184 = sample_pair_whole_s19_q ? (and_548_s19_q ? detail : averager_detail_0_q) : averager_detail_0_q;
-  // hls/stages/census.hpp:219
+  logic [13:0] select_2179;
+  assign select_2179 = sample_pair_whole_s17_q ? (and_546_s17_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  // hls/stages/census.hpp:222
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2_s19_q} + (equal_553_s19_q ? 14'h0 : averager_detail_1_q);
+  assign detail_2 = {3'h0, size_2_s17_q} + (equal_551_s17_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2192;
-  assign select_2192 = sample_pair_whole_s19_q ? (and_548_s19_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2187;
+  assign select_2187 = sample_pair_whole_s17_q ? (and_546_s17_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/agreement.hpp:520
-  logic select_2225;
-  assign select_2225 = and_550_s19_q ? census_columns_values_0_cell_2_mask_s19_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2241;
-  assign select_2241 = and_550_s19_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic select_2244;
-  assign select_2244 = and_550_s19_q ? census_columns_values_1_cell_3_mask_s19_q : census_columns_values_2_cell_3_mask_q;
+  logic select_2220;
+  assign select_2220 = and_548_s17_q ? census_columns_values_0_cell_2_mask_s17_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2236;
+  assign select_2236 = and_548_s17_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic select_2239;
+  assign select_2239 = and_548_s17_q ? census_columns_values_1_cell_3_mask_s17_q : census_columns_values_2_cell_3_mask_q;
+  logic select_2242;
+  assign select_2242 = and_548_s17_q ? census_columns_values_1_cell_4_mask_s17_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2243;
+  assign select_2243 = and_548_s17_q ? census_columns_values_2_cell_0_mask_s17_q : census_columns_values_3_cell_0_mask_q;
+  logic select_2246;
+  assign select_2246 = and_548_s17_q ? census_columns_values_2_cell_1_mask_s17_q : census_columns_values_3_cell_1_mask_q;
   logic select_2247;
-  assign select_2247 = and_550_s19_q ? census_columns_values_1_cell_4_mask_s19_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2248;
-  assign select_2248 = and_550_s19_q ? census_columns_values_2_cell_0_mask_s19_q : census_columns_values_3_cell_0_mask_q;
-  logic select_2251;
-  assign select_2251 = and_550_s19_q ? census_columns_values_2_cell_1_mask_s19_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2252;
-  assign select_2252 = and_550_s19_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic select_2255;
-  assign select_2255 = and_550_s19_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  // hls/stages/census.hpp:283
-  logic [10:0] sum_2268;
-  assign sum_2268 = sum_2264_s19_q + {1'b0, sum_2267_s19_q};
+  assign select_2247 = and_548_s17_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic select_2250;
+  assign select_2250 = and_548_s17_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  // hls/stages/census.hpp:286
+  logic [10:0] sum_2263;
+  assign sum_2263 = sum_2259_s17_q + {1'b0, sum_2262_s17_q};
   // hls/stages/moments.hpp:117
-  logic [13:0] select_2299;
-  assign select_2299 = equal_2298_s19_q ? moments_turned_0_q : moments_before_0_q;
-  logic [13:0] select_2301;
-  assign select_2301 = equal_2298_s19_q ? moments_turned_1_q : moments_before_1_q;
-  logic [14:0] sum_2312;
-  assign sum_2312 = {1'b0, moments_turned_1_q} + 15'h3;
-  logic [14:0] sum_2322;
-  assign sum_2322 = {1'b0, moments_turned_0_q} + 15'h3;
+  logic [13:0] select_2294;
+  assign select_2294 = equal_2293_s17_q ? moments_turned_0_q : moments_before_0_q;
+  logic [13:0] select_2296;
+  assign select_2296 = equal_2293_s17_q ? moments_turned_1_q : moments_before_1_q;
+  logic [14:0] sum_2307;
+  assign sum_2307 = {1'b0, moments_turned_1_q} + 15'h3;
+  logic [14:0] sum_2317;
+  assign sum_2317 = {1'b0, moments_turned_0_q} + 15'h3;
   // hls/stages/agreement.hpp:520
-  logic select_2365;
-  assign select_2365 = and_550_s19_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
-  // hls/stages/census.hpp:370
-  logic and_2368;
-  assign and_2368 = whole_2_s19_q & (~(last_s19_q[6:1] == 6'h0));
+  logic select_2360;
+  assign select_2360 = and_548_s17_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  // hls/stages/census.hpp:373
+  logic and_2363;
+  assign and_2363 = whole_2_s17_q & (~(last_s17_q[6:1] == 6'h0));
   // hls/stages/agreement.hpp:457
-  logic and_2374;
-  assign and_2374 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s19_q[8:2]));
-  logic and_2375;
-  assign and_2375 = and_2368 & and_2374;
-  logic and_2386;
-  assign and_2386 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s19_q[8:2]));
-  logic and_2387;
-  assign and_2387 = and_2368 & and_2386;
-  // hls/stages/census.hpp:424
-  logic not_2404;
-  assign not_2404 = ~x_s19_q[1];
-  logic [2:0] select_2405;
-  assign select_2405 = x_s19_q[0] ? {1'b0, not_2404, 1'b0} : {x_s19_q[1], 1'b0, not_2404};
-  logic [5:0] select_2406;
-  assign select_2406 = slot_s19_q[2] ? {select_2405[2], 1'b0, select_2405[1], 1'b0, select_2405[0], 1'b0} : {1'b0, select_2405[2], 1'b0, select_2405[1], 1'b0, select_2405[0]};
-  logic [11:0] select_2407;
-  assign select_2407 = slot_s19_q[1] ? {select_2406[5], 1'b0, select_2406[4], 1'b0, select_2406[3], 1'b0, select_2406[2], 1'b0, select_2406[1], 1'b0, select_2406[0], 1'b0} : {1'b0, select_2406[5], 1'b0, select_2406[4], 1'b0, select_2406[3], 1'b0, select_2406[2], 1'b0, select_2406[1], 1'b0, select_2406[0]};
+  logic and_2369;
+  assign and_2369 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s17_q[8:2]));
+  logic and_2370;
+  assign and_2370 = and_2363 & and_2369;
+  logic and_2381;
+  assign and_2381 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s17_q[8:2]));
+  logic and_2382;
+  assign and_2382 = and_2363 & and_2381;
+  // hls/stages/census.hpp:427
+  logic not_2399;
+  assign not_2399 = ~x_s17_q[1];
+  logic [2:0] select_2400;
+  assign select_2400 = x_s17_q[0] ? {1'b0, not_2399, 1'b0} : {x_s17_q[1], 1'b0, not_2399};
+  logic [5:0] select_2401;
+  assign select_2401 = slot_s17_q[2] ? {select_2400[2], 1'b0, select_2400[1], 1'b0, select_2400[0], 1'b0} : {1'b0, select_2400[2], 1'b0, select_2400[1], 1'b0, select_2400[0]};
+  logic [11:0] select_2402;
+  assign select_2402 = slot_s17_q[1] ? {select_2401[5], 1'b0, select_2401[4], 1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0], 1'b0} : {1'b0, select_2401[5], 1'b0, select_2401[4], 1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0]};
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2605;
-  assign select_2605 = and_2597_s19_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2603_s19_q});
-  logic [13:0] select_2620;
-  assign select_2620 = and_2597_s19_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2618_s19_q});
+  logic [13:0] select_2600;
+  assign select_2600 = and_2592_s17_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2598_s17_q});
+  logic [13:0] select_2615;
+  assign select_2615 = and_2592_s17_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2613_s17_q});
   // hls/stages/agreement.hpp:1095
   logic [4:0] e;
-  assign e = {difference_2632_s19_q[3], difference_2632_s19_q} + (equal_570_s19_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  assign e = {difference_2627_s17_q[3], difference_2627_s17_q} + (equal_568_s17_q ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2718;
-  assign select_2718 = and_2597_s19_q ? 14'h0 : (counts_turned_left_q + {13'h0, and_2716_s19_q});
-  logic [13:0] select_2725;
-  assign select_2725 = and_2597_s19_q ? 14'h0 : (counts_turned_right_q + {13'h0, and_2723_s19_q});
+  logic [13:0] select_2713;
+  assign select_2713 = and_2592_s17_q ? 14'h0 : (counts_turned_left_q + {13'h0, and_2711_s17_q});
+  logic [13:0] select_2720;
+  assign select_2720 = and_2592_s17_q ? 14'h0 : (counts_turned_right_q + {13'h0, and_2718_s17_q});
   // hls/stages/registration.hpp:107
-  logic [7:0] select_2775;
-  assign select_2775 = equal_1704_s19_q ? (and_2758_s19_q ? residual_s19_q : 8'h0) : 8'h0;
+  logic [7:0] select_2770;
+  assign select_2770 = equal_1699_s17_q ? (and_2753_s17_q ? residual_s17_q : 8'h0) : 8'h0;
   // hls/stages/agreement.hpp:788
-  logic and_2782;
-  assign and_2782 = not_576_s19_q & (so_s19_q & (and_2758_s19_q & equal_1704_s19_q));
+  logic and_2777;
+  assign and_2777 = not_574_s17_q & (so_s17_q & (and_2753_s17_q & equal_1699_s17_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_2784;
-  assign select_2784 = and_2757_s19_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2782});
+  logic [5:0] select_2779;
+  assign select_2779 = and_2752_s17_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2777});
   // hls/stages/registration.hpp:107
-  logic and_2786;
-  assign and_2786 = and_2758_s19_q & ($signed(residual_s19_q) < $signed({2'h0, cfg_moved_limit_i}));
+  logic and_2781;
+  assign and_2781 = and_2753_s17_q & ($signed(residual_s17_q) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_2788;
-  assign select_2788 = so_s19_q ? (equal_1704_s19_q ? {and_2786, and_2758_s19_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2796;
-  assign select_2796 = so_s19_q ? (equal_1704_s19_q ? {and_2794_s19_q, and_2758_s19_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2797;
-  assign select_2797 = equal_575_s19_q ? 2'h0 : select_2796;
+  logic [1:0] select_2783;
+  assign select_2783 = so_s17_q ? (equal_1699_s17_q ? {and_2781, and_2753_s17_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2791;
+  assign select_2791 = so_s17_q ? (equal_1699_s17_q ? {and_2789_s17_q, and_2753_s17_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2792;
+  assign select_2792 = equal_573_s17_q ? 2'h0 : select_2791;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2798;
-  assign sum_2798 = registration_half_votes_up_q + {{5{select_2797[1]}}, select_2797};
+  logic [6:0] sum_2793;
+  assign sum_2793 = registration_half_votes_up_q + {{5{select_2792[1]}}, select_2792};
   // hls/stages/registration.hpp:205
-  logic less_2800;
-  assign less_2800 = $signed(residual_s19_q) < $signed({2'h0, cfg_moved_half_limit_i});
+  logic less_2795;
+  assign less_2795 = $signed(residual_s17_q) < $signed({2'h0, cfg_moved_half_limit_i});
   // hls/stages/registration.hpp:107
-  logic and_2801;
-  assign and_2801 = and_2758_s19_q & less_2800;
+  logic and_2796;
+  assign and_2796 = and_2753_s17_q & less_2795;
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_2803;
-  assign select_2803 = so_s19_q ? (equal_1704_s19_q ? {and_2801, and_2758_s19_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2810;
-  assign select_2810 = so_s19_q ? (equal_1704_s19_q ? {and_2808_s19_q, and_2758_s19_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2811;
-  assign select_2811 = equal_575_s19_q ? 2'h0 : select_2810;
+  logic [1:0] select_2798;
+  assign select_2798 = so_s17_q ? (equal_1699_s17_q ? {and_2796, and_2753_s17_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2805;
+  assign select_2805 = so_s17_q ? (equal_1699_s17_q ? {and_2803_s17_q, and_2753_s17_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2806;
+  assign select_2806 = equal_573_s17_q ? 2'h0 : select_2805;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2812;
-  assign sum_2812 = registration_half_half_votes_up_q + {{5{select_2811[1]}}, select_2811};
+  logic [6:0] sum_2807;
+  assign sum_2807 = registration_half_half_votes_up_q + {{5{select_2806[1]}}, select_2806};
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2853;
-  assign select_2853 = or_1643_s19_q ? 12'h0 : (equal_2851_s19_q ? registration_sums_rdata_s19_q[11:0] : 12'h0);
+  logic [11:0] select_2848;
+  assign select_2848 = or_1641_s17_q ? 12'h0 : (equal_2846_s17_q ? registration_sums_rdata_s17_q[11:0] : 12'h0);
   // hls/stages/agreement.hpp:1142
-  logic [11:0] select_2855;
-  assign select_2855 = equal_1608_s19_q ? 12'h0 : (less_1639_s19_q ? select_2853 : 12'h0);
+  logic [11:0] select_2850;
+  assign select_2850 = equal_1606_s17_q ? 12'h0 : (less_1637_s17_q ? select_2848 : 12'h0);
   // hls/stages/registration.hpp:153
-  logic and_2858;
-  assign and_2858 = x_s19_q[1] & all_s19_q;
+  logic and_2853;
+  assign and_2853 = x_s17_q[1] & all_s17_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2861;
-  assign and_2861 = not_1996_s19_q & (less_1639_s19_q & ({and_2858, x_s19_q[0]} == 2'h0));
+  logic and_2856;
+  assign and_2856 = not_1991_s17_q & (less_1637_s17_q & ({and_2853, x_s17_q[0]} == 2'h0));
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2868;
-  assign select_2868 = or_1643_s19_q ? 12'h0 : (equal_2851_s19_q ? registration_sums_rdata_s19_q[31:20] : 12'h0);
+  logic [11:0] select_2863;
+  assign select_2863 = or_1641_s17_q ? 12'h0 : (equal_2846_s17_q ? registration_sums_rdata_s17_q[31:20] : 12'h0);
   // hls/stages/agreement.hpp:1142
-  logic [11:0] select_2870;
-  assign select_2870 = equal_1608_s19_q ? 12'h0 : (less_1639_s19_q ? select_2868 : 12'h0);
+  logic [11:0] select_2865;
+  assign select_2865 = equal_1606_s17_q ? 12'h0 : (less_1637_s17_q ? select_2863 : 12'h0);
   // hls/stages/registration.hpp:150
-  logic not_2876;
-  assign not_2876 = ~all_s19_q;
+  logic not_2871;
+  assign not_2871 = ~all_s17_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2879;
-  assign and_2879 = not_1996_s19_q & (less_1639_s19_q & (x_s19_q[2:0] == {all_s19_q, not_2876, 1'b0}));
+  logic and_2874;
+  assign and_2874 = not_1991_s17_q & (less_1637_s17_q & (x_s17_q[2:0] == {all_s17_q, not_2871, 1'b0}));
   // hls/stages/agreement.hpp:788
-  logic and_2885;
-  assign and_2885 = equal_575_s19_q & (x_s19_q[6] & (not_1996_s19_q & (less_1639_s19_q & all_s19_q)));
+  logic and_2880;
+  assign and_2880 = equal_573_s17_q & (x_s17_q[6] & (not_1991_s17_q & (less_1637_s17_q & all_s17_q)));
   // hls/stages/registration.hpp:157
-  logic equal_2912;
-  assign equal_2912 = x_s19_q[2:0] == 3'h6;
+  logic equal_2907;
+  assign equal_2907 = x_s17_q[2:0] == 3'h6;
   // hls/stages/agreement.hpp:1142
-  logic and_2915;
-  assign and_2915 = not_1996_s19_q & (less_1639_s19_q & (x_s19_q[5] ? x_s19_q[3] : equal_2912));
-  logic and_2924;
-  assign and_2924 = not_1996_s19_q & (less_1639_s19_q & ((~x_s19_q[5]) & (x_s19_q[3] & equal_2912)));
+  logic and_2910;
+  assign and_2910 = not_1991_s17_q & (less_1637_s17_q & (x_s17_q[5] ? x_s17_q[3] : equal_2907));
+  logic and_2919;
+  assign and_2919 = not_1991_s17_q & (less_1637_s17_q & ((~x_s17_q[5]) & (x_s17_q[3] & equal_2907)));
   // hls/stages/agreement.hpp:276
-  logic [7:0] select_3019;
-  assign select_3019 = sample_pair_whole_s19_q ? (equal_1694_s19_q ? patches_place_0_slope_q : select_1808[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3024;
-  assign select_3024 = sample_pair_whole_s19_q ? (equal_1694_s19_q ? patches_place_1_slope_q : select_1836[21:14]) : patches_place_1_slope_q;
+  logic [7:0] select_3013;
+  assign select_3013 = sample_pair_whole_s17_q ? (equal_1689_s17_q ? patches_place_0_slope_q : select_1803[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3018;
+  assign select_3018 = sample_pair_whole_s17_q ? (equal_1689_s17_q ? patches_place_1_slope_q : select_1831[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:185
-  logic [2:0] select_3143;
-  assign select_3143 = equal_1790_s19_q ? 3'h0 : (or_1794_s19_q ? select_3141_s19_q : 3'h0);
+  logic [2:0] select_3137;
+  assign select_3137 = equal_1785_s17_q ? 3'h0 : (or_1789_s17_q ? select_3135_s17_q : 3'h0);
   // hls/stages/patches.hpp:168
-  logic [9:0] sum_3146;
-  assign sum_3146 = {7'h0, patches_set_q} + (equal_1793_s19_q ? 10'h0 : patches_size_q);
+  logic [9:0] sum_3140;
+  assign sum_3140 = {7'h0, patches_set_q} + (equal_1788_s17_q ? 10'h0 : patches_size_q);
   // hls/stages/count_bits.hpp:24
-  logic xor_3226;
-  assign xor_3226 = xor_3213_s19_q ^ xor_3225_s19_q;
+  logic xor_3220;
+  assign xor_3220 = xor_3207_s17_q ^ xor_3219_s17_q;
   // hls/stages/count_bits.hpp:25
-  logic or_3351;
-  assign or_3351 = (xor_3213_s19_q & xor_3225_s19_q) | (xor_3201_s19_q & (xor_3213_s19_q | xor_3225_s19_q));
+  logic or_3345;
+  assign or_3345 = (xor_3207_s17_q & xor_3219_s17_q) | (xor_3195_s17_q & (xor_3207_s17_q | xor_3219_s17_q));
   // hls/stages/patches.hpp:584
-  logic [1:0] sum_3640;
-  assign sum_3640 = {1'b0, not_3636_s19_q} + {1'b0, not_3639_s19_q};
+  logic [1:0] sum_3634;
+  assign sum_3634 = {1'b0, not_3630_s17_q} + {1'b0, not_3633_s17_q};
   // hls/stages/patches.hpp:585
-  logic [1:0] sum_3647;
-  assign sum_3647 = {1'b0, not_3643_s19_q} + {1'b0, not_3646_s19_q};
+  logic [1:0] sum_3641;
+  assign sum_3641 = {1'b0, not_3637_s17_q} + {1'b0, not_3640_s17_q};
   // hls/stages/patches.hpp:584
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3640} + {1'b0, sum_3647};
+  assign fraction = {1'b0, sum_3634} + {1'b0, sum_3641};
   // hls/stages/patches.hpp:598
-  logic [7:0] select_3651;
-  assign select_3651 = patches_second_s19_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  logic [7:0] select_3645;
+  assign select_3645 = patches_second_s17_q ? patches_place_1_slope_q : patches_place_0_slope_q;
   // hls/stages/patches.hpp:597
-  logic [3:0] sum_3652;
-  assign sum_3652 = {2'h0, select_3585_s19_q[14:13]} + 4'hf;
-  logic [5:0] select_3653;
-  assign select_3653 = patches_second_s19_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [6:0] sum_3654;
-  assign sum_3654 = {select_3653[5], select_3653} + {{4{sum_3652[3]}}, sum_3652[3:1]};
+  logic [3:0] sum_3646;
+  assign sum_3646 = {2'h0, select_3579_s17_q[14:13]} + 4'hf;
+  logic [5:0] select_3647;
+  assign select_3647 = patches_second_s17_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [6:0] sum_3648;
+  assign sum_3648 = {select_3647[5], select_3647} + {{4{sum_3646[3]}}, sum_3646[3:1]};
   // hls/stages/agreement.hpp:1188
-  logic or_3928;
-  assign or_3928 = ({counts_textured_s19_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s19_q[13:3] < 11'h5);
+  logic or_3922;
+  assign or_3922 = ({counts_textured_s17_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s17_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1226
   logic too_little;
-  assign too_little = less_3932_s19_q | (product_rest_q & equal_3933_s19_q);
+  assign too_little = less_3926_s17_q | (product_rest_q & equal_3927_s17_q);
   // hls/stages/agreement.hpp:1227
-  logic select_3936;
-  assign select_3936 = and_3931_s19_q ? too_little : disagree_q;
+  logic select_3930;
+  assign select_3930 = and_3925_s17_q ? too_little : disagree_q;
   // hls/stages/agreement.hpp:1135
-  logic [10:0] sum_3939;
-  assign sum_3939 = {1'b0, select_2651_s19_q} + {2'h0, select_2651_s19_q[9:1]};
+  logic [10:0] sum_3933;
+  assign sum_3933 = {1'b0, select_2646_s17_q} + {2'h0, select_2646_s17_q[9:1]};
   // hls/stages/agreement.hpp:788
-  logic select_3992;
-  assign select_3992 = equal_575_s19_q ? (equal_3706_s19_q ? sum_4_s19_q : (product_rest_q | sum_4_s19_q)) : product_rest_q;
+  logic select_3986;
+  assign select_3986 = equal_573_s17_q ? (equal_3700_s17_q ? sum_4_s17_q : (product_rest_q | sum_4_s17_q)) : product_rest_q;
+  logic [2:0] select_4004;
+  assign select_4004 = ends_cell_s17_q ? textured_2_s17_q : box_textured_columns_values_0_q;
+  logic [2:0] select_4006;
+  assign select_4006 = equal_573_s17_q ? box_textured_columns_values_0_q : (so_s17_q ? select_4004 : box_textured_columns_values_0_q);
+  logic [2:0] select_4007;
+  assign select_4007 = ends_cell_s17_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_4009;
+  assign select_4009 = equal_573_s17_q ? box_textured_columns_values_1_q : (so_s17_q ? select_4007 : box_textured_columns_values_1_q);
   logic [2:0] select_4010;
-  assign select_4010 = ends_cell_s19_q ? textured_2_s19_q : box_textured_columns_values_0_q;
+  assign select_4010 = ends_cell_s17_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
   logic [2:0] select_4012;
-  assign select_4012 = equal_575_s19_q ? box_textured_columns_values_0_q : (so_s19_q ? select_4010 : box_textured_columns_values_0_q);
+  assign select_4012 = equal_573_s17_q ? box_textured_columns_values_2_q : (so_s17_q ? select_4010 : box_textured_columns_values_2_q);
   logic [2:0] select_4013;
-  assign select_4013 = ends_cell_s19_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  assign select_4013 = ends_cell_s17_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
   logic [2:0] select_4015;
-  assign select_4015 = equal_575_s19_q ? box_textured_columns_values_1_q : (so_s19_q ? select_4013 : box_textured_columns_values_1_q);
+  assign select_4015 = equal_573_s17_q ? box_textured_columns_values_3_q : (so_s17_q ? select_4013 : box_textured_columns_values_3_q);
   logic [2:0] select_4016;
-  assign select_4016 = ends_cell_s19_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  assign select_4016 = ends_cell_s17_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
   logic [2:0] select_4018;
-  assign select_4018 = equal_575_s19_q ? box_textured_columns_values_2_q : (so_s19_q ? select_4016 : box_textured_columns_values_2_q);
-  logic [2:0] select_4019;
-  assign select_4019 = ends_cell_s19_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_4021;
-  assign select_4021 = equal_575_s19_q ? box_textured_columns_values_3_q : (so_s19_q ? select_4019 : box_textured_columns_values_3_q);
-  logic [2:0] select_4022;
-  assign select_4022 = ends_cell_s19_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_4024;
-  assign select_4024 = equal_575_s19_q ? box_textured_columns_values_4_q : (so_s19_q ? select_4022 : box_textured_columns_values_4_q);
-  logic [4:0] select_4044;
-  assign select_4044 = so_s19_q ? (ends_cell_s19_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_4045;
-  assign select_4045 = equal_575_s19_q ? box_explained_sum_sums_values_0_q : select_4044;
-  logic [4:0] select_4062;
-  assign select_4062 = so_s19_q ? (ends_cell_s19_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [4:0] select_4080;
-  assign select_4080 = so_s19_q ? (ends_cell_s19_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  assign select_4018 = equal_573_s17_q ? box_textured_columns_values_4_q : (so_s17_q ? select_4016 : box_textured_columns_values_4_q);
+  logic [4:0] select_4038;
+  assign select_4038 = so_s17_q ? (ends_cell_s17_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_4039;
+  assign select_4039 = equal_573_s17_q ? box_explained_sum_sums_values_0_q : select_4038;
+  logic [4:0] select_4056;
+  assign select_4056 = so_s17_q ? (ends_cell_s17_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [4:0] select_4074;
+  assign select_4074 = so_s17_q ? (ends_cell_s17_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:1300
-  logic [3:0] select_4112;
-  assign select_4112 = select_2043_s19_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
+  logic [3:0] select_4106;
+  assign select_4106 = select_2038_s17_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:436
-  logic [7:0] select_4118;
-  assign select_4118 = marks_first_s19_q ? (less_4114 ? {sum_4115, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic [7:0] select_4112;
+  assign select_4112 = marks_first_s17_q ? (less_4108 ? {sum_4109, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4193;
-  assign select_4193 = equal_1630_s19_q ? {2'h0, counts_explained_s19_q, 2'h0, counts_textured_s19_q} : (equal_4191_s19_q ? registration_sums_rdata_s19_q : 32'h0);
-  logic [31:0] select_4194;
-  assign select_4194 = equal_1628_s19_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4193;
+  logic [31:0] select_4187;
+  assign select_4187 = equal_1628_s17_q ? {2'h0, counts_explained_s17_q, 2'h0, counts_textured_s17_q} : (equal_4185_s17_q ? registration_sums_rdata_s17_q : 32'h0);
+  logic [31:0] select_4188;
+  assign select_4188 = equal_1626_s17_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4187;
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s19_q, or_1994_s19_q, or_1991_s19_q, or_1988_s19_q};
+  assign regions_waddr = {region_row_s17_q, or_1989_s17_q, or_1986_s17_q, or_1983_s17_q};
   logic regions_we;
-  assign regions_we = s19_en & and_2028_s19_q;
+  assign regions_we = s17_en & and_2023_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_2027_s19_q, sum_2017_s19_q, sum_2012_s19_q};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_2022_s17_q, sum_2012_s17_q, sum_2007_s17_q};
   end
 `ifndef SYNTHESIS
-  logic [5:0] regions_raddr_s17_sim;
-  logic regions_re_s17_sim;
-  logic [5:0] regions_raddr_s18_sim;
-  logic regions_re_s18_sim;
+  logic [5:0] regions_raddr_s15_sim;
+  logic regions_re_s15_sim;
+  logic [5:0] regions_raddr_s16_sim;
+  logic regions_re_s16_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      regions_re_s17_sim <= 1'b0;
-      regions_re_s18_sim <= 1'b0;
+      regions_re_s15_sim <= 1'b0;
+      regions_re_s16_sim <= 1'b0;
     end else if (en_i) begin
-      regions_re_s17_sim <= regions_re;
-      regions_raddr_s17_sim <= regions_raddr;
-      regions_re_s18_sim <= regions_re_s17_sim;
-      regions_raddr_s18_sim <= regions_raddr_s17_sim;
+      regions_re_s15_sim <= regions_re;
+      regions_raddr_s15_sim <= regions_raddr;
+      regions_re_s16_sim <= regions_re_s15_sim;
+      regions_raddr_s16_sim <= regions_raddr_s15_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -9116,10 +9010,10 @@ module horopter_agreement (
       if (regions_re && regions_raddr == regions_waddr) begin
         $error("regions: address %0d is read less than DISTANCE steps after its write", regions_waddr);
       end
-      if (regions_re_s17_sim && regions_raddr_s17_sim == regions_waddr) begin
+      if (regions_re_s15_sim && regions_raddr_s15_sim == regions_waddr) begin
         $error("regions: address %0d is read less than DISTANCE steps after its write", regions_waddr);
       end
-      if (regions_re_s18_sim && regions_raddr_s18_sim == regions_waddr) begin
+      if (regions_re_s16_sim && regions_raddr_s16_sim == regions_waddr) begin
         $error("regions: address %0d is read less than DISTANCE steps after its write", regions_waddr);
       end
     end
@@ -9156,35 +9050,35 @@ module horopter_agreement (
       at_cell_end_q <= 1'b0;
       was_next_row_q <= 1'b0;
       seen_base_q <= 13'h0;
-    end else if (s19_en) begin
-      moments_before_0_q <= equal_575_s19_q ? select_2299 : moments_before_0_q;
-      moments_before_1_q <= equal_575_s19_q ? select_2301 : moments_before_1_q;
-      sharpness_before_last_mask_q <= select_2365;
-      counts_supervised_q <= select_2605;
-      counts_nearer_q <= select_2620;
-      counts_turned_left_q <= select_2718;
-      counts_turned_right_q <= select_2725;
-      registration_half_measured_q <= select_2784;
-      registration_half_votes_up_q <= and_2757_s19_q ? 7'h0 : sum_2798;
-      registration_half_half_votes_up_q <= and_2757_s19_q ? 7'h0 : sum_2812;
-      patches_place_0_column_q <= sample_pair_whole_s19_q ? select_1809 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s19_q ? select_1810 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3019;
-      patches_place_1_column_q <= sample_pair_whole_s19_q ? select_1837 : patches_place_1_column_q;
-      patches_place_1_shift_q <= sample_pair_whole_s19_q ? select_1838 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3024;
-      patches_set_q <= equal_1788_s19_q ? 3'h0 : select_3143;
-      patches_size_q <= sum_3146;
-      product_rest_q <= select_3992;
-      disagree_q <= equal_575_s19_q ? select_3936 : disagree_q;
-      began_q <= not_2056 & (began_q | select_2043_s19_q);
-      seen_x_q <= select_2043_s19_q ? 4'h0 : (seen_x_q + 4'h1);
-      seen_y_q <= marks_first_s19_q ? 4'h0 : select_4112;
-      seen_column_q <= select_2043_s19_q ? 8'h0 : (seen_column_q + {7'h0, equal_2049});
-      seen_rows_left_q <= select_4118;
+    end else if (s17_en) begin
+      moments_before_0_q <= equal_573_s17_q ? select_2294 : moments_before_0_q;
+      moments_before_1_q <= equal_573_s17_q ? select_2296 : moments_before_1_q;
+      sharpness_before_last_mask_q <= select_2360;
+      counts_supervised_q <= select_2600;
+      counts_nearer_q <= select_2615;
+      counts_turned_left_q <= select_2713;
+      counts_turned_right_q <= select_2720;
+      registration_half_measured_q <= select_2779;
+      registration_half_votes_up_q <= and_2752_s17_q ? 7'h0 : sum_2793;
+      registration_half_half_votes_up_q <= and_2752_s17_q ? 7'h0 : sum_2807;
+      patches_place_0_column_q <= sample_pair_whole_s17_q ? select_1804 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s17_q ? select_1805 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_3013;
+      patches_place_1_column_q <= sample_pair_whole_s17_q ? select_1832 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s17_q ? select_1833 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_3018;
+      patches_set_q <= equal_1783_s17_q ? 3'h0 : select_3137;
+      patches_size_q <= sum_3140;
+      product_rest_q <= select_3986;
+      disagree_q <= equal_573_s17_q ? select_3930 : disagree_q;
+      began_q <= not_2051 & (began_q | select_2038_s17_q);
+      seen_x_q <= select_2038_s17_q ? 4'h0 : (seen_x_q + 4'h1);
+      seen_y_q <= marks_first_s17_q ? 4'h0 : select_4106;
+      seen_column_q <= select_2038_s17_q ? 8'h0 : (seen_column_q + {7'h0, equal_2044});
+      seen_rows_left_q <= select_4112;
       at_cell_end_q <= (seen_y_q == 4'hf) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= marks_first_s19_q ? 13'h0 : (seen_base_q + {6'h0, select_2046});
+      seen_base_q <= marks_first_s17_q ? 13'h0 : (seen_base_q + {6'h0, select_2041});
     end
   end
 
@@ -9213,429 +9107,429 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s19_en) begin
-      averager_detail_0_q <= select_2184;
-      averager_detail_1_q <= select_2192;
-      census_columns_values_1_cell_2_mask_q <= select_2225;
-      census_columns_values_2_cell_2_mask_q <= select_2241;
-      census_columns_values_2_cell_3_mask_q <= select_2244;
-      census_columns_values_2_cell_4_mask_q <= select_2247;
-      census_columns_values_3_cell_0_mask_q <= select_2248;
-      census_columns_values_3_cell_1_mask_q <= select_2251;
-      census_columns_values_3_cell_2_mask_q <= select_2252;
-      census_columns_values_3_cell_3_mask_q <= select_2255;
-      sharpness_last_mask_q <= and_550_s19_q ? whole_2_s19_q : sharpness_last_mask_q;
-      box_textured_columns_values_0_q <= select_4012;
-      box_textured_columns_values_1_q <= select_4015;
-      box_textured_columns_values_2_q <= select_4018;
-      box_textured_columns_values_3_q <= select_4021;
-      box_textured_columns_values_4_q <= select_4024;
-      box_explained_sum_sums_values_0_q <= select_4045;
-      box_shown_sum_sums_values_0_q <= equal_575_s19_q ? box_shown_sum_sums_values_0_q : select_4062;
-      box_nearer_sum_sums_values_0_q <= equal_575_s19_q ? box_nearer_sum_sums_values_0_q : select_4080;
+    if (s17_en) begin
+      averager_detail_0_q <= select_2179;
+      averager_detail_1_q <= select_2187;
+      census_columns_values_1_cell_2_mask_q <= select_2220;
+      census_columns_values_2_cell_2_mask_q <= select_2236;
+      census_columns_values_2_cell_3_mask_q <= select_2239;
+      census_columns_values_2_cell_4_mask_q <= select_2242;
+      census_columns_values_3_cell_0_mask_q <= select_2243;
+      census_columns_values_3_cell_1_mask_q <= select_2246;
+      census_columns_values_3_cell_2_mask_q <= select_2247;
+      census_columns_values_3_cell_3_mask_q <= select_2250;
+      sharpness_last_mask_q <= and_548_s17_q ? whole_2_s17_q : sharpness_last_mask_q;
+      box_textured_columns_values_0_q <= select_4006;
+      box_textured_columns_values_1_q <= select_4009;
+      box_textured_columns_values_2_q <= select_4012;
+      box_textured_columns_values_3_q <= select_4015;
+      box_textured_columns_values_4_q <= select_4018;
+      box_explained_sum_sums_values_0_q <= select_4039;
+      box_shown_sum_sums_values_0_q <= equal_573_s17_q ? box_shown_sum_sums_values_0_q : select_4056;
+      box_nearer_sum_sums_values_0_q <= equal_573_s17_q ? box_nearer_sum_sums_values_0_q : select_4074;
     end
   end
 
-  logic [7:0] pixel_0_s20_q;
-  logic [7:0] pixel_1_s20_q;
-  logic saturated_s20_q;
-  logic mask_s20_q;
-  logic marks_first_s20_q;
-  logic marks_last_s20_q;
-  logic [7:0] sample_pair_pixel_0_s20_q;
-  logic [7:0] sample_pair_pixel_1_s20_q;
-  logic sample_pair_whole_s20_q;
-  logic sample_present_s20_q;
-  logic census_columns_values_1_cell_2_of_skin_s20_q;
-  logic census_columns_values_2_cell_4_mask_s20_q;
-  logic census_columns_values_3_cell_0_mask_s20_q;
-  logic census_columns_values_3_cell_1_mask_s20_q;
-  logic census_columns_values_3_cell_2_mask_s20_q;
-  logic census_columns_values_3_cell_3_mask_s20_q;
-  logic [6:0] x_s20_q;
-  logic slot_s20_q;
-  logic ends_cell_s20_q;
-  logic lower_half_s20_q;
-  logic [13:0] counts_nearer_s20_q;
-  logic [11:0] counts_turned_left_s20_q;
-  logic [11:0] counts_turned_right_s20_q;
-  logic registration_of_right_s20_q;
-  logic patches_lower_s20_q;
-  logic patches_second_s20_q;
-  logic [4:0] patches_summed_row_column_s20_q;
-  logic patches_summed_first_s20_q;
-  logic patches_summed_last_s20_q;
-  logic [4:0] patches_summed_down_by_s20_q;
-  logic [13:0] product_s20_q;
-  logic centres_values_1_textured_s20_q;
-  logic centres_values_1_of_skin_s20_q;
-  logic [2:0] select_508_s20_q;
-  logic [6:0] last_s20_q;
-  logic and_550_s20_q;
-  logic equal_570_s20_q;
-  logic equal_575_s20_q;
-  logic not_576_s20_q;
-  logic so_s20_q;
-  logic less_653_s20_q;
-  logic less_654_s20_q;
-  logic less_655_s20_q;
-  logic less_656_s20_q;
-  logic less_657_s20_q;
-  logic less_658_s20_q;
-  logic less_659_s20_q;
-  logic less_660_s20_q;
-  logic less_661_s20_q;
-  logic less_662_s20_q;
-  logic less_663_s20_q;
-  logic less_664_s20_q;
-  logic less_665_s20_q;
-  logic less_666_s20_q;
-  logic less_667_s20_q;
-  logic less_668_s20_q;
-  logic less_669_s20_q;
-  logic less_670_s20_q;
-  logic less_671_s20_q;
-  logic less_672_s20_q;
-  logic less_673_s20_q;
-  logic less_674_s20_q;
-  logic less_675_s20_q;
-  logic less_676_s20_q;
-  logic and_684_s20_q;
-  logic whole_16_s20_q;
-  logic and_710_s20_q;
-  logic [11:0] sum_725_s20_q;
-  logic [9:0] sum_728_s20_q;
-  logic and_736_s20_q;
-  logic and_740_s20_q;
-  logic less_741_s20_q;
-  logic less_745_s20_q;
-  logic less_747_s20_q;
-  logic equal_1608_s20_q;
-  logic [1:0] sum_1614_s20_q;
-  logic equal_1616_s20_q;
-  logic equal_1618_s20_q;
-  logic equal_1620_s20_q;
-  logic equal_1622_s20_q;
-  logic equal_1624_s20_q;
-  logic equal_1626_s20_q;
-  logic less_1639_s20_q;
-  logic [19:0] select_1664_s20_q;
-  logic equal_1665_s20_q;
-  logic [11:0] sum_1672_s20_q;
-  logic and_1673_s20_q;
-  logic and_1676_s20_q;
-  logic select_1693_s20_q;
-  logic equal_1694_s20_q;
-  logic equal_1788_s20_q;
-  logic equal_1790_s20_q;
-  logic select_1804_s20_q;
-  logic [8:0] sum_1807_s20_q;
-  logic [8:0] sum_1811_s20_q;
-  logic [4:0] select_1818_s20_q;
-  logic select_1824_s20_q;
-  logic [8:0] sum_1839_s20_q;
-  logic equal_1853_s20_q;
-  logic equal_1857_s20_q;
-  logic [3:0] select_1862_s20_q;
-  logic less_1966_s20_q;
-  logic equal_1967_s20_q;
-  logic not_1968_s20_q;
-  logic equal_1969_s20_q;
-  logic not_1996_s20_q;
-  logic not_2056_s20_q;
-  logic [7:0] sum_2066_s20_q;
-  logic [3:0] difference_2078_s20_q;
-  logic or_2086_s20_q;
-  logic [23:0] select_2097_s20_q;
-  logic [4:0] around_s20_q;
-  logic less_2131_s20_q;
-  logic and_2142_s20_q;
-  logic [11:0] sum_2272_s20_q;
-  logic [9:0] sum_2275_s20_q;
-  logic equal_2283_s20_q;
-  logic equal_2298_s20_q;
-  logic [13:0] select_2306_s20_q;
-  logic not_2314_s20_q;
-  logic not_2317_s20_q;
-  logic not_2324_s20_q;
-  logic not_2327_s20_q;
-  logic [27:0] select_2362_s20_q;
-  logic and_2375_s20_q;
-  logic and_2387_s20_q;
-  logic [8:0] select_2394_s20_q;
-  logic [8:0] select_2398_s20_q;
-  logic equal_2401_s20_q;
-  logic less_2402_s20_q;
-  logic [11:0] select_2407_s20_q;
-  logic equal_2445_s20_q;
-  logic equal_2472_s20_q;
-  logic and_2597_s20_q;
-  logic not_2622_s20_q;
-  logic [4:0] e_s20_q;
-  logic [9:0] select_2648_s20_q;
-  logic [9:0] select_2651_s20_q;
-  logic and_2699_s20_q;
-  logic and_2757_s20_q;
-  logic [7:0] select_2777_s20_q;
-  logic [1:0] select_2789_s20_q;
-  logic [1:0] select_2804_s20_q;
-  logic [11:0] select_2855_s20_q;
-  logic and_2863_s20_q;
-  logic [11:0] select_2870_s20_q;
-  logic and_2881_s20_q;
-  logic and_2885_s20_q;
-  logic and_2917_s20_q;
-  logic and_2925_s20_q;
-  logic parity_3230_s20_q;
-  logic or_3234_s20_q;
-  logic or_3238_s20_q;
-  logic or_3242_s20_q;
-  logic or_3249_s20_q;
-  logic or_3253_s20_q;
-  logic or_3257_s20_q;
-  logic or_3264_s20_q;
-  logic or_3268_s20_q;
-  logic or_3272_s20_q;
-  logic or_3282_s20_q;
-  logic or_3286_s20_q;
-  logic or_3290_s20_q;
-  logic or_3298_s20_q;
-  logic or_3302_s20_q;
-  logic or_3306_s20_q;
-  logic or_3313_s20_q;
-  logic or_3317_s20_q;
-  logic or_3321_s20_q;
-  logic or_3331_s20_q;
-  logic or_3335_s20_q;
-  logic or_3339_s20_q;
-  logic and_3343_s20_q;
-  logic or_3347_s20_q;
-  logic or_3351_s20_q;
-  logic equal_3466_s20_q;
-  logic [4:0] select_3554_s20_q;
-  logic [12:0] select_3585_s20_q;
-  logic [9:0] select_3595_s20_q;
-  logic less_3628_s20_q;
-  logic [2:0] fraction_s20_q;
-  logic [7:0] select_3651_s20_q;
-  logic sum_3652_s20_q;
-  logic [6:0] sum_3654_s20_q;
-  logic equal_3706_s20_q;
-  logic equal_3925_s20_q;
-  logic or_3928_s20_q;
-  logic select_3936_s20_q;
-  logic not_3941_s20_q;
-  logic equal_3950_s20_q;
-  logic equal_3952_s20_q;
-  logic equal_3953_s20_q;
-  logic equal_3954_s20_q;
-  logic equal_3955_s20_q;
-  logic equal_4095_s20_q;
-  logic [31:0] select_4194_s20_q;
-  logic [9:0] select_4201_s20_q;
+  logic [7:0] pixel_0_s18_q;
+  logic [7:0] pixel_1_s18_q;
+  logic saturated_s18_q;
+  logic mask_s18_q;
+  logic marks_first_s18_q;
+  logic marks_last_s18_q;
+  logic [7:0] sample_pair_pixel_0_s18_q;
+  logic [7:0] sample_pair_pixel_1_s18_q;
+  logic sample_pair_whole_s18_q;
+  logic sample_present_s18_q;
+  logic census_columns_values_1_cell_2_of_skin_s18_q;
+  logic census_columns_values_2_cell_4_mask_s18_q;
+  logic census_columns_values_3_cell_0_mask_s18_q;
+  logic census_columns_values_3_cell_1_mask_s18_q;
+  logic census_columns_values_3_cell_2_mask_s18_q;
+  logic census_columns_values_3_cell_3_mask_s18_q;
+  logic [6:0] x_s18_q;
+  logic slot_s18_q;
+  logic ends_cell_s18_q;
+  logic lower_half_s18_q;
+  logic [13:0] counts_nearer_s18_q;
+  logic [11:0] counts_turned_left_s18_q;
+  logic [11:0] counts_turned_right_s18_q;
+  logic registration_of_right_s18_q;
+  logic patches_lower_s18_q;
+  logic patches_second_s18_q;
+  logic [4:0] patches_summed_row_column_s18_q;
+  logic patches_summed_first_s18_q;
+  logic patches_summed_last_s18_q;
+  logic [4:0] patches_summed_down_by_s18_q;
+  logic [13:0] product_s18_q;
+  logic centres_values_1_textured_s18_q;
+  logic centres_values_1_of_skin_s18_q;
+  logic row_starts_s18_q;
+  logic [2:0] select_508_s18_q;
+  logic [6:0] last_s18_q;
+  logic and_548_s18_q;
+  logic equal_568_s18_q;
+  logic equal_573_s18_q;
+  logic not_574_s18_q;
+  logic so_s18_q;
+  logic less_651_s18_q;
+  logic less_652_s18_q;
+  logic less_653_s18_q;
+  logic less_654_s18_q;
+  logic less_655_s18_q;
+  logic less_656_s18_q;
+  logic less_657_s18_q;
+  logic less_658_s18_q;
+  logic less_659_s18_q;
+  logic less_660_s18_q;
+  logic less_661_s18_q;
+  logic less_662_s18_q;
+  logic less_663_s18_q;
+  logic less_664_s18_q;
+  logic less_665_s18_q;
+  logic less_666_s18_q;
+  logic less_667_s18_q;
+  logic less_668_s18_q;
+  logic less_669_s18_q;
+  logic less_670_s18_q;
+  logic less_671_s18_q;
+  logic less_672_s18_q;
+  logic less_673_s18_q;
+  logic less_674_s18_q;
+  logic and_682_s18_q;
+  logic whole_16_s18_q;
+  logic and_708_s18_q;
+  logic [11:0] sum_723_s18_q;
+  logic [9:0] sum_726_s18_q;
+  logic and_734_s18_q;
+  logic and_738_s18_q;
+  logic less_739_s18_q;
+  logic less_743_s18_q;
+  logic less_745_s18_q;
+  logic equal_1606_s18_q;
+  logic [1:0] sum_1612_s18_q;
+  logic equal_1614_s18_q;
+  logic equal_1616_s18_q;
+  logic equal_1618_s18_q;
+  logic equal_1620_s18_q;
+  logic equal_1622_s18_q;
+  logic equal_1624_s18_q;
+  logic less_1637_s18_q;
+  logic [19:0] select_1662_s18_q;
+  logic equal_1663_s18_q;
+  logic [11:0] sum_1670_s18_q;
+  logic and_1671_s18_q;
+  logic select_1688_s18_q;
+  logic equal_1689_s18_q;
+  logic equal_1783_s18_q;
+  logic equal_1785_s18_q;
+  logic select_1799_s18_q;
+  logic [8:0] sum_1802_s18_q;
+  logic [8:0] sum_1806_s18_q;
+  logic [4:0] select_1813_s18_q;
+  logic select_1819_s18_q;
+  logic [8:0] sum_1834_s18_q;
+  logic equal_1848_s18_q;
+  logic equal_1852_s18_q;
+  logic [3:0] select_1857_s18_q;
+  logic less_1961_s18_q;
+  logic equal_1962_s18_q;
+  logic not_1963_s18_q;
+  logic equal_1964_s18_q;
+  logic not_1991_s18_q;
+  logic not_2051_s18_q;
+  logic [7:0] sum_2061_s18_q;
+  logic [3:0] difference_2073_s18_q;
+  logic or_2081_s18_q;
+  logic [23:0] select_2092_s18_q;
+  logic [4:0] around_s18_q;
+  logic less_2126_s18_q;
+  logic and_2137_s18_q;
+  logic [11:0] sum_2267_s18_q;
+  logic [9:0] sum_2270_s18_q;
+  logic equal_2278_s18_q;
+  logic equal_2293_s18_q;
+  logic [13:0] select_2301_s18_q;
+  logic not_2309_s18_q;
+  logic not_2312_s18_q;
+  logic not_2319_s18_q;
+  logic not_2322_s18_q;
+  logic [27:0] select_2357_s18_q;
+  logic and_2370_s18_q;
+  logic and_2382_s18_q;
+  logic [8:0] select_2389_s18_q;
+  logic [8:0] select_2393_s18_q;
+  logic equal_2396_s18_q;
+  logic less_2397_s18_q;
+  logic [11:0] select_2402_s18_q;
+  logic equal_2440_s18_q;
+  logic equal_2467_s18_q;
+  logic and_2592_s18_q;
+  logic not_2617_s18_q;
+  logic [4:0] e_s18_q;
+  logic [9:0] select_2643_s18_q;
+  logic [9:0] select_2646_s18_q;
+  logic and_2694_s18_q;
+  logic and_2752_s18_q;
+  logic [7:0] select_2772_s18_q;
+  logic [1:0] select_2784_s18_q;
+  logic [1:0] select_2799_s18_q;
+  logic [11:0] select_2850_s18_q;
+  logic and_2858_s18_q;
+  logic [11:0] select_2865_s18_q;
+  logic and_2876_s18_q;
+  logic and_2880_s18_q;
+  logic and_2912_s18_q;
+  logic and_2920_s18_q;
+  logic parity_3224_s18_q;
+  logic or_3228_s18_q;
+  logic or_3232_s18_q;
+  logic or_3236_s18_q;
+  logic or_3243_s18_q;
+  logic or_3247_s18_q;
+  logic or_3251_s18_q;
+  logic or_3258_s18_q;
+  logic or_3262_s18_q;
+  logic or_3266_s18_q;
+  logic or_3276_s18_q;
+  logic or_3280_s18_q;
+  logic or_3284_s18_q;
+  logic or_3292_s18_q;
+  logic or_3296_s18_q;
+  logic or_3300_s18_q;
+  logic or_3307_s18_q;
+  logic or_3311_s18_q;
+  logic or_3315_s18_q;
+  logic or_3325_s18_q;
+  logic or_3329_s18_q;
+  logic or_3333_s18_q;
+  logic and_3337_s18_q;
+  logic or_3341_s18_q;
+  logic or_3345_s18_q;
+  logic equal_3460_s18_q;
+  logic [4:0] select_3548_s18_q;
+  logic [12:0] select_3579_s18_q;
+  logic [9:0] select_3589_s18_q;
+  logic less_3622_s18_q;
+  logic [2:0] fraction_s18_q;
+  logic [7:0] select_3645_s18_q;
+  logic sum_3646_s18_q;
+  logic [6:0] sum_3648_s18_q;
+  logic equal_3700_s18_q;
+  logic equal_3919_s18_q;
+  logic or_3922_s18_q;
+  logic select_3930_s18_q;
+  logic not_3935_s18_q;
+  logic equal_3944_s18_q;
+  logic equal_3946_s18_q;
+  logic equal_3947_s18_q;
+  logic equal_3948_s18_q;
+  logic equal_3949_s18_q;
+  logic equal_4089_s18_q;
+  logic [31:0] select_4188_s18_q;
+  logic [9:0] select_4195_s18_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s20_q <= pixel_0_s19_q;
-      pixel_1_s20_q <= pixel_1_s19_q;
-      saturated_s20_q <= saturated_s19_q;
-      mask_s20_q <= mask_s19_q;
-      marks_first_s20_q <= marks_first_s19_q;
-      marks_last_s20_q <= line_ended_q;
-      sample_pair_pixel_0_s20_q <= sample_pair_pixel_0_s19_q;
-      sample_pair_pixel_1_s20_q <= sample_pair_pixel_1_s19_q;
-      sample_pair_whole_s20_q <= sample_pair_whole_s19_q;
-      sample_present_s20_q <= sample_present_s19_q;
-      census_columns_values_1_cell_2_of_skin_s20_q <= census_columns_values_1_cell_2_of_skin_s19_q;
-      census_columns_values_2_cell_4_mask_s20_q <= census_columns_values_2_cell_4_mask_q;
-      census_columns_values_3_cell_0_mask_s20_q <= census_columns_values_3_cell_0_mask_q;
-      census_columns_values_3_cell_1_mask_s20_q <= census_columns_values_3_cell_1_mask_q;
-      census_columns_values_3_cell_2_mask_s20_q <= census_columns_values_3_cell_2_mask_q;
-      census_columns_values_3_cell_3_mask_s20_q <= census_columns_values_3_cell_3_mask_q;
-      x_s20_q <= x_s19_q[6:0];
-      slot_s20_q <= slot_s19_q[0];
-      ends_cell_s20_q <= ends_cell_s19_q;
-      lower_half_s20_q <= lower_half_s19_q;
-      counts_nearer_s20_q <= counts_nearer_q;
-      counts_turned_left_s20_q <= counts_turned_left_q[13:2];
-      counts_turned_right_s20_q <= counts_turned_right_q[13:2];
-      registration_of_right_s20_q <= registration_of_right_s19_q;
-      patches_lower_s20_q <= patches_lower_s19_q;
-      patches_second_s20_q <= patches_second_s19_q;
-      patches_summed_row_column_s20_q <= patches_summed_row_column_s19_q;
-      patches_summed_first_s20_q <= patches_summed_first_s19_q;
-      patches_summed_last_s20_q <= patches_summed_last_s19_q;
-      patches_summed_down_by_s20_q <= patches_summed_down_by_s19_q;
-      product_s20_q <= product_s19_q;
-      centres_values_1_textured_s20_q <= centres_values_1_textured_s19_q;
-      centres_values_1_of_skin_s20_q <= centres_values_1_of_skin_s19_q;
-      select_508_s20_q <= select_508_s19_q[2:0];
-      last_s20_q <= last_s19_q;
-      and_550_s20_q <= and_550_s19_q;
-      equal_570_s20_q <= equal_570_s19_q;
-      equal_575_s20_q <= equal_575_s19_q;
-      not_576_s20_q <= not_576_s19_q;
-      so_s20_q <= so_s19_q;
-      less_653_s20_q <= less_653_s19_q;
-      less_654_s20_q <= less_654_s19_q;
-      less_655_s20_q <= less_655_s19_q;
-      less_656_s20_q <= less_656_s19_q;
-      less_657_s20_q <= less_657_s19_q;
-      less_658_s20_q <= less_658_s19_q;
-      less_659_s20_q <= less_659_s19_q;
-      less_660_s20_q <= less_660_s19_q;
-      less_661_s20_q <= less_661_s19_q;
-      less_662_s20_q <= less_662_s19_q;
-      less_663_s20_q <= less_663_s19_q;
-      less_664_s20_q <= less_664_s19_q;
-      less_665_s20_q <= less_665_s19_q;
-      less_666_s20_q <= less_666_s19_q;
-      less_667_s20_q <= less_667_s19_q;
-      less_668_s20_q <= less_668_s19_q;
-      less_669_s20_q <= less_669_s19_q;
-      less_670_s20_q <= less_670_s19_q;
-      less_671_s20_q <= less_671_s19_q;
-      less_672_s20_q <= less_672_s19_q;
-      less_673_s20_q <= less_673_s19_q;
-      less_674_s20_q <= less_674_s19_q;
-      less_675_s20_q <= less_675_s19_q;
-      less_676_s20_q <= less_676_s19_q;
-      and_684_s20_q <= and_684_s19_q;
-      whole_16_s20_q <= whole_16;
-      and_710_s20_q <= census_columns_values_1_cell_2_mask_q & and_684_s19_q;
-      sum_725_s20_q <= {1'b0, sum_721} + {2'h0, sum_724_s19_q};
-      sum_728_s20_q <= sum_728_s19_q;
-      and_736_s20_q <= and_736;
-      and_740_s20_q <= and_736 & less_739_s19_q;
-      less_741_s20_q <= less_741_s19_q;
-      less_745_s20_q <= less_745_s19_q;
-      less_747_s20_q <= less_747_s19_q;
-      equal_1608_s20_q <= equal_1608_s19_q;
-      sum_1614_s20_q <= sum_1614_s19_q;
-      equal_1616_s20_q <= equal_1616_s19_q;
-      equal_1618_s20_q <= equal_1618_s19_q;
-      equal_1620_s20_q <= equal_1620_s19_q;
-      equal_1622_s20_q <= equal_1622_s19_q;
-      equal_1624_s20_q <= equal_1624_s19_q;
-      equal_1626_s20_q <= equal_1626_s19_q;
-      less_1639_s20_q <= less_1639_s19_q;
-      select_1664_s20_q <= equal_1663_s19_q ? registration_sums_rdata_s19_q[19:0] : 20'h0;
-      equal_1665_s20_q <= equal_1665;
-      sum_1672_s20_q <= sum_1672;
-      and_1673_s20_q <= and_1673_s19_q;
-      and_1676_s20_q <= and_1676_s19_q;
-      select_1693_s20_q <= select_1693_s19_q;
-      equal_1694_s20_q <= equal_1694_s19_q;
-      equal_1788_s20_q <= equal_1788_s19_q;
-      equal_1790_s20_q <= equal_1790_s19_q;
-      select_1804_s20_q <= select_1804_s19_q[0];
-      sum_1807_s20_q <= {1'b0, select_511_s19_q, select_508_s19_q[3]} + 9'h1;
-      sum_1811_s20_q <= {1'b0, select_1809} + {{3{select_1810[5]}}, select_1810};
-      select_1818_s20_q <= select_1818_s19_q;
-      select_1824_s20_q <= select_1824_s19_q;
-      sum_1839_s20_q <= {1'b0, select_1837} + {{3{select_1838[5]}}, select_1838};
-      equal_1853_s20_q <= equal_1853;
-      equal_1857_s20_q <= equal_1857;
-      select_1862_s20_q <= select_1862_s19_q;
-      less_1966_s20_q <= less_1966_s19_q;
-      equal_1967_s20_q <= equal_1967_s19_q;
-      not_1968_s20_q <= not_1968_s19_q;
-      equal_1969_s20_q <= equal_1969_s19_q;
-      not_1996_s20_q <= not_1996_s19_q;
-      not_2056_s20_q <= not_2056;
-      sum_2066_s20_q <= {2'h0, x_s19_q[7:2]} + 8'hff;
-      difference_2078_s20_q <= {1'b0, textured_2_s19_q} - {1'b0, select_2077};
-      or_2086_s20_q <= or_2086_s19_q;
-      select_2097_s20_q <= select_2097;
-      around_s20_q <= around;
-      less_2131_s20_q <= {1'b0, around[4:1]} < n;
-      and_2142_s20_q <= and_2142_s19_q;
-      sum_2272_s20_q <= {1'b0, sum_2268} + {2'h0, sum_2271_s19_q};
-      sum_2275_s20_q <= sum_2275_s19_q;
-      equal_2283_s20_q <= equal_2283_s19_q;
-      equal_2298_s20_q <= equal_2298_s19_q;
-      select_2306_s20_q <= (select_2301 < select_2299) ? select_2299 : select_2301;
-      not_2314_s20_q <= ~({3'h0, counts_turned_left_q[13:2]} < sum_2312);
-      not_2317_s20_q <= ~({3'h0, select_2301[13:2]} < sum_2312);
-      not_2324_s20_q <= ~({3'h0, counts_turned_right_q[13:2]} < sum_2322);
-      not_2327_s20_q <= ~({3'h0, select_2299[13:2]} < sum_2322);
-      select_2362_s20_q <= sample_pair_whole_s19_q ? {detail_2, detail} : 28'h0;
-      and_2375_s20_q <= and_2375;
-      and_2387_s20_q <= and_2387;
-      select_2394_s20_q <= and_2375 ? contrast_s19_q : 9'h0;
-      select_2398_s20_q <= and_2387 ? contrast_2_s19_q : 9'h0;
-      equal_2401_s20_q <= x_s19_q[7:3] == 5'h0;
-      less_2402_s20_q <= 7'h2 < {x_s19_q[4:0], slot_s19_q[2:1]};
-      select_2407_s20_q <= select_2407;
-      equal_2445_s20_q <= {x_s19_q[4:0], slot_s19_q} == 8'h0;
-      equal_2472_s20_q <= equal_2472_s19_q;
-      and_2597_s20_q <= and_2597_s19_q;
-      not_2622_s20_q <= not_2622_s19_q;
-      e_s20_q <= e;
-      select_2648_s20_q <= select_2648_s19_q;
-      select_2651_s20_q <= select_2651_s19_q;
-      and_2699_s20_q <= and_2699_s19_q;
-      and_2757_s20_q <= and_2757_s19_q;
-      select_2777_s20_q <= equal_575_s19_q ? 8'h0 : (so_s19_q ? select_2775 : 8'h0);
-      select_2789_s20_q <= equal_575_s19_q ? 2'h0 : select_2788;
-      select_2804_s20_q <= equal_575_s19_q ? 2'h0 : select_2803;
-      select_2855_s20_q <= select_2855;
-      and_2863_s20_q <= equal_575_s19_q & (x_s19_q[6] & and_2861);
-      select_2870_s20_q <= select_2870;
-      and_2881_s20_q <= equal_575_s19_q & (x_s19_q[6] & and_2879);
-      and_2885_s20_q <= and_2885;
-      and_2917_s20_q <= equal_575_s19_q & (x_s19_q[6] & and_2915);
-      and_2925_s20_q <= x_s19_q[6] & and_2924;
-      parity_3230_s20_q <= ^{xor_3226, xor_3189_s19_q, select_3156_s19_q, other_s19_q};
-      or_3234_s20_q <= or_3234_s19_q;
-      or_3238_s20_q <= or_3238_s19_q;
-      or_3242_s20_q <= or_3242_s19_q;
-      or_3249_s20_q <= or_3249_s19_q;
-      or_3253_s20_q <= or_3253_s19_q;
-      or_3257_s20_q <= or_3257_s19_q;
-      or_3264_s20_q <= or_3264_s19_q;
-      or_3268_s20_q <= or_3268_s19_q;
-      or_3272_s20_q <= or_3272_s19_q;
-      or_3282_s20_q <= or_3282_s19_q;
-      or_3286_s20_q <= or_3286_s19_q;
-      or_3290_s20_q <= or_3290_s19_q;
-      or_3298_s20_q <= or_3298_s19_q;
-      or_3302_s20_q <= or_3302_s19_q;
-      or_3306_s20_q <= or_3306_s19_q;
-      or_3313_s20_q <= or_3313_s19_q;
-      or_3317_s20_q <= or_3317_s19_q;
-      or_3321_s20_q <= or_3321_s19_q;
-      or_3331_s20_q <= or_3331_s19_q;
-      or_3335_s20_q <= or_3335_s19_q;
-      or_3339_s20_q <= or_3339_s19_q;
-      and_3343_s20_q <= xor_3189_s19_q & (^{xor_3226, select_3156_s19_q, other_s19_q});
-      or_3347_s20_q <= and_3344_s19_q | (xor_3171_s19_q & or_3345_s19_q);
-      or_3351_s20_q <= or_3351;
-      equal_3466_s20_q <= equal_3466_s19_q;
-      select_3554_s20_q <= select_3554_s19_q;
-      select_3585_s20_q <= select_3585_s19_q[12:0];
-      select_3595_s20_q <= select_3595_s19_q;
-      less_3628_s20_q <= less_3628_s19_q;
-      fraction_s20_q <= fraction;
-      select_3651_s20_q <= select_3651;
-      sum_3652_s20_q <= sum_3652[0];
-      sum_3654_s20_q <= sum_3654;
-      equal_3706_s20_q <= equal_3706_s19_q;
-      equal_3925_s20_q <= select_2648_s19_q[9:3] == 7'h0;
-      or_3928_s20_q <= or_3928;
-      select_3936_s20_q <= select_3936;
-      not_3941_s20_q <= ~({sum_3939, select_2651_s19_q[0]} < {2'h0, select_2648_s19_q});
-      equal_3950_s20_q <= equal_3950_s19_q;
-      equal_3952_s20_q <= equal_3952_s19_q;
-      equal_3953_s20_q <= equal_3953_s19_q;
-      equal_3954_s20_q <= equal_3954_s19_q;
-      equal_3955_s20_q <= equal_3955_s19_q;
-      equal_4095_s20_q <= equal_4095_s19_q;
-      select_4194_s20_q <= select_4194;
-      select_4201_s20_q <= select_4201_s19_q;
+      pixel_0_s18_q <= pixel_0_s17_q;
+      pixel_1_s18_q <= pixel_1_s17_q;
+      saturated_s18_q <= saturated_s17_q;
+      mask_s18_q <= mask_s17_q;
+      marks_first_s18_q <= marks_first_s17_q;
+      marks_last_s18_q <= line_ended_q;
+      sample_pair_pixel_0_s18_q <= sample_pair_pixel_0_s17_q;
+      sample_pair_pixel_1_s18_q <= sample_pair_pixel_1_s17_q;
+      sample_pair_whole_s18_q <= sample_pair_whole_s17_q;
+      sample_present_s18_q <= sample_present_s17_q;
+      census_columns_values_1_cell_2_of_skin_s18_q <= census_columns_values_1_cell_2_of_skin_s17_q;
+      census_columns_values_2_cell_4_mask_s18_q <= census_columns_values_2_cell_4_mask_q;
+      census_columns_values_3_cell_0_mask_s18_q <= census_columns_values_3_cell_0_mask_q;
+      census_columns_values_3_cell_1_mask_s18_q <= census_columns_values_3_cell_1_mask_q;
+      census_columns_values_3_cell_2_mask_s18_q <= census_columns_values_3_cell_2_mask_q;
+      census_columns_values_3_cell_3_mask_s18_q <= census_columns_values_3_cell_3_mask_q;
+      x_s18_q <= x_s17_q[6:0];
+      slot_s18_q <= slot_s17_q[0];
+      ends_cell_s18_q <= ends_cell_s17_q;
+      lower_half_s18_q <= lower_half_s17_q;
+      counts_nearer_s18_q <= counts_nearer_q;
+      counts_turned_left_s18_q <= counts_turned_left_q[13:2];
+      counts_turned_right_s18_q <= counts_turned_right_q[13:2];
+      registration_of_right_s18_q <= registration_of_right_s17_q;
+      patches_lower_s18_q <= patches_lower_s17_q;
+      patches_second_s18_q <= patches_second_s17_q;
+      patches_summed_row_column_s18_q <= patches_summed_row_column_s17_q;
+      patches_summed_first_s18_q <= patches_summed_first_s17_q;
+      patches_summed_last_s18_q <= patches_summed_last_s17_q;
+      patches_summed_down_by_s18_q <= patches_summed_down_by_s17_q;
+      product_s18_q <= product_s17_q;
+      centres_values_1_textured_s18_q <= centres_values_1_textured_s17_q;
+      centres_values_1_of_skin_s18_q <= centres_values_1_of_skin_s17_q;
+      row_starts_s18_q <= row_starts_s17_q;
+      select_508_s18_q <= select_508_s17_q[2:0];
+      last_s18_q <= last_s17_q;
+      and_548_s18_q <= and_548_s17_q;
+      equal_568_s18_q <= equal_568_s17_q;
+      equal_573_s18_q <= equal_573_s17_q;
+      not_574_s18_q <= not_574_s17_q;
+      so_s18_q <= so_s17_q;
+      less_651_s18_q <= less_651_s17_q;
+      less_652_s18_q <= less_652_s17_q;
+      less_653_s18_q <= less_653_s17_q;
+      less_654_s18_q <= less_654_s17_q;
+      less_655_s18_q <= less_655_s17_q;
+      less_656_s18_q <= less_656_s17_q;
+      less_657_s18_q <= less_657_s17_q;
+      less_658_s18_q <= less_658_s17_q;
+      less_659_s18_q <= less_659_s17_q;
+      less_660_s18_q <= less_660_s17_q;
+      less_661_s18_q <= less_661_s17_q;
+      less_662_s18_q <= less_662_s17_q;
+      less_663_s18_q <= less_663_s17_q;
+      less_664_s18_q <= less_664_s17_q;
+      less_665_s18_q <= less_665_s17_q;
+      less_666_s18_q <= less_666_s17_q;
+      less_667_s18_q <= less_667_s17_q;
+      less_668_s18_q <= less_668_s17_q;
+      less_669_s18_q <= less_669_s17_q;
+      less_670_s18_q <= less_670_s17_q;
+      less_671_s18_q <= less_671_s17_q;
+      less_672_s18_q <= less_672_s17_q;
+      less_673_s18_q <= less_673_s17_q;
+      less_674_s18_q <= less_674_s17_q;
+      and_682_s18_q <= and_682_s17_q;
+      whole_16_s18_q <= whole_16;
+      and_708_s18_q <= census_columns_values_1_cell_2_mask_q & and_682_s17_q;
+      sum_723_s18_q <= {1'b0, sum_719} + {2'h0, sum_722_s17_q};
+      sum_726_s18_q <= sum_726_s17_q;
+      and_734_s18_q <= and_734;
+      and_738_s18_q <= and_734 & less_737_s17_q;
+      less_739_s18_q <= less_739_s17_q;
+      less_743_s18_q <= less_743_s17_q;
+      less_745_s18_q <= less_745_s17_q;
+      equal_1606_s18_q <= equal_1606_s17_q;
+      sum_1612_s18_q <= sum_1612_s17_q;
+      equal_1614_s18_q <= equal_1614_s17_q;
+      equal_1616_s18_q <= equal_1616_s17_q;
+      equal_1618_s18_q <= equal_1618_s17_q;
+      equal_1620_s18_q <= equal_1620_s17_q;
+      equal_1622_s18_q <= equal_1622_s17_q;
+      equal_1624_s18_q <= equal_1624_s17_q;
+      less_1637_s18_q <= less_1637_s17_q;
+      select_1662_s18_q <= equal_1661_s17_q ? registration_sums_rdata_s17_q[19:0] : 20'h0;
+      equal_1663_s18_q <= equal_1663;
+      sum_1670_s18_q <= sum_1670;
+      and_1671_s18_q <= and_1671_s17_q;
+      select_1688_s18_q <= select_1688_s17_q;
+      equal_1689_s18_q <= equal_1689_s17_q;
+      equal_1783_s18_q <= equal_1783_s17_q;
+      equal_1785_s18_q <= equal_1785_s17_q;
+      select_1799_s18_q <= select_1799_s17_q[0];
+      sum_1802_s18_q <= {1'b0, select_542_s17_q, select_508_s17_q[3]} + 9'h1;
+      sum_1806_s18_q <= {1'b0, select_1804} + {{3{select_1805[5]}}, select_1805};
+      select_1813_s18_q <= select_1813_s17_q;
+      select_1819_s18_q <= select_1819_s17_q;
+      sum_1834_s18_q <= {1'b0, select_1832} + {{3{select_1833[5]}}, select_1833};
+      equal_1848_s18_q <= equal_1848;
+      equal_1852_s18_q <= equal_1852;
+      select_1857_s18_q <= select_1857_s17_q;
+      less_1961_s18_q <= less_1961_s17_q;
+      equal_1962_s18_q <= equal_1962_s17_q;
+      not_1963_s18_q <= not_1963_s17_q;
+      equal_1964_s18_q <= equal_1964_s17_q;
+      not_1991_s18_q <= not_1991_s17_q;
+      not_2051_s18_q <= not_2051;
+      sum_2061_s18_q <= {2'h0, x_s17_q[7:2]} + 8'hff;
+      difference_2073_s18_q <= {1'b0, textured_2_s17_q} - {1'b0, select_2072};
+      or_2081_s18_q <= or_2081_s17_q;
+      select_2092_s18_q <= select_2092;
+      around_s18_q <= around;
+      less_2126_s18_q <= {1'b0, around[4:1]} < n;
+      and_2137_s18_q <= and_2137_s17_q;
+      sum_2267_s18_q <= {1'b0, sum_2263} + {2'h0, sum_2266_s17_q};
+      sum_2270_s18_q <= sum_2270_s17_q;
+      equal_2278_s18_q <= equal_2278_s17_q;
+      equal_2293_s18_q <= equal_2293_s17_q;
+      select_2301_s18_q <= (select_2296 < select_2294) ? select_2294 : select_2296;
+      not_2309_s18_q <= ~({3'h0, counts_turned_left_q[13:2]} < sum_2307);
+      not_2312_s18_q <= ~({3'h0, select_2296[13:2]} < sum_2307);
+      not_2319_s18_q <= ~({3'h0, counts_turned_right_q[13:2]} < sum_2317);
+      not_2322_s18_q <= ~({3'h0, select_2294[13:2]} < sum_2317);
+      select_2357_s18_q <= sample_pair_whole_s17_q ? {detail_2, detail} : 28'h0;
+      and_2370_s18_q <= and_2370;
+      and_2382_s18_q <= and_2382;
+      select_2389_s18_q <= and_2370 ? contrast_s17_q : 9'h0;
+      select_2393_s18_q <= and_2382 ? contrast_2_s17_q : 9'h0;
+      equal_2396_s18_q <= x_s17_q[7:3] == 5'h0;
+      less_2397_s18_q <= 7'h2 < {x_s17_q[4:0], slot_s17_q[2:1]};
+      select_2402_s18_q <= select_2402;
+      equal_2440_s18_q <= {x_s17_q[4:0], slot_s17_q} == 8'h0;
+      equal_2467_s18_q <= equal_2467_s17_q;
+      and_2592_s18_q <= and_2592_s17_q;
+      not_2617_s18_q <= not_2617_s17_q;
+      e_s18_q <= e;
+      select_2643_s18_q <= select_2643_s17_q;
+      select_2646_s18_q <= select_2646_s17_q;
+      and_2694_s18_q <= and_2694_s17_q;
+      and_2752_s18_q <= and_2752_s17_q;
+      select_2772_s18_q <= equal_573_s17_q ? 8'h0 : (so_s17_q ? select_2770 : 8'h0);
+      select_2784_s18_q <= equal_573_s17_q ? 2'h0 : select_2783;
+      select_2799_s18_q <= equal_573_s17_q ? 2'h0 : select_2798;
+      select_2850_s18_q <= select_2850;
+      and_2858_s18_q <= equal_573_s17_q & (x_s17_q[6] & and_2856);
+      select_2865_s18_q <= select_2865;
+      and_2876_s18_q <= equal_573_s17_q & (x_s17_q[6] & and_2874);
+      and_2880_s18_q <= and_2880;
+      and_2912_s18_q <= equal_573_s17_q & (x_s17_q[6] & and_2910);
+      and_2920_s18_q <= x_s17_q[6] & and_2919;
+      parity_3224_s18_q <= ^{xor_3220, xor_3183_s17_q, select_3150_s17_q, other_s17_q};
+      or_3228_s18_q <= or_3228_s17_q;
+      or_3232_s18_q <= or_3232_s17_q;
+      or_3236_s18_q <= or_3236_s17_q;
+      or_3243_s18_q <= or_3243_s17_q;
+      or_3247_s18_q <= or_3247_s17_q;
+      or_3251_s18_q <= or_3251_s17_q;
+      or_3258_s18_q <= or_3258_s17_q;
+      or_3262_s18_q <= or_3262_s17_q;
+      or_3266_s18_q <= or_3266_s17_q;
+      or_3276_s18_q <= or_3276_s17_q;
+      or_3280_s18_q <= or_3280_s17_q;
+      or_3284_s18_q <= or_3284_s17_q;
+      or_3292_s18_q <= or_3292_s17_q;
+      or_3296_s18_q <= or_3296_s17_q;
+      or_3300_s18_q <= or_3300_s17_q;
+      or_3307_s18_q <= or_3307_s17_q;
+      or_3311_s18_q <= or_3311_s17_q;
+      or_3315_s18_q <= or_3315_s17_q;
+      or_3325_s18_q <= or_3325_s17_q;
+      or_3329_s18_q <= or_3329_s17_q;
+      or_3333_s18_q <= or_3333_s17_q;
+      and_3337_s18_q <= xor_3183_s17_q & (^{xor_3220, select_3150_s17_q, other_s17_q});
+      or_3341_s18_q <= and_3338_s17_q | (xor_3165_s17_q & or_3339_s17_q);
+      or_3345_s18_q <= or_3345;
+      equal_3460_s18_q <= equal_3460_s17_q;
+      select_3548_s18_q <= select_3548_s17_q;
+      select_3579_s18_q <= select_3579_s17_q[12:0];
+      select_3589_s18_q <= select_3589_s17_q;
+      less_3622_s18_q <= less_3622_s17_q;
+      fraction_s18_q <= fraction;
+      select_3645_s18_q <= select_3645;
+      sum_3646_s18_q <= sum_3646[0];
+      sum_3648_s18_q <= sum_3648;
+      equal_3700_s18_q <= equal_3700_s17_q;
+      equal_3919_s18_q <= select_2643_s17_q[9:3] == 7'h0;
+      or_3922_s18_q <= or_3922;
+      select_3930_s18_q <= select_3930;
+      not_3935_s18_q <= ~({sum_3933, select_2646_s17_q[0]} < {2'h0, select_2643_s17_q});
+      equal_3944_s18_q <= equal_3944_s17_q;
+      equal_3946_s18_q <= equal_3946_s17_q;
+      equal_3947_s18_q <= equal_3947_s17_q;
+      equal_3948_s18_q <= equal_3948_s17_q;
+      equal_3949_s18_q <= equal_3949_s17_q;
+      equal_4089_s18_q <= equal_4089_s17_q;
+      select_4188_s18_q <= select_4188;
+      select_4195_s18_q <= select_4195_s17_q;
     end
   end
 
-  // Stage 20 ----------------------------------------------------------------------------------------------------------
+  // Stage 18 ----------------------------------------------------------------------------------------------------------
   logic census_columns_values_3_cell_4_mask_q;
   logic [11:0] census_changes_values_0_left_q;
   logic [11:0] census_changes_values_0_right_q;
@@ -9674,266 +9568,266 @@ module horopter_agreement (
   logic said_q;
   // hls/stages/agreement.hpp:456
   logic whole_17;
-  assign whole_17 = census_columns_values_2_cell_4_mask_s20_q & whole_16_s20_q;
+  assign whole_17 = census_columns_values_2_cell_4_mask_s18_q & whole_16_s18_q;
   logic whole_18;
-  assign whole_18 = census_columns_values_3_cell_0_mask_s20_q & whole_17;
+  assign whole_18 = census_columns_values_3_cell_0_mask_s18_q & whole_17;
   logic whole_19;
-  assign whole_19 = census_columns_values_3_cell_1_mask_s20_q & whole_18;
+  assign whole_19 = census_columns_values_3_cell_1_mask_s18_q & whole_18;
   logic whole_20;
-  assign whole_20 = census_columns_values_3_cell_2_mask_s20_q & whole_19;
+  assign whole_20 = census_columns_values_3_cell_2_mask_s18_q & whole_19;
   logic whole_21;
-  assign whole_21 = census_columns_values_3_cell_3_mask_s20_q & whole_20;
+  assign whole_21 = census_columns_values_3_cell_3_mask_s18_q & whole_20;
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
-  // hls/stages/census.hpp:281
+  // hls/stages/census.hpp:284
   logic [11:0] texture;
-  assign texture = sum_725_s20_q + {2'h0, sum_728_s20_q};
+  assign texture = sum_723_s18_q + {2'h0, sum_726_s18_q};
   // hls/stages/registration.hpp:263
   logic [6:0] down;
-  assign down = sum_1614_s20_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_1612_s18_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:265
-  logic [13:0] select_1667;
-  assign select_1667 = equal_1665_s20_q ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [13:0] select_1665;
+  assign select_1665 = equal_1663_s18_q ? registration_half_across_q : {{7{down[6]}}, down};
   // hls/stages/patches.hpp:127
-  logic select_1806;
-  assign select_1806 = equal_1694_s20_q ? patches_place_0_valid_q : (select_1693_s20_q ? patches_place_0_valid_q : select_1804_s20_q);
+  logic select_1801;
+  assign select_1801 = equal_1689_s18_q ? patches_place_0_valid_q : (select_1688_s18_q ? patches_place_0_valid_q : select_1799_s18_q);
   // hls/stages/patches.hpp:132
-  logic equal_1812;
-  assign equal_1812 = {sum_1811_s20_q, sum_1807_s20_q[0], select_508_s20_q} == {1'b0, sum_1807_s20_q[8:1], 4'h0};
+  logic equal_1807;
+  assign equal_1807 = {sum_1806_s18_q, sum_1802_s18_q[0], select_508_s18_q} == {1'b0, sum_1802_s18_q[8:1], 4'h0};
   // hls/stages/patches.hpp:127
-  logic select_1835;
-  assign select_1835 = equal_1694_s20_q ? patches_place_1_valid_q : (select_1693_s20_q ? select_1804_s20_q : patches_place_1_valid_q);
+  logic select_1830;
+  assign select_1830 = equal_1689_s18_q ? patches_place_1_valid_q : (select_1688_s18_q ? select_1799_s18_q : patches_place_1_valid_q);
   // hls/stages/patches.hpp:132
-  logic equal_1840;
-  assign equal_1840 = {sum_1839_s20_q[8], sum_1807_s20_q, select_508_s20_q} == {1'b0, sum_1839_s20_q[7:0], 4'h0};
+  logic equal_1835;
+  assign equal_1835 = {sum_1834_s18_q[8], sum_1802_s18_q, select_508_s18_q} == {1'b0, sum_1834_s18_q[7:0], 4'h0};
   // hls/stages/agreement.hpp:1308
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
   // hls/stages/agreement.hpp:1275
-  logic select_2054;
-  assign select_2054 = marks_first_s20_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  logic select_2049;
+  assign select_2049 = marks_first_s18_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
   // hls/stages/agreement.hpp:1261
-  logic [10:0] sum_2055;
-  assign sum_2055 = {1'b0, {5{select_2054}}, 1'b0, {2{select_2054}}, 1'b0, select_2054} + {1'b0, index[12:3]};
+  logic [10:0] sum_2050;
+  assign sum_2050 = {1'b0, {5{select_2049}}, 1'b0, {2{select_2049}}, 1'b0, select_2049} + {1'b0, index[12:3]};
   // hls/stages/agreement.hpp:1111
   logic [12:0] index_2;
-  assign index_2 = {{3{sum_2066_s20_q[7]}}, sum_2066_s20_q, x_s20_q[1:0]} + map_row_q;
+  assign index_2 = {{3{sum_2061_s18_q[7]}}, sum_2061_s18_q, x_s18_q[1:0]} + map_row_q;
   // hls/stages/agreement.hpp:1261
-  logic [10:0] sum_2068;
-  assign sum_2068 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
+  logic [10:0] sum_2063;
+  assign sum_2063 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
   // hls/stages/agreement.hpp:1094
   logic [4:0] t;
-  assign t = {difference_2078_s20_q[3], difference_2078_s20_q} + (equal_570_s20_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  assign t = {difference_2073_s18_q[3], difference_2073_s18_q} + (equal_568_s18_q ? 5'h0 : box_textured_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1101
-  logic [47:0] select_2098;
-  assign select_2098 = or_2086_s20_q ? {select_2097_s20_q[23], 1'b0, select_2097_s20_q[22], 1'b0, select_2097_s20_q[21], 1'b0, select_2097_s20_q[20], 1'b0, select_2097_s20_q[19], 1'b0, select_2097_s20_q[18], 1'b0, select_2097_s20_q[17], 1'b0, select_2097_s20_q[16], 1'b0, select_2097_s20_q[15], 1'b0, select_2097_s20_q[14], 1'b0, select_2097_s20_q[13], 1'b0, select_2097_s20_q[12], 1'b0, select_2097_s20_q[11], 1'b0, select_2097_s20_q[10], 1'b0, select_2097_s20_q[9], 1'b0, select_2097_s20_q[8], 1'b0, select_2097_s20_q[7], 1'b0, select_2097_s20_q[6], 1'b0, select_2097_s20_q[5], 1'b0, select_2097_s20_q[4], 1'b0, select_2097_s20_q[3], 1'b0, select_2097_s20_q[2], 1'b0, select_2097_s20_q[1], 1'b0, select_2097_s20_q[0], 1'b0} : {1'b0, select_2097_s20_q[23], 1'b0, select_2097_s20_q[22], 1'b0, select_2097_s20_q[21], 1'b0, select_2097_s20_q[20], 1'b0, select_2097_s20_q[19], 1'b0, select_2097_s20_q[18], 1'b0, select_2097_s20_q[17], 1'b0, select_2097_s20_q[16], 1'b0, select_2097_s20_q[15], 1'b0, select_2097_s20_q[14], 1'b0, select_2097_s20_q[13], 1'b0, select_2097_s20_q[12], 1'b0, select_2097_s20_q[11], 1'b0, select_2097_s20_q[10], 1'b0, select_2097_s20_q[9], 1'b0, select_2097_s20_q[8], 1'b0, select_2097_s20_q[7], 1'b0, select_2097_s20_q[6], 1'b0, select_2097_s20_q[5], 1'b0, select_2097_s20_q[4], 1'b0, select_2097_s20_q[3], 1'b0, select_2097_s20_q[2], 1'b0, select_2097_s20_q[1], 1'b0, select_2097_s20_q[0]};
+  logic [47:0] select_2093;
+  assign select_2093 = or_2081_s18_q ? {select_2092_s18_q[23], 1'b0, select_2092_s18_q[22], 1'b0, select_2092_s18_q[21], 1'b0, select_2092_s18_q[20], 1'b0, select_2092_s18_q[19], 1'b0, select_2092_s18_q[18], 1'b0, select_2092_s18_q[17], 1'b0, select_2092_s18_q[16], 1'b0, select_2092_s18_q[15], 1'b0, select_2092_s18_q[14], 1'b0, select_2092_s18_q[13], 1'b0, select_2092_s18_q[12], 1'b0, select_2092_s18_q[11], 1'b0, select_2092_s18_q[10], 1'b0, select_2092_s18_q[9], 1'b0, select_2092_s18_q[8], 1'b0, select_2092_s18_q[7], 1'b0, select_2092_s18_q[6], 1'b0, select_2092_s18_q[5], 1'b0, select_2092_s18_q[4], 1'b0, select_2092_s18_q[3], 1'b0, select_2092_s18_q[2], 1'b0, select_2092_s18_q[1], 1'b0, select_2092_s18_q[0], 1'b0} : {1'b0, select_2092_s18_q[23], 1'b0, select_2092_s18_q[22], 1'b0, select_2092_s18_q[21], 1'b0, select_2092_s18_q[20], 1'b0, select_2092_s18_q[19], 1'b0, select_2092_s18_q[18], 1'b0, select_2092_s18_q[17], 1'b0, select_2092_s18_q[16], 1'b0, select_2092_s18_q[15], 1'b0, select_2092_s18_q[14], 1'b0, select_2092_s18_q[13], 1'b0, select_2092_s18_q[12], 1'b0, select_2092_s18_q[11], 1'b0, select_2092_s18_q[10], 1'b0, select_2092_s18_q[9], 1'b0, select_2092_s18_q[8], 1'b0, select_2092_s18_q[7], 1'b0, select_2092_s18_q[6], 1'b0, select_2092_s18_q[5], 1'b0, select_2092_s18_q[4], 1'b0, select_2092_s18_q[3], 1'b0, select_2092_s18_q[2], 1'b0, select_2092_s18_q[1], 1'b0, select_2092_s18_q[0]};
   // hls/stages/agreement.hpp:1103
-  logic [5:0] sum_2115;
-  assign sum_2115 = {1'b0, around_s20_q} + {2'h0, around_s20_q[4:1]};
+  logic [5:0] sum_2110;
+  assign sum_2110 = {1'b0, around_s18_q} + {2'h0, around_s18_q[4:1]};
   // hls/stages/agreement.hpp:520
-  logic select_2256;
-  assign select_2256 = and_550_s20_q ? census_columns_values_2_cell_4_mask_s20_q : census_columns_values_3_cell_4_mask_q;
-  // hls/stages/census.hpp:283
-  logic [11:0] sum_2276;
-  assign sum_2276 = sum_2272_s20_q + {2'h0, sum_2275_s20_q};
+  logic select_2251;
+  assign select_2251 = and_548_s18_q ? census_columns_values_2_cell_4_mask_s18_q : census_columns_values_3_cell_4_mask_q;
+  // hls/stages/census.hpp:286
+  logic [11:0] sum_2271;
+  assign sum_2271 = sum_2267_s18_q + {2'h0, sum_2270_s18_q};
   // hls/stages/agreement.hpp:520
-  logic [11:0] select_2278;
-  assign select_2278 = and_550_s20_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2279;
-  assign select_2279 = and_550_s20_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2273;
+  assign select_2273 = and_548_s18_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2274;
+  assign select_2274 = and_548_s18_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2308;
-  assign sum_2308 = {1'b0, moments_most_before_q} + 15'h3;
+  logic [14:0] sum_2303;
+  assign sum_2303 = {1'b0, moments_most_before_q} + 15'h3;
   // hls/stages/agreement.hpp:520
-  logic [13:0] select_2363;
-  assign select_2363 = and_550_s20_q ? select_2362_s20_q[13:0] : sharpness_last_detail_0_q;
-  logic [13:0] select_2364;
-  assign select_2364 = and_550_s20_q ? select_2362_s20_q[27:14] : sharpness_last_detail_1_q;
-  // hls/stages/census.hpp:369
-  logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2362_s20_q[13:0]};
-  logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2362_s20_q[27:14]};
+  logic [13:0] select_2358;
+  assign select_2358 = and_548_s18_q ? select_2357_s18_q[13:0] : sharpness_last_detail_0_q;
+  logic [13:0] select_2359;
+  assign select_2359 = and_548_s18_q ? select_2357_s18_q[27:14] : sharpness_last_detail_1_q;
   // hls/stages/census.hpp:372
-  logic [23:0] sum_2395;
-  assign sum_2395 = (equal_2283_s20_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2394_s20_q};
-  logic [23:0] sum_2399;
-  assign sum_2399 = (equal_2283_s20_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2398_s20_q};
-  // hls/stages/census.hpp:424
-  logic less_2403;
-  assign less_2403 = x_s20_q[4:0] < 5'h3;
-  logic [23:0] select_2408;
-  assign select_2408 = slot_s20_q ? {select_2407_s20_q[11], 1'b0, select_2407_s20_q[10], 1'b0, select_2407_s20_q[9], 1'b0, select_2407_s20_q[8], 1'b0, select_2407_s20_q[7], 1'b0, select_2407_s20_q[6], 1'b0, select_2407_s20_q[5], 1'b0, select_2407_s20_q[4], 1'b0, select_2407_s20_q[3], 1'b0, select_2407_s20_q[2], 1'b0, select_2407_s20_q[1], 1'b0, select_2407_s20_q[0], 1'b0} : {1'b0, select_2407_s20_q[11], 1'b0, select_2407_s20_q[10], 1'b0, select_2407_s20_q[9], 1'b0, select_2407_s20_q[8], 1'b0, select_2407_s20_q[7], 1'b0, select_2407_s20_q[6], 1'b0, select_2407_s20_q[5], 1'b0, select_2407_s20_q[4], 1'b0, select_2407_s20_q[3], 1'b0, select_2407_s20_q[2], 1'b0, select_2407_s20_q[1], 1'b0, select_2407_s20_q[0]};
-  // hls/stages/census.hpp:387
-  logic and_2412;
-  assign and_2412 = less_2403 & (~((sharpness_sums_contrast_1_q & select_2408) == 24'h0));
-  logic and_2422;
-  assign and_2422 = less_2403 & (~((sharpness_sums_contrast_0_q & select_2408) == 24'h0));
+  logic [14:0] detail_3;
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2357_s18_q[13:0]};
+  logic [14:0] detail_4;
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2357_s18_q[27:14]};
+  // hls/stages/census.hpp:375
+  logic [23:0] sum_2390;
+  assign sum_2390 = (equal_2278_s18_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2389_s18_q};
+  logic [23:0] sum_2394;
+  assign sum_2394 = (equal_2278_s18_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2393_s18_q};
+  // hls/stages/census.hpp:427
+  logic less_2398;
+  assign less_2398 = x_s18_q[4:0] < 5'h3;
+  logic [23:0] select_2403;
+  assign select_2403 = slot_s18_q ? {select_2402_s18_q[11], 1'b0, select_2402_s18_q[10], 1'b0, select_2402_s18_q[9], 1'b0, select_2402_s18_q[8], 1'b0, select_2402_s18_q[7], 1'b0, select_2402_s18_q[6], 1'b0, select_2402_s18_q[5], 1'b0, select_2402_s18_q[4], 1'b0, select_2402_s18_q[3], 1'b0, select_2402_s18_q[2], 1'b0, select_2402_s18_q[1], 1'b0, select_2402_s18_q[0], 1'b0} : {1'b0, select_2402_s18_q[11], 1'b0, select_2402_s18_q[10], 1'b0, select_2402_s18_q[9], 1'b0, select_2402_s18_q[8], 1'b0, select_2402_s18_q[7], 1'b0, select_2402_s18_q[6], 1'b0, select_2402_s18_q[5], 1'b0, select_2402_s18_q[4], 1'b0, select_2402_s18_q[3], 1'b0, select_2402_s18_q[2], 1'b0, select_2402_s18_q[1], 1'b0, select_2402_s18_q[0]};
+  // hls/stages/census.hpp:390
+  logic and_2407;
+  assign and_2407 = less_2398 & (~((sharpness_sums_contrast_1_q & select_2403) == 24'h0));
+  logic and_2417;
+  assign and_2417 = less_2398 & (~((sharpness_sums_contrast_0_q & select_2403) == 24'h0));
   // hls/stages/agreement.hpp:1102
-  logic [5:0] sum_2635;
-  assign sum_2635 = {1'b0, e_s20_q} + {2'h0, e_s20_q[4:1]};
+  logic [5:0] sum_2630;
+  assign sum_2630 = {1'b0, e_s18_q} + {2'h0, e_s18_q[4:1]};
   // hls/stages/agreement.hpp:1133
-  logic [10:0] sum_2652;
-  assign sum_2652 = {1'b0, select_2651_s20_q} + {3'h0, select_2651_s20_q[9:2]};
+  logic [10:0] sum_2647;
+  assign sum_2647 = {1'b0, select_2646_s18_q} + {3'h0, select_2646_s18_q[9:2]};
   // hls/stages/registration.hpp:133
-  logic [13:0] sum_2778;
-  assign sum_2778 = registration_half_across_q + {{6{select_2777_s20_q[7]}}, select_2777_s20_q};
+  logic [13:0] sum_2773;
+  assign sum_2773 = registration_half_across_q + {{6{select_2772_s18_q[7]}}, select_2772_s18_q};
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2790;
-  assign sum_2790 = registration_half_votes_down_q + {{5{select_2789_s20_q[1]}}, select_2789_s20_q};
-  logic [6:0] sum_2805;
-  assign sum_2805 = registration_half_half_votes_down_q + {{5{select_2804_s20_q[1]}}, select_2804_s20_q};
+  logic [6:0] sum_2785;
+  assign sum_2785 = registration_half_votes_down_q + {{5{select_2784_s18_q[1]}}, select_2784_s18_q};
+  logic [6:0] sum_2800;
+  assign sum_2800 = registration_half_half_votes_down_q + {{5{select_2799_s18_q[1]}}, select_2799_s18_q};
   // hls/stages/agreement.hpp:788
-  logic and_2846;
-  assign and_2846 = equal_575_s20_q & (x_s20_q[6] & (not_1996_s20_q & less_1639_s20_q));
-  logic [11:0] select_2857;
-  assign select_2857 = equal_575_s20_q ? (x_s20_q[6] ? select_2855_s20_q : 12'h0) : 12'h0;
+  logic and_2841;
+  assign and_2841 = equal_573_s18_q & (x_s18_q[6] & (not_1991_s18_q & less_1637_s18_q));
+  logic [11:0] select_2852;
+  assign select_2852 = equal_573_s18_q ? (x_s18_q[6] ? select_2850_s18_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_2865;
-  assign sum_2865 = {{2{select_2857[11]}}, select_2857} + (and_2863_s20_q ? 14'h0 : registration_down_q);
+  logic [13:0] sum_2860;
+  assign sum_2860 = {{2{select_2852[11]}}, select_2852} + (and_2858_s18_q ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:788
-  logic [11:0] select_2872;
-  assign select_2872 = equal_575_s20_q ? (x_s20_q[6] ? select_2870_s20_q : 12'h0) : 12'h0;
+  logic [11:0] select_2867;
+  assign select_2867 = equal_573_s18_q ? (x_s18_q[6] ? select_2865_s18_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_2874;
-  assign sum_2874 = {{2{select_2872[11]}}, select_2872} + (and_2863_s20_q ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2869;
+  assign sum_2869 = {{2{select_2867[11]}}, select_2867} + (and_2858_s18_q ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:246
-  logic not_2886;
-  assign not_2886 = ~and_2885_s20_q;
-  logic less_2887;
-  assign less_2887 = $signed({9'h1, {2{not_2886}}, and_2885_s20_q}) < $signed(registration_up_q[13:2]);
-  logic select_2888;
-  assign select_2888 = and_2881_s20_q ? less_2887 : registration_enough_q;
+  logic not_2881;
+  assign not_2881 = ~and_2880_s18_q;
+  logic less_2882;
+  assign less_2882 = $signed({9'h1, {2{not_2881}}, and_2880_s18_q}) < $signed(registration_up_q[13:2]);
+  logic select_2883;
+  assign select_2883 = and_2876_s18_q ? less_2882 : registration_enough_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2892;
-  assign and_2892 = x_s20_q[6] & (not_1996_s20_q & (less_1639_s20_q & (x_s20_q[2:0] == 3'h4)));
+  logic and_2887;
+  assign and_2887 = x_s18_q[6] & (not_1991_s18_q & (less_1637_s18_q & (x_s18_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:788
-  logic and_2893;
-  assign and_2893 = equal_575_s20_q & and_2892;
+  logic and_2888;
+  assign and_2888 = equal_573_s18_q & and_2887;
   // hls/stages/registration.hpp:242
-  logic less_2894;
-  assign less_2894 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_2896;
-  assign less_2896 = $signed(14'h0) < $signed(registration_up_q);
+  logic less_2889;
+  assign less_2889 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2891;
+  assign less_2891 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_2898;
-  assign equal_2898 = x_s20_q[2:0] == 3'h7;
+  logic equal_2893;
+  assign equal_2893 = x_s18_q[2:0] == 3'h7;
   // hls/stages/agreement.hpp:788
-  logic and_2902;
-  assign and_2902 = equal_575_s20_q & (x_s20_q[6] & (not_1996_s20_q & (less_1639_s20_q & equal_2898)));
+  logic and_2897;
+  assign and_2897 = equal_573_s18_q & (x_s18_q[6] & (not_1991_s18_q & (less_1637_s18_q & equal_2893)));
   // hls/stages/agreement.hpp:1142
-  logic and_2909;
-  assign and_2909 = x_s20_q[6] & (not_1996_s20_q & (less_1639_s20_q & (x_s20_q[5:0] == 6'h0)));
+  logic and_2904;
+  assign and_2904 = x_s18_q[6] & (not_1991_s18_q & (less_1637_s18_q & (x_s18_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:244
-  logic and_2927;
-  assign and_2927 = registration_votes_up_q & registration_other_down_q;
-  logic select_2929;
-  assign select_2929 = registration_votes_down_q ? (registration_other_up_q | and_2927) : and_2927;
+  logic and_2922;
+  assign and_2922 = registration_votes_up_q & registration_other_down_q;
+  logic select_2924;
+  assign select_2924 = registration_votes_down_q ? (registration_other_up_q | and_2922) : and_2922;
   // hls/stages/registration.hpp:138
-  logic and_2931;
-  assign and_2931 = (equal_575_s20_q & and_2925_s20_q) & (registration_other_enough_q & select_2929);
-  logic and_2933;
-  assign and_2933 = registration_enough_q & ((and_2917_s20_q & (less_2896 | less_2894)) | and_2931);
+  logic and_2926;
+  assign and_2926 = (equal_573_s18_q & and_2920_s18_q) & (registration_other_enough_q & select_2924);
+  logic and_2928;
+  assign and_2928 = registration_enough_q & ((and_2912_s18_q & (less_2891 | less_2889)) | and_2926);
   // hls/stages/count_bits.hpp:24
-  logic parity_3260;
-  assign parity_3260 = ^{or_3257_s20_q, or_3253_s20_q, or_3249_s20_q};
-  logic parity_3275;
-  assign parity_3275 = ^{or_3272_s20_q, or_3268_s20_q, or_3264_s20_q};
-  logic parity_3278;
-  assign parity_3278 = ^{or_3272_s20_q, or_3268_s20_q, or_3264_s20_q, or_3257_s20_q, or_3253_s20_q, or_3249_s20_q, or_3242_s20_q, or_3238_s20_q, or_3234_s20_q};
-  logic parity_3309;
-  assign parity_3309 = ^{or_3306_s20_q, or_3302_s20_q, or_3298_s20_q};
-  logic parity_3324;
-  assign parity_3324 = ^{or_3321_s20_q, or_3317_s20_q, or_3313_s20_q};
-  logic parity_3327;
-  assign parity_3327 = ^{or_3321_s20_q, or_3317_s20_q, or_3313_s20_q, or_3306_s20_q, or_3302_s20_q, or_3298_s20_q, or_3290_s20_q, or_3286_s20_q, or_3282_s20_q};
-  logic parity_3342;
-  assign parity_3342 = ^{or_3339_s20_q, or_3335_s20_q, or_3331_s20_q};
-  logic parity_3354;
-  assign parity_3354 = ^{or_3351_s20_q, or_3347_s20_q, and_3343_s20_q};
-  logic parity_3357;
-  assign parity_3357 = ^{or_3351_s20_q, or_3347_s20_q, and_3343_s20_q, or_3339_s20_q, or_3335_s20_q, or_3331_s20_q, or_3321_s20_q, or_3317_s20_q, or_3313_s20_q, or_3306_s20_q, or_3302_s20_q, or_3298_s20_q, or_3290_s20_q, or_3286_s20_q, or_3282_s20_q};
-  logic parity_3359;
-  assign parity_3359 = ^{or_3351_s20_q, or_3347_s20_q, and_3343_s20_q, or_3339_s20_q, or_3335_s20_q, or_3331_s20_q, or_3321_s20_q, or_3317_s20_q, or_3313_s20_q, or_3306_s20_q, or_3302_s20_q, or_3298_s20_q, or_3290_s20_q, or_3286_s20_q, or_3282_s20_q, or_3272_s20_q, or_3268_s20_q, or_3264_s20_q, or_3257_s20_q, or_3253_s20_q, or_3249_s20_q, or_3242_s20_q, or_3238_s20_q, or_3234_s20_q};
+  logic parity_3254;
+  assign parity_3254 = ^{or_3251_s18_q, or_3247_s18_q, or_3243_s18_q};
+  logic parity_3269;
+  assign parity_3269 = ^{or_3266_s18_q, or_3262_s18_q, or_3258_s18_q};
+  logic parity_3272;
+  assign parity_3272 = ^{or_3266_s18_q, or_3262_s18_q, or_3258_s18_q, or_3251_s18_q, or_3247_s18_q, or_3243_s18_q, or_3236_s18_q, or_3232_s18_q, or_3228_s18_q};
+  logic parity_3303;
+  assign parity_3303 = ^{or_3300_s18_q, or_3296_s18_q, or_3292_s18_q};
+  logic parity_3318;
+  assign parity_3318 = ^{or_3315_s18_q, or_3311_s18_q, or_3307_s18_q};
+  logic parity_3321;
+  assign parity_3321 = ^{or_3315_s18_q, or_3311_s18_q, or_3307_s18_q, or_3300_s18_q, or_3296_s18_q, or_3292_s18_q, or_3284_s18_q, or_3280_s18_q, or_3276_s18_q};
+  logic parity_3336;
+  assign parity_3336 = ^{or_3333_s18_q, or_3329_s18_q, or_3325_s18_q};
+  logic parity_3348;
+  assign parity_3348 = ^{or_3345_s18_q, or_3341_s18_q, and_3337_s18_q};
+  logic parity_3351;
+  assign parity_3351 = ^{or_3345_s18_q, or_3341_s18_q, and_3337_s18_q, or_3333_s18_q, or_3329_s18_q, or_3325_s18_q, or_3315_s18_q, or_3311_s18_q, or_3307_s18_q, or_3300_s18_q, or_3296_s18_q, or_3292_s18_q, or_3284_s18_q, or_3280_s18_q, or_3276_s18_q};
+  logic parity_3353;
+  assign parity_3353 = ^{or_3345_s18_q, or_3341_s18_q, and_3337_s18_q, or_3333_s18_q, or_3329_s18_q, or_3325_s18_q, or_3315_s18_q, or_3311_s18_q, or_3307_s18_q, or_3300_s18_q, or_3296_s18_q, or_3292_s18_q, or_3284_s18_q, or_3280_s18_q, or_3276_s18_q, or_3266_s18_q, or_3262_s18_q, or_3258_s18_q, or_3251_s18_q, or_3247_s18_q, or_3243_s18_q, or_3236_s18_q, or_3232_s18_q, or_3228_s18_q};
   // hls/stages/count_bits.hpp:25
-  logic and_3360;
-  assign and_3360 = parity_3278 & parity_3357;
-  logic and_3363;
-  assign and_3363 = (^{or_3242_s20_q, or_3238_s20_q, or_3234_s20_q}) & (parity_3260 | parity_3275);
-  logic or_3364;
-  assign or_3364 = (parity_3260 & parity_3275) | and_3363;
-  logic or_3368;
-  assign or_3368 = (parity_3342 & parity_3354) | (parity_3327 & (parity_3342 | parity_3354));
-  logic and_3374;
-  assign and_3374 = (^{or_3290_s20_q, or_3286_s20_q, or_3282_s20_q}) & (parity_3309 | parity_3324);
-  logic or_3375;
-  assign or_3375 = (parity_3309 & parity_3324) | and_3374;
-  logic or_3379;
-  assign or_3379 = (or_3335_s20_q & or_3339_s20_q) | (or_3331_s20_q & (or_3335_s20_q | or_3339_s20_q));
-  logic or_3383;
-  assign or_3383 = (or_3347_s20_q & or_3351_s20_q) | (and_3343_s20_q & (or_3347_s20_q | or_3351_s20_q));
+  logic and_3354;
+  assign and_3354 = parity_3272 & parity_3351;
+  logic and_3357;
+  assign and_3357 = (^{or_3236_s18_q, or_3232_s18_q, or_3228_s18_q}) & (parity_3254 | parity_3269);
+  logic or_3358;
+  assign or_3358 = (parity_3254 & parity_3269) | and_3357;
+  logic or_3362;
+  assign or_3362 = (parity_3336 & parity_3348) | (parity_3321 & (parity_3336 | parity_3348));
+  logic and_3368;
+  assign and_3368 = (^{or_3284_s18_q, or_3280_s18_q, or_3276_s18_q}) & (parity_3303 | parity_3318);
+  logic or_3369;
+  assign or_3369 = (parity_3303 & parity_3318) | and_3368;
+  logic or_3373;
+  assign or_3373 = (or_3329_s18_q & or_3333_s18_q) | (or_3325_s18_q & (or_3329_s18_q | or_3333_s18_q));
+  logic or_3377;
+  assign or_3377 = (or_3341_s18_q & or_3345_s18_q) | (and_3337_s18_q & (or_3341_s18_q | or_3345_s18_q));
   // hls/stages/count_bits.hpp:23
-  logic or_3390;
-  assign or_3390 = (or_3286_s20_q & or_3290_s20_q) | (or_3282_s20_q & (or_3286_s20_q | or_3290_s20_q));
+  logic or_3384;
+  assign or_3384 = (or_3280_s18_q & or_3284_s18_q) | (or_3276_s18_q & (or_3280_s18_q | or_3284_s18_q));
   // hls/stages/count_bits.hpp:25
-  logic or_3394;
-  assign or_3394 = (or_3302_s20_q & or_3306_s20_q) | (or_3298_s20_q & (or_3302_s20_q | or_3306_s20_q));
-  logic or_3398;
-  assign or_3398 = (or_3317_s20_q & or_3321_s20_q) | (or_3313_s20_q & (or_3317_s20_q | or_3321_s20_q));
+  logic or_3388;
+  assign or_3388 = (or_3296_s18_q & or_3300_s18_q) | (or_3292_s18_q & (or_3296_s18_q | or_3300_s18_q));
+  logic or_3392;
+  assign or_3392 = (or_3311_s18_q & or_3315_s18_q) | (or_3307_s18_q & (or_3311_s18_q | or_3315_s18_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_3401;
-  assign parity_3401 = ^{or_3398, or_3394, or_3390};
+  logic parity_3395;
+  assign parity_3395 = ^{or_3392, or_3388, or_3384};
   // hls/stages/count_bits.hpp:23
-  logic or_3405;
-  assign or_3405 = (or_3238_s20_q & or_3242_s20_q) | (or_3234_s20_q & (or_3238_s20_q | or_3242_s20_q));
+  logic or_3399;
+  assign or_3399 = (or_3232_s18_q & or_3236_s18_q) | (or_3228_s18_q & (or_3232_s18_q | or_3236_s18_q));
   // hls/stages/count_bits.hpp:25
-  logic or_3409;
-  assign or_3409 = (or_3253_s20_q & or_3257_s20_q) | (or_3249_s20_q & (or_3253_s20_q | or_3257_s20_q));
-  logic or_3413;
-  assign or_3413 = (or_3268_s20_q & or_3272_s20_q) | (or_3264_s20_q & (or_3268_s20_q | or_3272_s20_q));
+  logic or_3403;
+  assign or_3403 = (or_3247_s18_q & or_3251_s18_q) | (or_3243_s18_q & (or_3247_s18_q | or_3251_s18_q));
+  logic or_3407;
+  assign or_3407 = (or_3262_s18_q & or_3266_s18_q) | (or_3258_s18_q & (or_3262_s18_q | or_3266_s18_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_3416;
-  assign parity_3416 = ^{or_3413, or_3409, or_3405};
-  logic parity_3419;
-  assign parity_3419 = ^{or_3413, or_3409, or_3405, or_3398, or_3394, or_3390, or_3383, or_3379, or_3375};
+  logic parity_3410;
+  assign parity_3410 = ^{or_3407, or_3403, or_3399};
+  logic parity_3413;
+  assign parity_3413 = ^{or_3407, or_3403, or_3399, or_3392, or_3388, or_3384, or_3377, or_3373, or_3369};
   // hls/stages/patches.hpp:595
-  logic [9:0] difference_3598;
-  assign difference_3598 = select_3595_s20_q - select_3585_s20_q[9:0];
+  logic [9:0] difference_3592;
+  assign difference_3592 = select_3589_s18_q - select_3579_s18_q[9:0];
   // hls/stages/patches.hpp:600
-  logic or_3605;
-  assign or_3605 = (patches_size_q < 10'h39) | ({1'b0, patches_size_q[9:1]} < select_3585_s20_q[9:0]);
+  logic or_3599;
+  assign or_3599 = (patches_size_q < 10'h39) | ({1'b0, patches_size_q[9:1]} < select_3579_s18_q[9:0]);
   // hls/stages/patches.hpp:586
-  logic [1:0] sum_3629;
-  assign sum_3629 = select_3554_s20_q[4:3] + 2'h3;
+  logic [1:0] sum_3623;
+  assign sum_3623 = select_3548_s18_q[4:3] + 2'h3;
   // hls/stages/patches.hpp:587
-  logic [7:0] difference_3649;
-  assign difference_3649 = {sum_3629, select_3554_s20_q[2:0], 3'h0} - {5'h0, fraction_s20_q};
-  logic [7:0] select_3650;
-  assign select_3650 = less_3628_s20_q ? difference_3649 : {sum_3629, select_3554_s20_q[2:0], fraction_s20_q};
+  logic [7:0] difference_3643;
+  assign difference_3643 = {sum_3623, select_3548_s18_q[2:0], 3'h0} - {5'h0, fraction_s18_q};
+  logic [7:0] select_3644;
+  assign select_3644 = less_3622_s18_q ? difference_3643 : {sum_3623, select_3548_s18_q[2:0], fraction_s18_q};
   // hls/stages/patches.hpp:598
-  logic [18:0] product_3655;
-  assign product_3655 = $signed({{11{select_3651_s20_q[7]}}, select_3651_s20_q}) * $signed({{8{sum_3654_s20_q[6]}}, sum_3654_s20_q, sum_3652_s20_q, select_3585_s20_q[12:10]});
+  logic [18:0] product_3649;
+  assign product_3649 = $signed({{11{select_3645_s18_q[7]}}, select_3645_s18_q}) * $signed({{8{sum_3648_s18_q[6]}}, sum_3648_s18_q, sum_3646_s18_q, select_3579_s18_q[12:10]});
   // hls/stages/patches.hpp:606
-  logic [11:0] sum_3830;
-  assign sum_3830 = {sum_3654_s20_q[6], sum_3654_s20_q, sum_3652_s20_q, select_3585_s20_q[12:10]} + 12'h1;
+  logic [11:0] sum_3824;
+  assign sum_3824 = {sum_3648_s18_q[6], sum_3648_s18_q, sum_3646_s18_q, select_3579_s18_q[12:10]} + 12'h1;
   // hls/stages/agreement.hpp:1135
-  logic select_3942;
-  assign select_3942 = equal_3925_s20_q ? ((~or_3928_s20_q) & (~select_3936_s20_q)) : not_3941_s20_q;
+  logic select_3936;
+  assign select_3936 = equal_3919_s18_q ? ((~or_3922_s18_q) & (~select_3930_s18_q)) : not_3935_s18_q;
   // hls/stages/agreement.hpp:1142
-  logic [47:0] select_3944;
-  assign select_3944 = x_s20_q[6] ? (equal_1608_s20_q ? good_q : {select_3942, good_q[47:1]}) : good_q;
+  logic [47:0] select_3938;
+  assign select_3938 = x_s18_q[6] ? (equal_1606_s18_q ? good_q : {select_3936, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:1147
-  logic equal_3947;
-  assign equal_3947 = x_s20_q == 7'h7f;
+  logic equal_3941;
+  assign equal_3941 = x_s18_q == 7'h7f;
   // hls/stages/agreement.hpp:788
-  logic [4:0] select_4026;
-  assign select_4026 = so_s20_q ? (ends_cell_s20_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [4:0] select_4020;
+  assign select_4020 = so_s18_q ? (ends_cell_s18_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:460
-  logic [12:0] select_4098;
-  assign select_4098 = equal_2472_s20_q ? (equal_4095_s20_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  logic [12:0] select_4092;
+  assign select_4092 = equal_2467_s18_q ? (equal_4089_s18_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_4101;
-  assign select_4101 = and_550_s20_q ? (equal_2472_s20_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
+  logic [6:0] select_4095;
+  assign select_4095 = and_548_s18_q ? (equal_2467_s18_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -9965,35 +9859,35 @@ module horopter_agreement (
       done_q <= 1'b0;
       drew_q <= 1'b0;
       said_q <= 1'b0;
-    end else if (s20_en) begin
-      moments_most_before_q <= equal_575_s20_q ? select_2306_s20_q : moments_most_before_q;
-      moments_left_alone_q <= equal_575_s20_q ? not_2314_s20_q : moments_left_alone_q;
-      moments_left_other_stops_q <= equal_575_s20_q ? not_2317_s20_q : moments_left_other_stops_q;
-      moments_right_alone_q <= equal_575_s20_q ? not_2324_s20_q : moments_right_alone_q;
-      moments_right_other_stops_q <= equal_575_s20_q ? not_2327_s20_q : moments_right_other_stops_q;
-      sharpness_sums_contrast_0_q <= and_550_s20_q ? sum_2395 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_550_s20_q ? sum_2399 : sharpness_sums_contrast_1_q;
-      registration_half_across_q <= and_2757_s20_q ? 14'h0 : sum_2778;
-      registration_half_votes_down_q <= and_2757_s20_q ? 7'h0 : sum_2790;
-      registration_half_half_votes_down_q <= and_2757_s20_q ? 7'h0 : sum_2805;
-      registration_down_q <= and_2846 ? sum_2865 : registration_down_q;
-      registration_up_q <= and_2846 ? sum_2874 : registration_up_q;
-      registration_enough_q <= select_2888;
-      registration_votes_down_q <= and_2893 ? less_2894 : registration_votes_down_q;
-      registration_votes_up_q <= and_2893 ? less_2896 : registration_votes_up_q;
-      registration_other_enough_q <= and_2902 ? select_2888 : registration_other_enough_q;
-      registration_other_down_q <= and_2902 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2902 ? registration_votes_up_q : registration_other_up_q;
-      patches_place_0_valid_q <= sample_pair_whole_s20_q ? select_1806 : patches_place_0_valid_q;
-      patches_place_1_valid_q <= sample_pair_whole_s20_q ? select_1835 : patches_place_1_valid_q;
-      good_q <= equal_575_s20_q ? select_3944 : good_q;
-      map_row_q <= and_550_s20_q ? select_4098 : map_row_q;
-      map_width_q <= select_4101;
-      write_half_q <= marks_first_s20_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_2054;
-      done_q <= not_2056_s20_q & ((~drew_q) & (done_q | said_q));
-      drew_q <= so_s20_q;
-      said_q <= equal_575_s20_q & equal_3947;
+    end else if (s18_en) begin
+      moments_most_before_q <= equal_573_s18_q ? select_2301_s18_q : moments_most_before_q;
+      moments_left_alone_q <= equal_573_s18_q ? not_2309_s18_q : moments_left_alone_q;
+      moments_left_other_stops_q <= equal_573_s18_q ? not_2312_s18_q : moments_left_other_stops_q;
+      moments_right_alone_q <= equal_573_s18_q ? not_2319_s18_q : moments_right_alone_q;
+      moments_right_other_stops_q <= equal_573_s18_q ? not_2322_s18_q : moments_right_other_stops_q;
+      sharpness_sums_contrast_0_q <= and_548_s18_q ? sum_2390 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_548_s18_q ? sum_2394 : sharpness_sums_contrast_1_q;
+      registration_half_across_q <= and_2752_s18_q ? 14'h0 : sum_2773;
+      registration_half_votes_down_q <= and_2752_s18_q ? 7'h0 : sum_2785;
+      registration_half_half_votes_down_q <= and_2752_s18_q ? 7'h0 : sum_2800;
+      registration_down_q <= and_2841 ? sum_2860 : registration_down_q;
+      registration_up_q <= and_2841 ? sum_2869 : registration_up_q;
+      registration_enough_q <= select_2883;
+      registration_votes_down_q <= and_2888 ? less_2889 : registration_votes_down_q;
+      registration_votes_up_q <= and_2888 ? less_2891 : registration_votes_up_q;
+      registration_other_enough_q <= and_2897 ? select_2883 : registration_other_enough_q;
+      registration_other_down_q <= and_2897 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2897 ? registration_votes_up_q : registration_other_up_q;
+      patches_place_0_valid_q <= sample_pair_whole_s18_q ? select_1801 : patches_place_0_valid_q;
+      patches_place_1_valid_q <= sample_pair_whole_s18_q ? select_1830 : patches_place_1_valid_q;
+      good_q <= equal_573_s18_q ? select_3938 : good_q;
+      map_row_q <= and_548_s18_q ? select_4092 : map_row_q;
+      map_width_q <= select_4095;
+      write_half_q <= marks_first_s18_q ? (write_half_q ^ done_q) : write_half_q;
+      read_half_q <= select_2049;
+      done_q <= not_2051_s18_q & ((~drew_q) & (done_q | said_q));
+      drew_q <= so_s18_q;
+      said_q <= equal_573_s18_q & equal_3941;
     end
   end
 
@@ -10011,368 +9905,368 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s20_en) begin
-      census_columns_values_3_cell_4_mask_q <= select_2256;
-      census_changes_values_0_left_q <= and_550_s20_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_550_s20_q ? sum_2276 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2278;
-      census_changes_values_1_right_q <= select_2279;
-      sharpness_last_detail_0_q <= select_2363;
-      sharpness_last_detail_1_q <= select_2364;
-      box_textured_sum_sums_values_0_q <= equal_575_s20_q ? box_textured_sum_sums_values_0_q : select_4026;
+    if (s18_en) begin
+      census_columns_values_3_cell_4_mask_q <= select_2251;
+      census_changes_values_0_left_q <= and_548_s18_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_548_s18_q ? sum_2271 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2273;
+      census_changes_values_1_right_q <= select_2274;
+      sharpness_last_detail_0_q <= select_2358;
+      sharpness_last_detail_1_q <= select_2359;
+      box_textured_sum_sums_values_0_q <= equal_573_s18_q ? box_textured_sum_sums_values_0_q : select_4020;
     end
   end
 
-  logic [7:0] pixel_0_s21_q;
-  logic [7:0] pixel_1_s21_q;
-  logic saturated_s21_q;
-  logic mask_s21_q;
-  logic marks_first_s21_q;
-  logic marks_last_s21_q;
-  logic [7:0] sample_pair_pixel_0_s21_q;
-  logic [7:0] sample_pair_pixel_1_s21_q;
-  logic sample_pair_whole_s21_q;
-  logic sample_present_s21_q;
-  logic census_columns_values_1_cell_2_of_skin_s21_q;
-  logic [11:0] census_changes_values_1_left_s21_q;
-  logic [11:0] census_changes_values_1_right_s21_q;
-  logic moments_left_alone_s21_q;
-  logic moments_left_other_stops_s21_q;
-  logic moments_right_alone_s21_q;
-  logic moments_right_other_stops_s21_q;
-  logic [23:0] sharpness_sums_contrast_0_s21_q;
-  logic [23:0] sharpness_sums_contrast_1_s21_q;
-  logic [6:0] x_s21_q;
-  logic ends_cell_s21_q;
-  logic lower_half_s21_q;
-  logic [13:0] counts_nearer_s21_q;
-  logic registration_of_right_s21_q;
-  logic patches_lower_s21_q;
-  logic patches_second_s21_q;
-  logic [4:0] patches_summed_row_column_s21_q;
-  logic patches_summed_first_s21_q;
-  logic patches_summed_last_s21_q;
-  logic [4:0] patches_summed_down_by_s21_q;
-  logic [13:0] product_s21_q;
-  logic centres_values_1_textured_s21_q;
-  logic centres_values_1_of_skin_s21_q;
-  logic done_s21_q;
-  logic [6:0] last_s21_q;
-  logic and_550_s21_q;
-  logic equal_575_s21_q;
-  logic not_576_s21_q;
-  logic less_653_s21_q;
-  logic less_654_s21_q;
-  logic less_655_s21_q;
-  logic less_656_s21_q;
-  logic less_657_s21_q;
-  logic less_658_s21_q;
-  logic less_659_s21_q;
-  logic less_660_s21_q;
-  logic less_661_s21_q;
-  logic less_662_s21_q;
-  logic less_663_s21_q;
-  logic less_664_s21_q;
-  logic less_665_s21_q;
-  logic less_666_s21_q;
-  logic less_667_s21_q;
-  logic less_668_s21_q;
-  logic less_669_s21_q;
-  logic less_670_s21_q;
-  logic less_671_s21_q;
-  logic less_672_s21_q;
-  logic less_673_s21_q;
-  logic less_674_s21_q;
-  logic less_675_s21_q;
-  logic less_676_s21_q;
-  logic and_684_s21_q;
-  logic and_709_s21_q;
-  logic and_710_s21_q;
-  logic [12:0] sum_730_s21_q;
-  logic and_736_s21_q;
-  logic and_740_s21_q;
-  logic less_741_s21_q;
-  logic less_745_s21_q;
-  logic less_747_s21_q;
-  logic equal_1608_s21_q;
-  logic [1:0] sum_1614_s21_q;
-  logic equal_1616_s21_q;
-  logic equal_1618_s21_q;
-  logic equal_1620_s21_q;
-  logic equal_1622_s21_q;
-  logic equal_1624_s21_q;
-  logic equal_1626_s21_q;
-  logic [19:0] sum_1668_s21_q;
-  logic [11:0] sum_1672_s21_q;
-  logic and_1673_s21_q;
-  logic and_1676_s21_q;
-  logic select_1693_s21_q;
-  logic equal_1694_s21_q;
-  logic equal_1788_s21_q;
-  logic equal_1790_s21_q;
-  logic select_1804_s21_q;
-  logic or_1814_s21_q;
-  logic [4:0] select_1818_s21_q;
-  logic select_1824_s21_q;
-  logic or_1842_s21_q;
-  logic or_1855_s21_q;
-  logic or_1859_s21_q;
-  logic [3:0] select_1862_s21_q;
-  logic less_1966_s21_q;
-  logic equal_1967_s21_q;
-  logic not_1968_s21_q;
-  logic equal_1969_s21_q;
-  logic not_1996_s21_q;
-  logic [2:0] index_s21_q;
-  logic [10:0] sum_2055_s21_q;
-  logic and_2062_s21_q;
-  logic less_2063_s21_q;
-  logic [2:0] index_2_s21_q;
-  logic [10:0] sum_2068_s21_q;
-  logic equal_2081_s21_q;
-  logic not_2101_s21_q;
-  logic not_2117_s21_q;
-  logic less_2131_s21_q;
-  logic and_2142_s21_q;
-  logic equal_2283_s21_q;
-  logic [12:0] sum_2284_s21_q;
-  logic equal_2298_s21_q;
-  logic not_2310_s21_q;
-  logic not_2320_s21_q;
-  logic [12:0] select_2377_s21_q;
-  logic [12:0] select_2389_s21_q;
-  logic equal_2401_s21_q;
-  logic less_2402_s21_q;
-  logic and_2412_s21_q;
-  logic and_2422_s21_q;
-  logic equal_2445_s21_q;
-  logic and_2597_s21_q;
-  logic not_2622_s21_q;
-  logic not_2637_s21_q;
-  logic [9:0] select_2648_s21_q;
-  logic [9:0] select_2651_s21_q;
-  logic less_2653_s21_q;
-  logic and_2699_s21_q;
-  logic equal_2898_s21_q;
-  logic not_2911_s21_q;
-  logic and_2933_s21_q;
-  logic parity_3230_s21_q;
-  logic parity_3359_s21_q;
-  logic and_3360_s21_q;
-  logic or_3364_s21_q;
-  logic or_3368_s21_q;
-  logic or_3375_s21_q;
-  logic or_3379_s21_q;
-  logic or_3383_s21_q;
-  logic or_3390_s21_q;
-  logic or_3394_s21_q;
-  logic or_3398_s21_q;
-  logic or_3405_s21_q;
-  logic or_3409_s21_q;
-  logic or_3413_s21_q;
-  logic parity_3419_s21_q;
-  logic or_3429_s21_q;
-  logic or_3433_s21_q;
-  logic and_3440_s21_q;
-  logic and_3442_s21_q;
-  logic and_3444_s21_q;
-  logic equal_3466_s21_q;
-  logic equal_3597_s21_q;
-  logic less_3599_s21_q;
-  logic less_3600_s21_q;
-  logic or_3605_s21_q;
-  logic [7:0] select_3650_s21_q;
-  logic [13:0] product_3655_s21_q;
-  logic equal_3706_s21_q;
-  logic less_3831_s21_q;
-  logic or_3928_s21_q;
-  logic select_3936_s21_q;
-  logic equal_3947_s21_q;
-  logic equal_3950_s21_q;
-  logic equal_3952_s21_q;
-  logic equal_3953_s21_q;
-  logic equal_3954_s21_q;
-  logic equal_3955_s21_q;
-  logic [31:0] select_4194_s21_q;
-  logic [9:0] select_4201_s21_q;
+  logic [7:0] pixel_0_s19_q;
+  logic [7:0] pixel_1_s19_q;
+  logic saturated_s19_q;
+  logic mask_s19_q;
+  logic marks_first_s19_q;
+  logic marks_last_s19_q;
+  logic [7:0] sample_pair_pixel_0_s19_q;
+  logic [7:0] sample_pair_pixel_1_s19_q;
+  logic sample_pair_whole_s19_q;
+  logic sample_present_s19_q;
+  logic census_columns_values_1_cell_2_of_skin_s19_q;
+  logic [11:0] census_changes_values_1_left_s19_q;
+  logic [11:0] census_changes_values_1_right_s19_q;
+  logic moments_left_alone_s19_q;
+  logic moments_left_other_stops_s19_q;
+  logic moments_right_alone_s19_q;
+  logic moments_right_other_stops_s19_q;
+  logic [23:0] sharpness_sums_contrast_0_s19_q;
+  logic [23:0] sharpness_sums_contrast_1_s19_q;
+  logic [6:0] x_s19_q;
+  logic ends_cell_s19_q;
+  logic lower_half_s19_q;
+  logic [13:0] counts_nearer_s19_q;
+  logic registration_of_right_s19_q;
+  logic patches_lower_s19_q;
+  logic patches_second_s19_q;
+  logic [4:0] patches_summed_row_column_s19_q;
+  logic patches_summed_first_s19_q;
+  logic patches_summed_last_s19_q;
+  logic [4:0] patches_summed_down_by_s19_q;
+  logic [13:0] product_s19_q;
+  logic centres_values_1_textured_s19_q;
+  logic centres_values_1_of_skin_s19_q;
+  logic done_s19_q;
+  logic row_starts_s19_q;
+  logic [6:0] last_s19_q;
+  logic and_548_s19_q;
+  logic equal_573_s19_q;
+  logic not_574_s19_q;
+  logic less_651_s19_q;
+  logic less_652_s19_q;
+  logic less_653_s19_q;
+  logic less_654_s19_q;
+  logic less_655_s19_q;
+  logic less_656_s19_q;
+  logic less_657_s19_q;
+  logic less_658_s19_q;
+  logic less_659_s19_q;
+  logic less_660_s19_q;
+  logic less_661_s19_q;
+  logic less_662_s19_q;
+  logic less_663_s19_q;
+  logic less_664_s19_q;
+  logic less_665_s19_q;
+  logic less_666_s19_q;
+  logic less_667_s19_q;
+  logic less_668_s19_q;
+  logic less_669_s19_q;
+  logic less_670_s19_q;
+  logic less_671_s19_q;
+  logic less_672_s19_q;
+  logic less_673_s19_q;
+  logic less_674_s19_q;
+  logic and_682_s19_q;
+  logic and_707_s19_q;
+  logic and_708_s19_q;
+  logic [12:0] sum_728_s19_q;
+  logic and_734_s19_q;
+  logic and_738_s19_q;
+  logic less_739_s19_q;
+  logic less_743_s19_q;
+  logic less_745_s19_q;
+  logic equal_1606_s19_q;
+  logic [1:0] sum_1612_s19_q;
+  logic equal_1614_s19_q;
+  logic equal_1616_s19_q;
+  logic equal_1618_s19_q;
+  logic equal_1620_s19_q;
+  logic equal_1622_s19_q;
+  logic equal_1624_s19_q;
+  logic [19:0] sum_1666_s19_q;
+  logic [11:0] sum_1670_s19_q;
+  logic and_1671_s19_q;
+  logic select_1688_s19_q;
+  logic equal_1689_s19_q;
+  logic equal_1783_s19_q;
+  logic equal_1785_s19_q;
+  logic select_1799_s19_q;
+  logic or_1809_s19_q;
+  logic [4:0] select_1813_s19_q;
+  logic select_1819_s19_q;
+  logic or_1837_s19_q;
+  logic or_1850_s19_q;
+  logic or_1854_s19_q;
+  logic [3:0] select_1857_s19_q;
+  logic less_1961_s19_q;
+  logic equal_1962_s19_q;
+  logic not_1963_s19_q;
+  logic equal_1964_s19_q;
+  logic not_1991_s19_q;
+  logic [2:0] index_s19_q;
+  logic [10:0] sum_2050_s19_q;
+  logic and_2057_s19_q;
+  logic less_2058_s19_q;
+  logic [2:0] index_2_s19_q;
+  logic [10:0] sum_2063_s19_q;
+  logic equal_2076_s19_q;
+  logic not_2096_s19_q;
+  logic not_2112_s19_q;
+  logic less_2126_s19_q;
+  logic and_2137_s19_q;
+  logic equal_2278_s19_q;
+  logic [12:0] sum_2279_s19_q;
+  logic equal_2293_s19_q;
+  logic not_2305_s19_q;
+  logic not_2315_s19_q;
+  logic [12:0] select_2372_s19_q;
+  logic [12:0] select_2384_s19_q;
+  logic equal_2396_s19_q;
+  logic less_2397_s19_q;
+  logic and_2407_s19_q;
+  logic and_2417_s19_q;
+  logic equal_2440_s19_q;
+  logic and_2592_s19_q;
+  logic not_2617_s19_q;
+  logic not_2632_s19_q;
+  logic [9:0] select_2643_s19_q;
+  logic [9:0] select_2646_s19_q;
+  logic less_2648_s19_q;
+  logic and_2694_s19_q;
+  logic equal_2893_s19_q;
+  logic not_2906_s19_q;
+  logic and_2928_s19_q;
+  logic parity_3224_s19_q;
+  logic parity_3353_s19_q;
+  logic and_3354_s19_q;
+  logic or_3358_s19_q;
+  logic or_3362_s19_q;
+  logic or_3369_s19_q;
+  logic or_3373_s19_q;
+  logic or_3377_s19_q;
+  logic or_3384_s19_q;
+  logic or_3388_s19_q;
+  logic or_3392_s19_q;
+  logic or_3399_s19_q;
+  logic or_3403_s19_q;
+  logic or_3407_s19_q;
+  logic parity_3413_s19_q;
+  logic or_3423_s19_q;
+  logic or_3427_s19_q;
+  logic and_3434_s19_q;
+  logic and_3436_s19_q;
+  logic and_3438_s19_q;
+  logic equal_3460_s19_q;
+  logic equal_3591_s19_q;
+  logic less_3593_s19_q;
+  logic less_3594_s19_q;
+  logic or_3599_s19_q;
+  logic [7:0] select_3644_s19_q;
+  logic [13:0] product_3649_s19_q;
+  logic equal_3700_s19_q;
+  logic less_3825_s19_q;
+  logic or_3922_s19_q;
+  logic select_3930_s19_q;
+  logic equal_3941_s19_q;
+  logic equal_3944_s19_q;
+  logic equal_3946_s19_q;
+  logic equal_3947_s19_q;
+  logic equal_3948_s19_q;
+  logic equal_3949_s19_q;
+  logic [31:0] select_4188_s19_q;
+  logic [9:0] select_4195_s19_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s21_q <= pixel_0_s20_q;
-      pixel_1_s21_q <= pixel_1_s20_q;
-      saturated_s21_q <= saturated_s20_q;
-      mask_s21_q <= mask_s20_q;
-      marks_first_s21_q <= marks_first_s20_q;
-      marks_last_s21_q <= marks_last_s20_q;
-      sample_pair_pixel_0_s21_q <= sample_pair_pixel_0_s20_q;
-      sample_pair_pixel_1_s21_q <= sample_pair_pixel_1_s20_q;
-      sample_pair_whole_s21_q <= sample_pair_whole_s20_q;
-      sample_present_s21_q <= sample_present_s20_q;
-      census_columns_values_1_cell_2_of_skin_s21_q <= census_columns_values_1_cell_2_of_skin_s20_q;
-      census_changes_values_1_left_s21_q <= census_changes_values_1_left_q;
-      census_changes_values_1_right_s21_q <= census_changes_values_1_right_q;
-      moments_left_alone_s21_q <= moments_left_alone_q;
-      moments_left_other_stops_s21_q <= moments_left_other_stops_q;
-      moments_right_alone_s21_q <= moments_right_alone_q;
-      moments_right_other_stops_s21_q <= moments_right_other_stops_q;
-      sharpness_sums_contrast_0_s21_q <= sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_s21_q <= sharpness_sums_contrast_1_q;
-      x_s21_q <= x_s20_q;
-      ends_cell_s21_q <= ends_cell_s20_q;
-      lower_half_s21_q <= lower_half_s20_q;
-      counts_nearer_s21_q <= counts_nearer_s20_q;
-      registration_of_right_s21_q <= registration_of_right_s20_q;
-      patches_lower_s21_q <= patches_lower_s20_q;
-      patches_second_s21_q <= patches_second_s20_q;
-      patches_summed_row_column_s21_q <= patches_summed_row_column_s20_q;
-      patches_summed_first_s21_q <= patches_summed_first_s20_q;
-      patches_summed_last_s21_q <= patches_summed_last_s20_q;
-      patches_summed_down_by_s21_q <= patches_summed_down_by_s20_q;
-      product_s21_q <= product_s20_q;
-      centres_values_1_textured_s21_q <= centres_values_1_textured_s20_q;
-      centres_values_1_of_skin_s21_q <= centres_values_1_of_skin_s20_q;
-      done_s21_q <= done_q;
-      last_s21_q <= last_s20_q;
-      and_550_s21_q <= and_550_s20_q;
-      equal_575_s21_q <= equal_575_s20_q;
-      not_576_s21_q <= not_576_s20_q;
-      less_653_s21_q <= less_653_s20_q;
-      less_654_s21_q <= less_654_s20_q;
-      less_655_s21_q <= less_655_s20_q;
-      less_656_s21_q <= less_656_s20_q;
-      less_657_s21_q <= less_657_s20_q;
-      less_658_s21_q <= less_658_s20_q;
-      less_659_s21_q <= less_659_s20_q;
-      less_660_s21_q <= less_660_s20_q;
-      less_661_s21_q <= less_661_s20_q;
-      less_662_s21_q <= less_662_s20_q;
-      less_663_s21_q <= less_663_s20_q;
-      less_664_s21_q <= less_664_s20_q;
-      less_665_s21_q <= less_665_s20_q;
-      less_666_s21_q <= less_666_s20_q;
-      less_667_s21_q <= less_667_s20_q;
-      less_668_s21_q <= less_668_s20_q;
-      less_669_s21_q <= less_669_s20_q;
-      less_670_s21_q <= less_670_s20_q;
-      less_671_s21_q <= less_671_s20_q;
-      less_672_s21_q <= less_672_s20_q;
-      less_673_s21_q <= less_673_s20_q;
-      less_674_s21_q <= less_674_s20_q;
-      less_675_s21_q <= less_675_s20_q;
-      less_676_s21_q <= less_676_s20_q;
-      and_684_s21_q <= and_684_s20_q;
-      and_709_s21_q <= whole_22 & and_684_s20_q;
-      and_710_s21_q <= and_710_s20_q;
-      sum_730_s21_q <= {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-      and_736_s21_q <= and_736_s20_q;
-      and_740_s21_q <= and_740_s20_q;
-      less_741_s21_q <= less_741_s20_q;
-      less_745_s21_q <= less_745_s20_q;
-      less_747_s21_q <= less_747_s20_q;
-      equal_1608_s21_q <= equal_1608_s20_q;
-      sum_1614_s21_q <= sum_1614_s20_q;
-      equal_1616_s21_q <= equal_1616_s20_q;
-      equal_1618_s21_q <= equal_1618_s20_q;
-      equal_1620_s21_q <= equal_1620_s20_q;
-      equal_1622_s21_q <= equal_1622_s20_q;
-      equal_1624_s21_q <= equal_1624_s20_q;
-      equal_1626_s21_q <= equal_1626_s20_q;
-      sum_1668_s21_q <= select_1664_s20_q + {{6{select_1667[13]}}, select_1667};
-      sum_1672_s21_q <= sum_1672_s20_q;
-      and_1673_s21_q <= and_1673_s20_q;
-      and_1676_s21_q <= and_1676_s20_q;
-      select_1693_s21_q <= select_1693_s20_q;
-      equal_1694_s21_q <= equal_1694_s20_q;
-      equal_1788_s21_q <= equal_1788_s20_q;
-      equal_1790_s21_q <= equal_1790_s20_q;
-      select_1804_s21_q <= select_1804_s20_q;
-      or_1814_s21_q <= and_1676_s20_q | (select_1806 & equal_1812);
-      select_1818_s21_q <= select_1818_s20_q;
-      select_1824_s21_q <= select_1824_s20_q;
-      or_1842_s21_q <= and_1676_s20_q | (select_1835 & equal_1840);
-      or_1855_s21_q <= and_1676_s20_q | (select_1806 & equal_1853_s20_q);
-      or_1859_s21_q <= and_1676_s20_q | (select_1835 & equal_1857_s20_q);
-      select_1862_s21_q <= select_1862_s20_q;
-      less_1966_s21_q <= less_1966_s20_q;
-      equal_1967_s21_q <= equal_1967_s20_q;
-      not_1968_s21_q <= not_1968_s20_q;
-      equal_1969_s21_q <= equal_1969_s20_q;
-      not_1996_s21_q <= not_1996_s20_q;
-      index_s21_q <= index[2:0];
-      sum_2055_s21_q <= sum_2055;
-      and_2062_s21_q <= began_q & (seen_x_q == 4'h0);
-      less_2063_s21_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
-      index_2_s21_q <= index_2[2:0];
-      sum_2068_s21_q <= sum_2068;
-      equal_2081_s21_q <= t[4:1] == 4'h0;
-      not_2101_s21_q <= ~((good_q & select_2098) == 48'h0);
-      not_2117_s21_q <= ~({sum_2115, around_s20_q[0]} < {2'h0, t});
-      less_2131_s21_q <= less_2131_s20_q;
-      and_2142_s21_q <= and_2142_s20_q;
-      equal_2283_s21_q <= equal_2283_s20_q;
-      sum_2284_s21_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2276};
-      equal_2298_s21_q <= equal_2298_s20_q;
-      not_2310_s21_q <= ~({3'h0, counts_turned_left_s20_q} < sum_2308);
-      not_2320_s21_q <= ~({3'h0, counts_turned_right_s20_q} < sum_2308);
-      select_2377_s21_q <= and_2375_s20_q ? detail_3[14:2] : 13'h0;
-      select_2389_s21_q <= and_2387_s20_q ? detail_4[14:2] : 13'h0;
-      equal_2401_s21_q <= equal_2401_s20_q;
-      less_2402_s21_q <= less_2402_s20_q;
-      and_2412_s21_q <= and_2412;
-      and_2422_s21_q <= and_2422;
-      equal_2445_s21_q <= equal_2445_s20_q;
-      and_2597_s21_q <= and_2597_s20_q;
-      not_2622_s21_q <= not_2622_s20_q;
-      not_2637_s21_q <= ~({sum_2635, e_s20_q[0]} < {2'h0, t});
-      select_2648_s21_q <= select_2648_s20_q;
-      select_2651_s21_q <= select_2651_s20_q;
-      less_2653_s21_q <= {sum_2652, select_2651_s20_q[1:0]} < {3'h0, select_2648_s20_q};
-      and_2699_s21_q <= and_2699_s20_q;
-      equal_2898_s21_q <= equal_2898;
-      not_2911_s21_q <= ~(equal_575_s20_q & and_2909);
-      and_2933_s21_q <= and_2933;
-      parity_3230_s21_q <= parity_3230_s20_q;
-      parity_3359_s21_q <= parity_3359;
-      and_3360_s21_q <= and_3360;
-      or_3364_s21_q <= or_3364;
-      or_3368_s21_q <= or_3368;
-      or_3375_s21_q <= or_3375;
-      or_3379_s21_q <= or_3379;
-      or_3383_s21_q <= or_3383;
-      or_3390_s21_q <= or_3390;
-      or_3394_s21_q <= or_3394;
-      or_3398_s21_q <= or_3398;
-      or_3405_s21_q <= or_3405;
-      or_3409_s21_q <= or_3409;
-      or_3413_s21_q <= or_3413;
-      parity_3419_s21_q <= parity_3419;
-      or_3429_s21_q <= (or_3394 & or_3398) | (or_3390 & (or_3394 | or_3398));
-      or_3433_s21_q <= (or_3409 & or_3413) | (or_3405 & (or_3409 | or_3413));
-      and_3440_s21_q <= and_3360 & (or_3364 | or_3368);
-      and_3442_s21_q <= parity_3401 & parity_3416;
-      and_3444_s21_q <= (^{or_3383, or_3379, or_3375}) & (parity_3401 | parity_3416);
-      equal_3466_s21_q <= equal_3466_s20_q;
-      equal_3597_s21_q <= select_3554_s20_q[3:0] == 4'h0;
-      less_3599_s21_q <= {difference_3598, 3'h0} < {3'h0, patches_size_q};
-      less_3600_s21_q <= select_3595_s20_q < select_3585_s20_q[9:0];
-      or_3605_s21_q <= or_3605;
-      select_3650_s21_q <= select_3650;
-      product_3655_s21_q <= product_3655[18:5];
-      equal_3706_s21_q <= equal_3706_s20_q;
-      less_3831_s21_q <= {{4{sum_3830[11]}}, sum_3830} < 16'h3;
-      or_3928_s21_q <= or_3928_s20_q;
-      select_3936_s21_q <= select_3936_s20_q;
-      equal_3947_s21_q <= equal_3947;
-      equal_3950_s21_q <= equal_3950_s20_q;
-      equal_3952_s21_q <= equal_3952_s20_q;
-      equal_3953_s21_q <= equal_3953_s20_q;
-      equal_3954_s21_q <= equal_3954_s20_q;
-      equal_3955_s21_q <= equal_3955_s20_q;
-      select_4194_s21_q <= select_4194_s20_q;
-      select_4201_s21_q <= select_4201_s20_q;
+      pixel_0_s19_q <= pixel_0_s18_q;
+      pixel_1_s19_q <= pixel_1_s18_q;
+      saturated_s19_q <= saturated_s18_q;
+      mask_s19_q <= mask_s18_q;
+      marks_first_s19_q <= marks_first_s18_q;
+      marks_last_s19_q <= marks_last_s18_q;
+      sample_pair_pixel_0_s19_q <= sample_pair_pixel_0_s18_q;
+      sample_pair_pixel_1_s19_q <= sample_pair_pixel_1_s18_q;
+      sample_pair_whole_s19_q <= sample_pair_whole_s18_q;
+      sample_present_s19_q <= sample_present_s18_q;
+      census_columns_values_1_cell_2_of_skin_s19_q <= census_columns_values_1_cell_2_of_skin_s18_q;
+      census_changes_values_1_left_s19_q <= census_changes_values_1_left_q;
+      census_changes_values_1_right_s19_q <= census_changes_values_1_right_q;
+      moments_left_alone_s19_q <= moments_left_alone_q;
+      moments_left_other_stops_s19_q <= moments_left_other_stops_q;
+      moments_right_alone_s19_q <= moments_right_alone_q;
+      moments_right_other_stops_s19_q <= moments_right_other_stops_q;
+      sharpness_sums_contrast_0_s19_q <= sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_s19_q <= sharpness_sums_contrast_1_q;
+      x_s19_q <= x_s18_q;
+      ends_cell_s19_q <= ends_cell_s18_q;
+      lower_half_s19_q <= lower_half_s18_q;
+      counts_nearer_s19_q <= counts_nearer_s18_q;
+      registration_of_right_s19_q <= registration_of_right_s18_q;
+      patches_lower_s19_q <= patches_lower_s18_q;
+      patches_second_s19_q <= patches_second_s18_q;
+      patches_summed_row_column_s19_q <= patches_summed_row_column_s18_q;
+      patches_summed_first_s19_q <= patches_summed_first_s18_q;
+      patches_summed_last_s19_q <= patches_summed_last_s18_q;
+      patches_summed_down_by_s19_q <= patches_summed_down_by_s18_q;
+      product_s19_q <= product_s18_q;
+      centres_values_1_textured_s19_q <= centres_values_1_textured_s18_q;
+      centres_values_1_of_skin_s19_q <= centres_values_1_of_skin_s18_q;
+      done_s19_q <= done_q;
+      row_starts_s19_q <= row_starts_s18_q;
+      last_s19_q <= last_s18_q;
+      and_548_s19_q <= and_548_s18_q;
+      equal_573_s19_q <= equal_573_s18_q;
+      not_574_s19_q <= not_574_s18_q;
+      less_651_s19_q <= less_651_s18_q;
+      less_652_s19_q <= less_652_s18_q;
+      less_653_s19_q <= less_653_s18_q;
+      less_654_s19_q <= less_654_s18_q;
+      less_655_s19_q <= less_655_s18_q;
+      less_656_s19_q <= less_656_s18_q;
+      less_657_s19_q <= less_657_s18_q;
+      less_658_s19_q <= less_658_s18_q;
+      less_659_s19_q <= less_659_s18_q;
+      less_660_s19_q <= less_660_s18_q;
+      less_661_s19_q <= less_661_s18_q;
+      less_662_s19_q <= less_662_s18_q;
+      less_663_s19_q <= less_663_s18_q;
+      less_664_s19_q <= less_664_s18_q;
+      less_665_s19_q <= less_665_s18_q;
+      less_666_s19_q <= less_666_s18_q;
+      less_667_s19_q <= less_667_s18_q;
+      less_668_s19_q <= less_668_s18_q;
+      less_669_s19_q <= less_669_s18_q;
+      less_670_s19_q <= less_670_s18_q;
+      less_671_s19_q <= less_671_s18_q;
+      less_672_s19_q <= less_672_s18_q;
+      less_673_s19_q <= less_673_s18_q;
+      less_674_s19_q <= less_674_s18_q;
+      and_682_s19_q <= and_682_s18_q;
+      and_707_s19_q <= whole_22 & and_682_s18_q;
+      and_708_s19_q <= and_708_s18_q;
+      sum_728_s19_q <= {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+      and_734_s19_q <= and_734_s18_q;
+      and_738_s19_q <= and_738_s18_q;
+      less_739_s19_q <= less_739_s18_q;
+      less_743_s19_q <= less_743_s18_q;
+      less_745_s19_q <= less_745_s18_q;
+      equal_1606_s19_q <= equal_1606_s18_q;
+      sum_1612_s19_q <= sum_1612_s18_q;
+      equal_1614_s19_q <= equal_1614_s18_q;
+      equal_1616_s19_q <= equal_1616_s18_q;
+      equal_1618_s19_q <= equal_1618_s18_q;
+      equal_1620_s19_q <= equal_1620_s18_q;
+      equal_1622_s19_q <= equal_1622_s18_q;
+      equal_1624_s19_q <= equal_1624_s18_q;
+      sum_1666_s19_q <= select_1662_s18_q + {{6{select_1665[13]}}, select_1665};
+      sum_1670_s19_q <= sum_1670_s18_q;
+      and_1671_s19_q <= and_1671_s18_q;
+      select_1688_s19_q <= select_1688_s18_q;
+      equal_1689_s19_q <= equal_1689_s18_q;
+      equal_1783_s19_q <= equal_1783_s18_q;
+      equal_1785_s19_q <= equal_1785_s18_q;
+      select_1799_s19_q <= select_1799_s18_q;
+      or_1809_s19_q <= row_starts_s18_q | (select_1801 & equal_1807);
+      select_1813_s19_q <= select_1813_s18_q;
+      select_1819_s19_q <= select_1819_s18_q;
+      or_1837_s19_q <= row_starts_s18_q | (select_1830 & equal_1835);
+      or_1850_s19_q <= row_starts_s18_q | (select_1801 & equal_1848_s18_q);
+      or_1854_s19_q <= row_starts_s18_q | (select_1830 & equal_1852_s18_q);
+      select_1857_s19_q <= select_1857_s18_q;
+      less_1961_s19_q <= less_1961_s18_q;
+      equal_1962_s19_q <= equal_1962_s18_q;
+      not_1963_s19_q <= not_1963_s18_q;
+      equal_1964_s19_q <= equal_1964_s18_q;
+      not_1991_s19_q <= not_1991_s18_q;
+      index_s19_q <= index[2:0];
+      sum_2050_s19_q <= sum_2050;
+      and_2057_s19_q <= began_q & (seen_x_q == 4'h0);
+      less_2058_s19_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
+      index_2_s19_q <= index_2[2:0];
+      sum_2063_s19_q <= sum_2063;
+      equal_2076_s19_q <= t[4:1] == 4'h0;
+      not_2096_s19_q <= ~((good_q & select_2093) == 48'h0);
+      not_2112_s19_q <= ~({sum_2110, around_s18_q[0]} < {2'h0, t});
+      less_2126_s19_q <= less_2126_s18_q;
+      and_2137_s19_q <= and_2137_s18_q;
+      equal_2278_s19_q <= equal_2278_s18_q;
+      sum_2279_s19_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2271};
+      equal_2293_s19_q <= equal_2293_s18_q;
+      not_2305_s19_q <= ~({3'h0, counts_turned_left_s18_q} < sum_2303);
+      not_2315_s19_q <= ~({3'h0, counts_turned_right_s18_q} < sum_2303);
+      select_2372_s19_q <= and_2370_s18_q ? detail_3[14:2] : 13'h0;
+      select_2384_s19_q <= and_2382_s18_q ? detail_4[14:2] : 13'h0;
+      equal_2396_s19_q <= equal_2396_s18_q;
+      less_2397_s19_q <= less_2397_s18_q;
+      and_2407_s19_q <= and_2407;
+      and_2417_s19_q <= and_2417;
+      equal_2440_s19_q <= equal_2440_s18_q;
+      and_2592_s19_q <= and_2592_s18_q;
+      not_2617_s19_q <= not_2617_s18_q;
+      not_2632_s19_q <= ~({sum_2630, e_s18_q[0]} < {2'h0, t});
+      select_2643_s19_q <= select_2643_s18_q;
+      select_2646_s19_q <= select_2646_s18_q;
+      less_2648_s19_q <= {sum_2647, select_2646_s18_q[1:0]} < {3'h0, select_2643_s18_q};
+      and_2694_s19_q <= and_2694_s18_q;
+      equal_2893_s19_q <= equal_2893;
+      not_2906_s19_q <= ~(equal_573_s18_q & and_2904);
+      and_2928_s19_q <= and_2928;
+      parity_3224_s19_q <= parity_3224_s18_q;
+      parity_3353_s19_q <= parity_3353;
+      and_3354_s19_q <= and_3354;
+      or_3358_s19_q <= or_3358;
+      or_3362_s19_q <= or_3362;
+      or_3369_s19_q <= or_3369;
+      or_3373_s19_q <= or_3373;
+      or_3377_s19_q <= or_3377;
+      or_3384_s19_q <= or_3384;
+      or_3388_s19_q <= or_3388;
+      or_3392_s19_q <= or_3392;
+      or_3399_s19_q <= or_3399;
+      or_3403_s19_q <= or_3403;
+      or_3407_s19_q <= or_3407;
+      parity_3413_s19_q <= parity_3413;
+      or_3423_s19_q <= (or_3388 & or_3392) | (or_3384 & (or_3388 | or_3392));
+      or_3427_s19_q <= (or_3403 & or_3407) | (or_3399 & (or_3403 | or_3407));
+      and_3434_s19_q <= and_3354 & (or_3358 | or_3362);
+      and_3436_s19_q <= parity_3395 & parity_3410;
+      and_3438_s19_q <= (^{or_3377, or_3373, or_3369}) & (parity_3395 | parity_3410);
+      equal_3460_s19_q <= equal_3460_s18_q;
+      equal_3591_s19_q <= select_3548_s18_q[3:0] == 4'h0;
+      less_3593_s19_q <= {difference_3592, 3'h0} < {3'h0, patches_size_q};
+      less_3594_s19_q <= select_3589_s18_q < select_3579_s18_q[9:0];
+      or_3599_s19_q <= or_3599;
+      select_3644_s19_q <= select_3644;
+      product_3649_s19_q <= product_3649[18:5];
+      equal_3700_s19_q <= equal_3700_s18_q;
+      less_3825_s19_q <= {{4{sum_3824[11]}}, sum_3824} < 16'h3;
+      or_3922_s19_q <= or_3922_s18_q;
+      select_3930_s19_q <= select_3930_s18_q;
+      equal_3941_s19_q <= equal_3941;
+      equal_3944_s19_q <= equal_3944_s18_q;
+      equal_3946_s19_q <= equal_3946_s18_q;
+      equal_3947_s19_q <= equal_3947_s18_q;
+      equal_3948_s19_q <= equal_3948_s18_q;
+      equal_3949_s19_q <= equal_3949_s18_q;
+      select_4188_s19_q <= select_4188_s18_q;
+      select_4195_s19_q <= select_4195_s18_q;
     end
   end
 
-  // Stage 21 ----------------------------------------------------------------------------------------------------------
+  // Stage 19 ----------------------------------------------------------------------------------------------------------
   logic [11:0] census_changes_values_2_left_q;
   logic [11:0] census_changes_values_2_right_q;
   logic moments_left_begins_q;
@@ -10392,172 +10286,172 @@ module horopter_agreement (
   logic [4:0] patches_left_next_0_q;
   logic [4:0] patches_left_next_1_q;
   logic good_known_q;
-  // hls/stages/census.hpp:292
-  logic [13:0] sum_731;
-  assign sum_731 = {2'h0, census_changes_values_1_left_s21_q} + {1'b0, sum_730_s21_q};
-  logic [13:0] sum_732;
-  assign sum_732 = {2'h0, census_changes_values_2_left_q} + sum_731;
+  // hls/stages/census.hpp:295
+  logic [13:0] sum_729;
+  assign sum_729 = {2'h0, census_changes_values_1_left_s19_q} + {1'b0, sum_728_s19_q};
+  logic [13:0] sum_730;
+  assign sum_730 = {2'h0, census_changes_values_2_left_q} + sum_729;
   // hls/stages/patches.hpp:134
-  logic [5:0] select_1825;
-  assign select_1825 = or_1814_s21_q ? {and_1676_s21_q, 5'h0} : patches_right_next_0_q;
+  logic [5:0] select_1820;
+  assign select_1820 = or_1809_s19_q ? {row_starts_s19_q, 5'h0} : patches_right_next_0_q;
   // hls/stages/patches.hpp:138
-  logic and_1827;
-  assign and_1827 = select_1824_s21_q & (~select_1825[5]);
+  logic and_1822;
+  assign and_1822 = select_1819_s19_q & (~select_1820[5]);
   // hls/stages/patches.hpp:134
-  logic [5:0] select_1844;
-  assign select_1844 = or_1842_s21_q ? {and_1676_s21_q, 5'h0} : patches_right_next_1_q;
+  logic [5:0] select_1839;
+  assign select_1839 = or_1837_s19_q ? {row_starts_s19_q, 5'h0} : patches_right_next_1_q;
   // hls/stages/patches.hpp:138
-  logic and_1846;
-  assign and_1846 = select_1824_s21_q & (~select_1844[5]);
+  logic and_1841;
+  assign and_1841 = select_1819_s19_q & (~select_1839[5]);
   // hls/stages/patches.hpp:135
-  logic [4:0] select_1856;
-  assign select_1856 = or_1855_s21_q ? {and_1676_s21_q, 4'h0} : patches_left_next_0_q;
-  logic [4:0] select_1860;
-  assign select_1860 = or_1859_s21_q ? {and_1676_s21_q, 4'h0} : patches_left_next_1_q;
+  logic [4:0] select_1851;
+  assign select_1851 = or_1850_s19_q ? {row_starts_s19_q, 4'h0} : patches_left_next_0_q;
+  logic [4:0] select_1855;
+  assign select_1855 = or_1854_s19_q ? {row_starts_s19_q, 4'h0} : patches_left_next_1_q;
   // hls/stages/patches.hpp:143
   logic [3:0] column_4;
-  assign column_4 = select_1856[4] ? select_1860[3:0] : select_1856[3:0];
+  assign column_4 = select_1851[4] ? select_1855[3:0] : select_1851[3:0];
+  logic and_1860;
+  assign and_1860 = select_1819_s19_q & (select_1813_s19_q[3] ^ select_1813_s19_q[4]);
   logic and_1865;
-  assign and_1865 = select_1824_s21_q & (select_1818_s21_q[3] ^ select_1818_s21_q[4]);
-  logic and_1870;
-  assign and_1870 = sample_pair_whole_s21_q & (and_1865 & ((~select_1856[4]) | (~select_1860[4])));
+  assign and_1865 = sample_pair_whole_s19_q & (and_1860 & ((~select_1851[4]) | (~select_1855[4])));
   // hls/stages/agreement.hpp:1030
-  logic and_2102;
-  assign and_2102 = good_known_q & not_2101_s21_q;
+  logic and_2097;
+  assign and_2097 = good_known_q & not_2096_s19_q;
   // hls/stages/agreement.hpp:1103
   logic is_seen;
-  assign is_seen = equal_2081_s21_q ? and_2102 : not_2117_s21_q;
+  assign is_seen = equal_2076_s19_q ? and_2097 : not_2112_s19_q;
   // hls/stages/agreement.hpp:520
-  logic [11:0] select_2280;
-  assign select_2280 = and_550_s21_q ? census_changes_values_1_left_s21_q : census_changes_values_2_left_q;
-  logic [11:0] select_2281;
-  assign select_2281 = and_550_s21_q ? census_changes_values_1_right_s21_q : census_changes_values_2_right_q;
-  // hls/stages/census.hpp:293
-  logic [13:0] sum_2285;
-  assign sum_2285 = {2'h0, census_changes_values_1_right_s21_q} + {1'b0, sum_2284_s21_q};
-  logic [13:0] sum_2286;
-  assign sum_2286 = {2'h0, census_changes_values_2_right_q} + sum_2285;
+  logic [11:0] select_2275;
+  assign select_2275 = and_548_s19_q ? census_changes_values_1_left_s19_q : census_changes_values_2_left_q;
+  logic [11:0] select_2276;
+  assign select_2276 = and_548_s19_q ? census_changes_values_1_right_s19_q : census_changes_values_2_right_q;
+  // hls/stages/census.hpp:296
+  logic [13:0] sum_2280;
+  assign sum_2280 = {2'h0, census_changes_values_1_right_s19_q} + {1'b0, sum_2279_s19_q};
+  logic [13:0] sum_2281;
+  assign sum_2281 = {2'h0, census_changes_values_2_right_q} + sum_2280;
   // hls/stages/moments.hpp:94
-  logic and_2345;
-  assign and_2345 = moments_right_alone_s21_q & (moments_right_begins_q | moments_right_other_stops_s21_q);
-  logic or_2347;
-  assign or_2347 = moments_left_begins_q | (moments_left_other_stops_s21_q | and_2345);
-  logic and_2349;
-  assign and_2349 = cfg_same_table_i & (moments_left_alone_s21_q ? or_2347 : and_2345);
+  logic and_2340;
+  assign and_2340 = moments_right_alone_s19_q & (moments_right_begins_q | moments_right_other_stops_s19_q);
+  logic or_2342;
+  assign or_2342 = moments_left_begins_q | (moments_left_other_stops_s19_q | and_2340);
+  logic and_2344;
+  assign and_2344 = cfg_same_table_i & (moments_left_alone_s19_q ? or_2342 : and_2340);
   // hls/stages/moments.hpp:95
-  logic and_2355;
-  assign and_2355 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
-  // hls/stages/census.hpp:372
-  logic [23:0] select_2379;
-  assign select_2379 = equal_2283_s21_q ? {11'h0, select_2377_s21_q} : (sharpness_sums_detail_0_q + {11'h0, select_2377_s21_q});
-  logic [23:0] select_2391;
-  assign select_2391 = equal_2283_s21_q ? {11'h0, select_2389_s21_q} : (sharpness_sums_detail_1_q + {11'h0, select_2389_s21_q});
-  // hls/stages/census.hpp:392
-  logic [17:0] select_2414;
-  assign select_2414 = (less_2402_s21_q & and_2412_s21_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
-  logic [17:0] select_2424;
-  assign select_2424 = (less_2402_s21_q & and_2422_s21_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic and_2350;
+  assign and_2350 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  // hls/stages/census.hpp:375
+  logic [23:0] select_2374;
+  assign select_2374 = equal_2278_s19_q ? {11'h0, select_2372_s19_q} : (sharpness_sums_detail_0_q + {11'h0, select_2372_s19_q});
+  logic [23:0] select_2386;
+  assign select_2386 = equal_2278_s19_q ? {11'h0, select_2384_s19_q} : (sharpness_sums_detail_1_q + {11'h0, select_2384_s19_q});
+  // hls/stages/census.hpp:395
+  logic [17:0] select_2409;
+  assign select_2409 = (less_2397_s19_q & and_2407_s19_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2419;
+  assign select_2419 = (less_2397_s19_q & and_2417_s19_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   // hls/stages/agreement.hpp:216
-  logic [1:0] select_2433;
-  assign select_2433 = equal_2401_s21_q ? {sharpness_comparing_contrast_0_q[0], and_2422_s21_q} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2435;
-  assign select_2435 = equal_2401_s21_q ? {sharpness_comparing_contrast_1_q[0], and_2412_s21_q} : sharpness_comparing_contrast_1_q;
-  // hls/stages/census.hpp:401
-  logic xor_2458;
-  assign xor_2458 = sharpness_comparing_contrast_0_q[1] ^ and_2412_s21_q;
-  logic select_2461;
-  assign select_2461 = (equal_2445_s21_q | xor_2458) ? (and_2412_s21_q & xor_2458) : sharpness_comparing_less_contrast_0_q;
+  logic [1:0] select_2428;
+  assign select_2428 = equal_2396_s19_q ? {sharpness_comparing_contrast_0_q[0], and_2417_s19_q} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2430;
+  assign select_2430 = equal_2396_s19_q ? {sharpness_comparing_contrast_1_q[0], and_2407_s19_q} : sharpness_comparing_contrast_1_q;
+  // hls/stages/census.hpp:404
+  logic xor_2453;
+  assign xor_2453 = sharpness_comparing_contrast_0_q[1] ^ and_2407_s19_q;
+  logic select_2456;
+  assign select_2456 = (equal_2440_s19_q | xor_2453) ? (and_2407_s19_q & xor_2453) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:216
+  logic select_2457;
+  assign select_2457 = equal_2396_s19_q ? select_2456 : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:404
+  logic xor_2459;
+  assign xor_2459 = sharpness_comparing_contrast_1_q[1] ^ and_2417_s19_q;
   logic select_2462;
-  assign select_2462 = equal_2401_s21_q ? select_2461 : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:401
-  logic xor_2464;
-  assign xor_2464 = sharpness_comparing_contrast_1_q[1] ^ and_2422_s21_q;
-  logic select_2467;
-  assign select_2467 = (equal_2445_s21_q | xor_2464) ? (and_2422_s21_q & xor_2464) : sharpness_comparing_less_contrast_1_q;
+  assign select_2462 = (equal_2440_s19_q | xor_2459) ? (and_2417_s19_q & xor_2459) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2468;
-  assign select_2468 = equal_2401_s21_q ? select_2467 : sharpness_comparing_less_contrast_1_q;
+  logic select_2463;
+  assign select_2463 = equal_2396_s19_q ? select_2462 : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:1106
-  logic not_2639;
-  assign not_2639 = ~(equal_2081_s21_q ? and_2102 : not_2637_s21_q);
+  logic not_2634;
+  assign not_2634 = ~(equal_2076_s19_q ? and_2097 : not_2632_s19_q);
   // hls/stages/agreement.hpp:788
-  logic and_2642;
-  assign and_2642 = ends_cell_s21_q & (not_2622_s21_q & (centres_values_1_textured_s21_q & not_2639));
+  logic and_2637;
+  assign and_2637 = ends_cell_s19_q & (not_2617_s19_q & (centres_values_1_textured_s19_q & not_2634));
   // hls/stages/agreement.hpp:1138
-  logic [9:0] select_2655;
-  assign select_2655 = ((~(select_2648_s21_q[9:4] == 6'h0)) & less_2653_s21_q) ? select_2648_s21_q : 10'h0;
+  logic [9:0] select_2650;
+  assign select_2650 = ((~(select_2643_s19_q[9:4] == 6'h0)) & less_2648_s19_q) ? select_2643_s19_q : 10'h0;
   // hls/stages/agreement.hpp:788
-  logic [9:0] select_2658;
-  assign select_2658 = equal_575_s21_q ? (x_s21_q[6] ? (equal_1608_s21_q ? 10'h0 : select_2655) : 10'h0) : 10'h0;
+  logic [9:0] select_2653;
+  assign select_2653 = equal_573_s19_q ? (x_s19_q[6] ? (equal_1606_s19_q ? 10'h0 : select_2650) : 10'h0) : 10'h0;
   // hls/stages/agreement.hpp:1110
-  logic and_2676;
-  assign and_2676 = centres_values_1_textured_s21_q & (centres_values_1_of_skin_s21_q & not_2639);
+  logic and_2671;
+  assign and_2671 = centres_values_1_textured_s19_q & (centres_values_1_of_skin_s19_q & not_2634);
   // hls/stages/patches.hpp:127
-  logic select_3026;
-  assign select_3026 = equal_1694_s21_q ? patches_valid_0_q : (select_1693_s21_q ? patches_valid_0_q : select_1804_s21_q);
+  logic select_3020;
+  assign select_3020 = equal_1689_s19_q ? patches_valid_0_q : (select_1688_s19_q ? patches_valid_0_q : select_1799_s19_q);
   // hls/stages/agreement.hpp:276
-  logic select_3029;
-  assign select_3029 = sample_pair_whole_s21_q ? (and_1827 ? (sample_present_s21_q & select_3026) : select_3026) : patches_valid_0_q;
+  logic select_3023;
+  assign select_3023 = sample_pair_whole_s19_q ? (and_1822 ? (sample_present_s19_q & select_3020) : select_3020) : patches_valid_0_q;
   // hls/stages/patches.hpp:127
-  logic select_3031;
-  assign select_3031 = equal_1694_s21_q ? patches_valid_1_q : (select_1693_s21_q ? select_1804_s21_q : patches_valid_1_q);
+  logic select_3025;
+  assign select_3025 = equal_1689_s19_q ? patches_valid_1_q : (select_1688_s19_q ? select_1799_s19_q : patches_valid_1_q);
   // hls/stages/agreement.hpp:276
-  logic select_3034;
-  assign select_3034 = sample_pair_whole_s21_q ? (and_1846 ? (sample_present_s21_q & select_3031) : select_3031) : patches_valid_1_q;
-  logic [5:0] select_3037;
-  assign select_3037 = sample_pair_whole_s21_q ? (select_1825[5] ? {1'b1, select_1825[4:0]} : (select_1825 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3040;
-  assign select_3040 = sample_pair_whole_s21_q ? (select_1844[5] ? {1'b1, select_1844[4:0]} : (select_1844 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3043;
-  assign select_3043 = sample_pair_whole_s21_q ? (select_1856[4] ? {1'b1, select_1856[3:0]} : (select_1856 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3046;
-  assign select_3046 = sample_pair_whole_s21_q ? (select_1860[4] ? {1'b1, select_1860[3:0]} : (select_1860 + 5'h1)) : patches_left_next_1_q;
+  logic select_3028;
+  assign select_3028 = sample_pair_whole_s19_q ? (and_1841 ? (sample_present_s19_q & select_3025) : select_3025) : patches_valid_1_q;
+  logic [5:0] select_3031;
+  assign select_3031 = sample_pair_whole_s19_q ? (select_1820[5] ? {1'b1, select_1820[4:0]} : (select_1820 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3034;
+  assign select_3034 = sample_pair_whole_s19_q ? (select_1839[5] ? {1'b1, select_1839[4:0]} : (select_1839 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3037;
+  assign select_3037 = sample_pair_whole_s19_q ? (select_1851[4] ? {1'b1, select_1851[3:0]} : (select_1851 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3040;
+  assign select_3040 = sample_pair_whole_s19_q ? (select_1855[4] ? {1'b1, select_1855[3:0]} : (select_1855 + 5'h1)) : patches_left_next_1_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_3421;
-  assign parity_3421 = ^{or_3413_s21_q, or_3409_s21_q, or_3405_s21_q, or_3398_s21_q, or_3394_s21_q, or_3390_s21_q, or_3383_s21_q, or_3379_s21_q, or_3375_s21_q, or_3368_s21_q, or_3364_s21_q, and_3360_s21_q};
+  logic parity_3415;
+  assign parity_3415 = ^{or_3407_s19_q, or_3403_s19_q, or_3399_s19_q, or_3392_s19_q, or_3388_s19_q, or_3384_s19_q, or_3377_s19_q, or_3373_s19_q, or_3369_s19_q, or_3362_s19_q, or_3358_s19_q, and_3354_s19_q};
   // hls/stages/count_bits.hpp:25
-  logic or_3425;
-  assign or_3425 = (or_3379_s21_q & or_3383_s21_q) | (or_3375_s21_q & (or_3379_s21_q | or_3383_s21_q));
+  logic or_3419;
+  assign or_3419 = (or_3373_s19_q & or_3377_s19_q) | (or_3369_s19_q & (or_3373_s19_q | or_3377_s19_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_3436;
-  assign parity_3436 = ^{or_3433_s21_q, or_3429_s21_q, or_3425};
+  logic parity_3430;
+  assign parity_3430 = ^{or_3427_s19_q, or_3423_s19_q, or_3419};
   // hls/stages/count_bits.hpp:25
-  logic and_3437;
-  assign and_3437 = (^{or_3368_s21_q, or_3364_s21_q, and_3360_s21_q}) & parity_3419_s21_q;
-  logic or_3441;
-  assign or_3441 = (or_3364_s21_q & or_3368_s21_q) | and_3440_s21_q;
-  logic or_3445;
-  assign or_3445 = and_3442_s21_q | and_3444_s21_q;
+  logic and_3431;
+  assign and_3431 = (^{or_3362_s19_q, or_3358_s19_q, and_3354_s19_q}) & parity_3413_s19_q;
+  logic or_3435;
+  assign or_3435 = (or_3358_s19_q & or_3362_s19_q) | and_3434_s19_q;
+  logic or_3439;
+  assign or_3439 = and_3436_s19_q | and_3438_s19_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_3448;
-  assign parity_3448 = ^{or_3445, or_3441, and_3437};
+  logic parity_3442;
+  assign parity_3442 = ^{or_3439, or_3435, and_3431};
   // hls/stages/count_bits.hpp:25
-  logic and_3450;
-  assign and_3450 = parity_3436 & parity_3448;
-  logic or_3454;
-  assign or_3454 = (or_3429_s21_q & or_3433_s21_q) | (or_3425 & (or_3429_s21_q | or_3433_s21_q));
-  logic or_3458;
-  assign or_3458 = (or_3441 & or_3445) | (and_3437 & (or_3441 | or_3445));
+  logic and_3444;
+  assign and_3444 = parity_3430 & parity_3442;
+  logic or_3448;
+  assign or_3448 = (or_3423_s19_q & or_3427_s19_q) | (or_3419 & (or_3423_s19_q | or_3427_s19_q));
+  logic or_3452;
+  assign or_3452 = (or_3435 & or_3439) | (and_3431 & (or_3435 | or_3439));
   // hls/stages/patches.hpp:600
-  logic or_3606;
-  assign or_3606 = (~(patches_second_s21_q ? patches_valid_1_q : patches_valid_0_q)) | or_3605_s21_q;
-  logic or_3609;
-  assign or_3609 = equal_3597_s21_q | (less_3599_s21_q | (less_3600_s21_q | or_3606));
+  logic or_3600;
+  assign or_3600 = (~(patches_second_s19_q ? patches_valid_1_q : patches_valid_0_q)) | or_3599_s19_q;
+  logic or_3603;
+  assign or_3603 = equal_3591_s19_q | (less_3593_s19_q | (less_3594_s19_q | or_3600));
   // hls/stages/patches.hpp:599
-  logic [14:0] difference_3656;
-  assign difference_3656 = {{7{select_3650_s21_q[7]}}, select_3650_s21_q} - {product_3655_s21_q[13], product_3655_s21_q};
+  logic [14:0] difference_3650;
+  assign difference_3650 = {{7{select_3644_s19_q[7]}}, select_3644_s19_q} - {product_3649_s19_q[13], product_3649_s19_q};
   // hls/stages/patches.hpp:605
-  logic less_3657;
-  assign less_3657 = $signed({{8{difference_3627[6]}}, difference_3627}) < $signed(difference_3656);
+  logic less_3651;
+  assign less_3651 = $signed({{8{difference_3621[6]}}, difference_3621}) < $signed(difference_3650);
   // hls/stages/agreement.hpp:788
-  logic select_3949;
-  assign select_3949 = equal_575_s21_q ? ((x_s21_q[6] & good_known_q) | equal_3947_s21_q) : good_known_q;
+  logic select_3943;
+  assign select_3943 = equal_573_s19_q ? ((x_s19_q[6] & good_known_q) | equal_3941_s19_q) : good_known_q;
   // hls/stages/agreement.hpp:1308
-  logic and_4124;
-  assign and_4124 = and_2142_s21_q & ({sum_2068_s21_q, index_2_s21_q} == {sum_2055_s21_q, index_s21_q});
+  logic and_4118;
+  assign and_4118 = and_2137_s19_q & ({sum_2063_s19_q, index_2_s19_q} == {sum_2050_s19_q, index_s19_q});
 
-  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1409; read in stage 21, written in stage 22: 21 < 22 < 21 + DISTANCE.
+  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1409; read in stage 19, written in stage 20: 19 < 20 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:16079];
@@ -10565,10 +10459,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 16080; i++) map_mem[i] = 2'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_2055_s21_q, index_s21_q};
+  assign map_raddr = {sum_2050_s19_q, index_s19_q};
 `ifndef SYNTHESIS
   logic map_re;
-  assign map_re = s21_en & (and_2062_s21_q & less_2063_s21_q);
+  assign map_re = s19_en & (and_2057_s19_q & less_2058_s19_q);
 `endif
   logic [1:0] map_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -10577,31 +10471,31 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1614_s21_q, lower_half_s21_q, registration_of_right_s21_q};
+  assign registration_sums_waddr = {sum_1612_s19_q, lower_half_s19_q, registration_of_right_s19_q};
   logic registration_sums_we;
-  assign registration_sums_we = s21_en & and_1673_s21_q;
+  assign registration_sums_we = s19_en & and_1671_s19_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1672_s21_q, sum_1668_s21_q};
+    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1670_s19_q, sum_1666_s19_q};
   end
 `ifndef SYNTHESIS
+  logic [3:0] registration_sums_raddr_s16_sim;
+  logic registration_sums_re_s16_sim;
+  logic [3:0] registration_sums_raddr_s17_sim;
+  logic registration_sums_re_s17_sim;
   logic [3:0] registration_sums_raddr_s18_sim;
   logic registration_sums_re_s18_sim;
-  logic [3:0] registration_sums_raddr_s19_sim;
-  logic registration_sums_re_s19_sim;
-  logic [3:0] registration_sums_raddr_s20_sim;
-  logic registration_sums_re_s20_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      registration_sums_re_s16_sim <= 1'b0;
+      registration_sums_re_s17_sim <= 1'b0;
       registration_sums_re_s18_sim <= 1'b0;
-      registration_sums_re_s19_sim <= 1'b0;
-      registration_sums_re_s20_sim <= 1'b0;
     end else if (en_i) begin
-      registration_sums_re_s18_sim <= registration_sums_re;
-      registration_sums_raddr_s18_sim <= registration_sums_raddr;
-      registration_sums_re_s19_sim <= registration_sums_re_s18_sim;
-      registration_sums_raddr_s19_sim <= registration_sums_raddr_s18_sim;
-      registration_sums_re_s20_sim <= registration_sums_re_s19_sim;
-      registration_sums_raddr_s20_sim <= registration_sums_raddr_s19_sim;
+      registration_sums_re_s16_sim <= registration_sums_re;
+      registration_sums_raddr_s16_sim <= registration_sums_raddr;
+      registration_sums_re_s17_sim <= registration_sums_re_s16_sim;
+      registration_sums_raddr_s17_sim <= registration_sums_raddr_s16_sim;
+      registration_sums_re_s18_sim <= registration_sums_re_s17_sim;
+      registration_sums_raddr_s18_sim <= registration_sums_raddr_s17_sim;
     end
   end
   always_ff @(posedge clk_i) begin
@@ -10609,13 +10503,13 @@ module horopter_agreement (
       if (registration_sums_re && registration_sums_raddr == registration_sums_waddr) begin
         $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
       end
+      if (registration_sums_re_s16_sim && registration_sums_raddr_s16_sim == registration_sums_waddr) begin
+        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
+      end
+      if (registration_sums_re_s17_sim && registration_sums_raddr_s17_sim == registration_sums_waddr) begin
+        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
+      end
       if (registration_sums_re_s18_sim && registration_sums_raddr_s18_sim == registration_sums_waddr) begin
-        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
-      end
-      if (registration_sums_re_s19_sim && registration_sums_raddr_s19_sim == registration_sums_waddr) begin
-        $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
-      end
-      if (registration_sums_re_s20_sim && registration_sums_raddr_s20_sim == registration_sums_waddr) begin
         $error("registration_sums: address %0d is read less than DISTANCE steps after its write", registration_sums_waddr);
       end
       if (registration_sums_waddr >= 4'd12) $error("registration_sums: write outside, address %0d", registration_sums_waddr);
@@ -10643,24 +10537,24 @@ module horopter_agreement (
       patches_left_next_0_q <= 5'h0;
       patches_left_next_1_q <= 5'h0;
       good_known_q <= 1'b0;
-    end else if (s21_en) begin
-      moments_left_begins_q <= equal_575_s21_q ? not_2310_s21_q : moments_left_begins_q;
-      moments_right_begins_q <= equal_575_s21_q ? not_2320_s21_q : moments_right_begins_q;
-      moments_ends_q <= equal_575_s21_q & (equal_2298_s21_q & (not_2353 | and_2355));
-      sharpness_sums_detail_0_q <= and_550_s21_q ? select_2379 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_550_s21_q ? select_2391 : sharpness_sums_detail_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2433 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2435 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_less_contrast_0_q <= drew_q ? select_2462 : sharpness_comparing_less_contrast_0_q;
-      sharpness_comparing_less_contrast_1_q <= drew_q ? select_2468 : sharpness_comparing_less_contrast_1_q;
-      registration_moved_q <= not_2911_s21_q & (registration_moved_q | and_2933_s21_q);
-      patches_valid_0_q <= select_3029;
-      patches_valid_1_q <= select_3034;
-      patches_right_next_0_q <= select_3037;
-      patches_right_next_1_q <= select_3040;
-      patches_left_next_0_q <= select_3043;
-      patches_left_next_1_q <= select_3046;
-      good_known_q <= select_3949;
+    end else if (s19_en) begin
+      moments_left_begins_q <= equal_573_s19_q ? not_2305_s19_q : moments_left_begins_q;
+      moments_right_begins_q <= equal_573_s19_q ? not_2315_s19_q : moments_right_begins_q;
+      moments_ends_q <= equal_573_s19_q & (equal_2293_s19_q & (not_2348 | and_2350));
+      sharpness_sums_detail_0_q <= and_548_s19_q ? select_2374 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_548_s19_q ? select_2386 : sharpness_sums_detail_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2428 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2430 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_less_contrast_0_q <= drew_q ? select_2457 : sharpness_comparing_less_contrast_0_q;
+      sharpness_comparing_less_contrast_1_q <= drew_q ? select_2463 : sharpness_comparing_less_contrast_1_q;
+      registration_moved_q <= not_2906_s19_q & (registration_moved_q | and_2928_s19_q);
+      patches_valid_0_q <= select_3023;
+      patches_valid_1_q <= select_3028;
+      patches_right_next_0_q <= select_3031;
+      patches_right_next_1_q <= select_3034;
+      patches_left_next_0_q <= select_3037;
+      patches_left_next_1_q <= select_3040;
+      good_known_q <= select_3943;
     end
   end
 
@@ -10672,292 +10566,292 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s21_en) begin
-      census_changes_values_2_left_q <= select_2280;
-      census_changes_values_2_right_q <= select_2281;
+    if (s19_en) begin
+      census_changes_values_2_left_q <= select_2275;
+      census_changes_values_2_right_q <= select_2276;
     end
   end
 
-  logic [7:0] pixel_0_s22_q;
-  logic [7:0] pixel_1_s22_q;
-  logic saturated_s22_q;
-  logic mask_s22_q;
-  logic marks_first_s22_q;
-  logic marks_last_s22_q;
-  logic [7:0] sample_pair_pixel_0_s22_q;
-  logic [7:0] sample_pair_pixel_1_s22_q;
-  logic census_columns_values_1_cell_2_of_skin_s22_q;
-  logic [23:0] sharpness_sums_detail_0_s22_q;
-  logic [23:0] sharpness_sums_detail_1_s22_q;
-  logic [23:0] sharpness_sums_contrast_0_s22_q;
-  logic [23:0] sharpness_sums_contrast_1_s22_q;
-  logic [6:0] x_s22_q;
-  logic [13:0] counts_nearer_s22_q;
-  logic registration_moved_s22_q;
-  logic patches_lower_s22_q;
-  logic patches_second_s22_q;
-  logic [4:0] patches_summed_row_column_s22_q;
-  logic patches_summed_first_s22_q;
-  logic patches_summed_last_s22_q;
-  logic [4:0] patches_summed_down_by_s22_q;
-  logic [13:0] product_s22_q;
-  logic done_s22_q;
-  logic [6:0] last_s22_q;
-  logic and_550_s22_q;
-  logic equal_575_s22_q;
-  logic not_576_s22_q;
-  logic so_s22_q;
-  logic less_653_s22_q;
-  logic less_654_s22_q;
-  logic less_655_s22_q;
-  logic less_656_s22_q;
-  logic less_657_s22_q;
-  logic less_658_s22_q;
-  logic less_659_s22_q;
-  logic less_660_s22_q;
-  logic less_661_s22_q;
-  logic less_662_s22_q;
-  logic less_663_s22_q;
-  logic less_664_s22_q;
-  logic less_665_s22_q;
-  logic less_666_s22_q;
-  logic less_667_s22_q;
-  logic less_668_s22_q;
-  logic less_669_s22_q;
-  logic less_670_s22_q;
-  logic less_671_s22_q;
-  logic less_672_s22_q;
-  logic less_673_s22_q;
-  logic less_674_s22_q;
-  logic less_675_s22_q;
-  logic less_676_s22_q;
-  logic and_684_s22_q;
-  logic and_709_s22_q;
-  logic and_710_s22_q;
-  logic [8:0] sum_732_s22_q;
-  logic and_740_s22_q;
-  logic less_741_s22_q;
-  logic and_746_s22_q;
-  logic less_747_s22_q;
-  logic equal_1608_s22_q;
-  logic equal_1616_s22_q;
-  logic equal_1618_s22_q;
-  logic equal_1620_s22_q;
-  logic equal_1622_s22_q;
-  logic equal_1624_s22_q;
-  logic equal_1626_s22_q;
-  logic equal_1788_s22_q;
-  logic equal_1790_s22_q;
-  logic [4:0] select_1815_s22_q;
-  logic [4:0] select_1818_s22_q;
-  logic and_1828_s22_q;
-  logic [4:0] select_1843_s22_q;
-  logic and_1847_s22_q;
-  logic [3:0] column_4_s22_q;
-  logic [3:0] select_1862_s22_q;
-  logic select_1863_s22_q;
-  logic and_1870_s22_q;
-  logic less_1966_s22_q;
-  logic equal_1967_s22_q;
-  logic not_1968_s22_q;
-  logic equal_1969_s22_q;
-  logic not_1996_s22_q;
-  logic and_2062_s22_q;
-  logic less_2063_s22_q;
-  logic [2:0] index_2_s22_q;
-  logic [10:0] sum_2068_s22_q;
-  logic is_seen_s22_q;
-  logic and_2132_s22_q;
-  logic and_2142_s22_q;
-  logic equal_2283_s22_q;
-  logic [8:0] sum_2286_s22_q;
-  logic equal_2298_s22_q;
-  logic not_2329_s22_q;
-  logic and_2350_s22_q;
-  logic equal_2401_s22_q;
-  logic less_2402_s22_q;
-  logic [17:0] select_2414_s22_q;
-  logic [17:0] select_2424_s22_q;
-  logic equal_2445_s22_q;
-  logic and_2597_s22_q;
-  logic and_2644_s22_q;
-  logic [9:0] select_2648_s22_q;
-  logic [9:0] select_2651_s22_q;
-  logic [9:0] select_2658_s22_q;
-  logic and_2679_s22_q;
-  logic and_2699_s22_q;
-  logic equal_2898_s22_q;
-  logic parity_3230_s22_q;
-  logic parity_3359_s22_q;
-  logic parity_3421_s22_q;
-  logic xor_3449_s22_q;
-  logic parity_3461_s22_q;
-  logic and_3462_s22_q;
-  logic and_3464_s22_q;
-  logic equal_3466_s22_q;
-  logic or_3609_s22_q;
-  logic [5:0] difference_3656_s22_q;
-  logic not_3658_s22_q;
-  logic not_3668_s22_q;
-  logic equal_3706_s22_q;
-  logic less_3780_s22_q;
-  logic less_3781_s22_q;
-  logic less_3831_s22_q;
-  logic or_3928_s22_q;
-  logic select_3936_s22_q;
-  logic equal_3947_s22_q;
-  logic equal_3950_s22_q;
-  logic equal_3952_s22_q;
-  logic equal_3953_s22_q;
-  logic equal_3954_s22_q;
-  logic equal_3955_s22_q;
-  logic and_4109_s22_q;
-  logic and_4124_s22_q;
-  logic [31:0] select_4194_s22_q;
-  logic [9:0] select_4201_s22_q;
+  logic [7:0] pixel_0_s20_q;
+  logic [7:0] pixel_1_s20_q;
+  logic saturated_s20_q;
+  logic mask_s20_q;
+  logic marks_first_s20_q;
+  logic marks_last_s20_q;
+  logic [7:0] sample_pair_pixel_0_s20_q;
+  logic [7:0] sample_pair_pixel_1_s20_q;
+  logic census_columns_values_1_cell_2_of_skin_s20_q;
+  logic [23:0] sharpness_sums_detail_0_s20_q;
+  logic [23:0] sharpness_sums_detail_1_s20_q;
+  logic [23:0] sharpness_sums_contrast_0_s20_q;
+  logic [23:0] sharpness_sums_contrast_1_s20_q;
+  logic [6:0] x_s20_q;
+  logic [13:0] counts_nearer_s20_q;
+  logic registration_moved_s20_q;
+  logic patches_lower_s20_q;
+  logic patches_second_s20_q;
+  logic [4:0] patches_summed_row_column_s20_q;
+  logic patches_summed_first_s20_q;
+  logic patches_summed_last_s20_q;
+  logic [4:0] patches_summed_down_by_s20_q;
+  logic [13:0] product_s20_q;
+  logic done_s20_q;
+  logic [6:0] last_s20_q;
+  logic and_548_s20_q;
+  logic equal_573_s20_q;
+  logic not_574_s20_q;
+  logic so_s20_q;
+  logic less_651_s20_q;
+  logic less_652_s20_q;
+  logic less_653_s20_q;
+  logic less_654_s20_q;
+  logic less_655_s20_q;
+  logic less_656_s20_q;
+  logic less_657_s20_q;
+  logic less_658_s20_q;
+  logic less_659_s20_q;
+  logic less_660_s20_q;
+  logic less_661_s20_q;
+  logic less_662_s20_q;
+  logic less_663_s20_q;
+  logic less_664_s20_q;
+  logic less_665_s20_q;
+  logic less_666_s20_q;
+  logic less_667_s20_q;
+  logic less_668_s20_q;
+  logic less_669_s20_q;
+  logic less_670_s20_q;
+  logic less_671_s20_q;
+  logic less_672_s20_q;
+  logic less_673_s20_q;
+  logic less_674_s20_q;
+  logic and_682_s20_q;
+  logic and_707_s20_q;
+  logic and_708_s20_q;
+  logic [8:0] sum_730_s20_q;
+  logic and_738_s20_q;
+  logic less_739_s20_q;
+  logic and_744_s20_q;
+  logic less_745_s20_q;
+  logic equal_1606_s20_q;
+  logic equal_1614_s20_q;
+  logic equal_1616_s20_q;
+  logic equal_1618_s20_q;
+  logic equal_1620_s20_q;
+  logic equal_1622_s20_q;
+  logic equal_1624_s20_q;
+  logic equal_1783_s20_q;
+  logic equal_1785_s20_q;
+  logic [4:0] select_1810_s20_q;
+  logic [4:0] select_1813_s20_q;
+  logic and_1823_s20_q;
+  logic [4:0] select_1838_s20_q;
+  logic and_1842_s20_q;
+  logic [3:0] column_4_s20_q;
+  logic [3:0] select_1857_s20_q;
+  logic select_1858_s20_q;
+  logic and_1865_s20_q;
+  logic less_1961_s20_q;
+  logic equal_1962_s20_q;
+  logic not_1963_s20_q;
+  logic equal_1964_s20_q;
+  logic not_1991_s20_q;
+  logic and_2057_s20_q;
+  logic less_2058_s20_q;
+  logic [2:0] index_2_s20_q;
+  logic [10:0] sum_2063_s20_q;
+  logic is_seen_s20_q;
+  logic and_2127_s20_q;
+  logic and_2137_s20_q;
+  logic equal_2278_s20_q;
+  logic [8:0] sum_2281_s20_q;
+  logic equal_2293_s20_q;
+  logic not_2324_s20_q;
+  logic and_2345_s20_q;
+  logic equal_2396_s20_q;
+  logic less_2397_s20_q;
+  logic [17:0] select_2409_s20_q;
+  logic [17:0] select_2419_s20_q;
+  logic equal_2440_s20_q;
+  logic and_2592_s20_q;
+  logic and_2639_s20_q;
+  logic [9:0] select_2643_s20_q;
+  logic [9:0] select_2646_s20_q;
+  logic [9:0] select_2653_s20_q;
+  logic and_2674_s20_q;
+  logic and_2694_s20_q;
+  logic equal_2893_s20_q;
+  logic parity_3224_s20_q;
+  logic parity_3353_s20_q;
+  logic parity_3415_s20_q;
+  logic xor_3443_s20_q;
+  logic parity_3455_s20_q;
+  logic and_3456_s20_q;
+  logic and_3458_s20_q;
+  logic equal_3460_s20_q;
+  logic or_3603_s20_q;
+  logic [5:0] difference_3650_s20_q;
+  logic not_3652_s20_q;
+  logic not_3662_s20_q;
+  logic equal_3700_s20_q;
+  logic less_3774_s20_q;
+  logic less_3775_s20_q;
+  logic less_3825_s20_q;
+  logic or_3922_s20_q;
+  logic select_3930_s20_q;
+  logic equal_3941_s20_q;
+  logic equal_3944_s20_q;
+  logic equal_3946_s20_q;
+  logic equal_3947_s20_q;
+  logic equal_3948_s20_q;
+  logic equal_3949_s20_q;
+  logic and_4103_s20_q;
+  logic and_4118_s20_q;
+  logic [31:0] select_4188_s20_q;
+  logic [9:0] select_4195_s20_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s22_q <= pixel_0_s21_q;
-      pixel_1_s22_q <= pixel_1_s21_q;
-      saturated_s22_q <= saturated_s21_q;
-      mask_s22_q <= mask_s21_q;
-      marks_first_s22_q <= marks_first_s21_q;
-      marks_last_s22_q <= marks_last_s21_q;
-      sample_pair_pixel_0_s22_q <= sample_pair_pixel_0_s21_q;
-      sample_pair_pixel_1_s22_q <= sample_pair_pixel_1_s21_q;
-      census_columns_values_1_cell_2_of_skin_s22_q <= census_columns_values_1_cell_2_of_skin_s21_q;
-      sharpness_sums_detail_0_s22_q <= sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_s22_q <= sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_s22_q <= sharpness_sums_contrast_0_s21_q;
-      sharpness_sums_contrast_1_s22_q <= sharpness_sums_contrast_1_s21_q;
-      x_s22_q <= x_s21_q;
-      counts_nearer_s22_q <= counts_nearer_s21_q;
-      registration_moved_s22_q <= registration_moved_q;
-      patches_lower_s22_q <= patches_lower_s21_q;
-      patches_second_s22_q <= patches_second_s21_q;
-      patches_summed_row_column_s22_q <= patches_summed_row_column_s21_q;
-      patches_summed_first_s22_q <= patches_summed_first_s21_q;
-      patches_summed_last_s22_q <= patches_summed_last_s21_q;
-      patches_summed_down_by_s22_q <= patches_summed_down_by_s21_q;
-      product_s22_q <= product_s21_q;
-      done_s22_q <= done_s21_q;
-      last_s22_q <= last_s21_q;
-      and_550_s22_q <= and_550_s21_q;
-      equal_575_s22_q <= equal_575_s21_q;
-      not_576_s22_q <= not_576_s21_q;
-      so_s22_q <= drew_q;
-      less_653_s22_q <= less_653_s21_q;
-      less_654_s22_q <= less_654_s21_q;
-      less_655_s22_q <= less_655_s21_q;
-      less_656_s22_q <= less_656_s21_q;
-      less_657_s22_q <= less_657_s21_q;
-      less_658_s22_q <= less_658_s21_q;
-      less_659_s22_q <= less_659_s21_q;
-      less_660_s22_q <= less_660_s21_q;
-      less_661_s22_q <= less_661_s21_q;
-      less_662_s22_q <= less_662_s21_q;
-      less_663_s22_q <= less_663_s21_q;
-      less_664_s22_q <= less_664_s21_q;
-      less_665_s22_q <= less_665_s21_q;
-      less_666_s22_q <= less_666_s21_q;
-      less_667_s22_q <= less_667_s21_q;
-      less_668_s22_q <= less_668_s21_q;
-      less_669_s22_q <= less_669_s21_q;
-      less_670_s22_q <= less_670_s21_q;
-      less_671_s22_q <= less_671_s21_q;
-      less_672_s22_q <= less_672_s21_q;
-      less_673_s22_q <= less_673_s21_q;
-      less_674_s22_q <= less_674_s21_q;
-      less_675_s22_q <= less_675_s21_q;
-      less_676_s22_q <= less_676_s21_q;
-      and_684_s22_q <= and_684_s21_q;
-      and_709_s22_q <= and_709_s21_q;
-      and_710_s22_q <= and_710_s21_q;
-      sum_732_s22_q <= sum_732[13:5];
-      and_740_s22_q <= and_740_s21_q;
-      less_741_s22_q <= less_741_s21_q;
-      and_746_s22_q <= (and_709_s21_q & and_736_s21_q) & less_745_s21_q;
-      less_747_s22_q <= less_747_s21_q;
-      equal_1608_s22_q <= equal_1608_s21_q;
-      equal_1616_s22_q <= equal_1616_s21_q;
-      equal_1618_s22_q <= equal_1618_s21_q;
-      equal_1620_s22_q <= equal_1620_s21_q;
-      equal_1622_s22_q <= equal_1622_s21_q;
-      equal_1624_s22_q <= equal_1624_s21_q;
-      equal_1626_s22_q <= equal_1626_s21_q;
-      equal_1788_s22_q <= equal_1788_s21_q;
-      equal_1790_s22_q <= equal_1790_s21_q;
-      select_1815_s22_q <= or_1814_s21_q ? 5'h0 : patches_right_next_0_q[4:0];
-      select_1818_s22_q <= select_1818_s21_q;
-      and_1828_s22_q <= sample_pair_whole_s21_q & and_1827;
-      select_1843_s22_q <= or_1842_s21_q ? 5'h0 : patches_right_next_1_q[4:0];
-      and_1847_s22_q <= sample_pair_whole_s21_q & and_1846;
-      column_4_s22_q <= column_4;
-      select_1862_s22_q <= select_1862_s21_q;
-      select_1863_s22_q <= or_1855_s21_q ? and_1676_s21_q : patches_left_next_0_q[4];
-      and_1870_s22_q <= and_1870;
-      less_1966_s22_q <= less_1966_s21_q;
-      equal_1967_s22_q <= equal_1967_s21_q;
-      not_1968_s22_q <= not_1968_s21_q;
-      equal_1969_s22_q <= equal_1969_s21_q;
-      not_1996_s22_q <= not_1996_s21_q;
-      and_2062_s22_q <= and_2062_s21_q;
-      less_2063_s22_q <= less_2063_s21_q;
-      index_2_s22_q <= index_2_s21_q;
-      sum_2068_s22_q <= sum_2068_s21_q;
-      is_seen_s22_q <= is_seen;
-      and_2132_s22_q <= is_seen & less_2131_s21_q;
-      and_2142_s22_q <= and_2142_s21_q;
-      equal_2283_s22_q <= equal_2283_s21_q;
-      sum_2286_s22_q <= sum_2286[13:5];
-      equal_2298_s22_q <= equal_2298_s21_q;
-      not_2329_s22_q <= ~moments_ends_q;
-      and_2350_s22_q <= cfg_prove_i & and_2349;
-      equal_2401_s22_q <= equal_2401_s21_q;
-      less_2402_s22_q <= less_2402_s21_q;
-      select_2414_s22_q <= select_2414;
-      select_2424_s22_q <= select_2424;
-      equal_2445_s22_q <= equal_2445_s21_q;
-      and_2597_s22_q <= and_2597_s21_q;
-      and_2644_s22_q <= not_576_s21_q & (drew_q & and_2642);
-      select_2648_s22_q <= select_2648_s21_q;
-      select_2651_s22_q <= select_2651_s21_q;
-      select_2658_s22_q <= select_2658;
-      and_2679_s22_q <= drew_q & (ends_cell_s21_q & (not_2622_s21_q & and_2676));
-      and_2699_s22_q <= and_2699_s21_q;
-      equal_2898_s22_q <= equal_2898_s21_q;
-      parity_3230_s22_q <= parity_3230_s21_q;
-      parity_3359_s22_q <= parity_3359_s21_q;
-      parity_3421_s22_q <= parity_3421;
-      xor_3449_s22_q <= parity_3436 ^ parity_3448;
-      parity_3461_s22_q <= ^{or_3458, or_3454, and_3450};
-      and_3462_s22_q <= or_3454 & or_3458;
-      and_3464_s22_q <= and_3450 & (or_3454 | or_3458);
-      equal_3466_s22_q <= equal_3466_s21_q;
-      or_3609_s22_q <= or_3609;
-      difference_3656_s22_q <= difference_3656[5:0];
-      not_3658_s22_q <= ~less_3657;
-      not_3668_s22_q <= ~($signed(difference_3656) < $signed({9'h0, cfg_patch_limit_i}));
-      equal_3706_s22_q <= equal_3706_s21_q;
-      less_3780_s22_q <= $signed(15'h10) < $signed(difference_3656);
-      less_3781_s22_q <= $signed(difference_3656[14:4]) < $signed(11'h7ff);
-      less_3831_s22_q <= less_3831_s21_q;
-      or_3928_s22_q <= or_3928_s21_q;
-      select_3936_s22_q <= select_3936_s21_q;
-      equal_3947_s22_q <= equal_3947_s21_q;
-      equal_3950_s22_q <= equal_3950_s21_q;
-      equal_3952_s22_q <= equal_3952_s21_q;
-      equal_3953_s22_q <= equal_3953_s21_q;
-      equal_3954_s22_q <= equal_3954_s21_q;
-      equal_3955_s22_q <= equal_3955_s21_q;
-      and_4109_s22_q <= said_q;
-      and_4124_s22_q <= and_4124;
-      select_4194_s22_q <= select_4194_s21_q;
-      select_4201_s22_q <= select_4201_s21_q;
+      pixel_0_s20_q <= pixel_0_s19_q;
+      pixel_1_s20_q <= pixel_1_s19_q;
+      saturated_s20_q <= saturated_s19_q;
+      mask_s20_q <= mask_s19_q;
+      marks_first_s20_q <= marks_first_s19_q;
+      marks_last_s20_q <= marks_last_s19_q;
+      sample_pair_pixel_0_s20_q <= sample_pair_pixel_0_s19_q;
+      sample_pair_pixel_1_s20_q <= sample_pair_pixel_1_s19_q;
+      census_columns_values_1_cell_2_of_skin_s20_q <= census_columns_values_1_cell_2_of_skin_s19_q;
+      sharpness_sums_detail_0_s20_q <= sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_s20_q <= sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_s20_q <= sharpness_sums_contrast_0_s19_q;
+      sharpness_sums_contrast_1_s20_q <= sharpness_sums_contrast_1_s19_q;
+      x_s20_q <= x_s19_q;
+      counts_nearer_s20_q <= counts_nearer_s19_q;
+      registration_moved_s20_q <= registration_moved_q;
+      patches_lower_s20_q <= patches_lower_s19_q;
+      patches_second_s20_q <= patches_second_s19_q;
+      patches_summed_row_column_s20_q <= patches_summed_row_column_s19_q;
+      patches_summed_first_s20_q <= patches_summed_first_s19_q;
+      patches_summed_last_s20_q <= patches_summed_last_s19_q;
+      patches_summed_down_by_s20_q <= patches_summed_down_by_s19_q;
+      product_s20_q <= product_s19_q;
+      done_s20_q <= done_s19_q;
+      last_s20_q <= last_s19_q;
+      and_548_s20_q <= and_548_s19_q;
+      equal_573_s20_q <= equal_573_s19_q;
+      not_574_s20_q <= not_574_s19_q;
+      so_s20_q <= drew_q;
+      less_651_s20_q <= less_651_s19_q;
+      less_652_s20_q <= less_652_s19_q;
+      less_653_s20_q <= less_653_s19_q;
+      less_654_s20_q <= less_654_s19_q;
+      less_655_s20_q <= less_655_s19_q;
+      less_656_s20_q <= less_656_s19_q;
+      less_657_s20_q <= less_657_s19_q;
+      less_658_s20_q <= less_658_s19_q;
+      less_659_s20_q <= less_659_s19_q;
+      less_660_s20_q <= less_660_s19_q;
+      less_661_s20_q <= less_661_s19_q;
+      less_662_s20_q <= less_662_s19_q;
+      less_663_s20_q <= less_663_s19_q;
+      less_664_s20_q <= less_664_s19_q;
+      less_665_s20_q <= less_665_s19_q;
+      less_666_s20_q <= less_666_s19_q;
+      less_667_s20_q <= less_667_s19_q;
+      less_668_s20_q <= less_668_s19_q;
+      less_669_s20_q <= less_669_s19_q;
+      less_670_s20_q <= less_670_s19_q;
+      less_671_s20_q <= less_671_s19_q;
+      less_672_s20_q <= less_672_s19_q;
+      less_673_s20_q <= less_673_s19_q;
+      less_674_s20_q <= less_674_s19_q;
+      and_682_s20_q <= and_682_s19_q;
+      and_707_s20_q <= and_707_s19_q;
+      and_708_s20_q <= and_708_s19_q;
+      sum_730_s20_q <= sum_730[13:5];
+      and_738_s20_q <= and_738_s19_q;
+      less_739_s20_q <= less_739_s19_q;
+      and_744_s20_q <= (and_707_s19_q & and_734_s19_q) & less_743_s19_q;
+      less_745_s20_q <= less_745_s19_q;
+      equal_1606_s20_q <= equal_1606_s19_q;
+      equal_1614_s20_q <= equal_1614_s19_q;
+      equal_1616_s20_q <= equal_1616_s19_q;
+      equal_1618_s20_q <= equal_1618_s19_q;
+      equal_1620_s20_q <= equal_1620_s19_q;
+      equal_1622_s20_q <= equal_1622_s19_q;
+      equal_1624_s20_q <= equal_1624_s19_q;
+      equal_1783_s20_q <= equal_1783_s19_q;
+      equal_1785_s20_q <= equal_1785_s19_q;
+      select_1810_s20_q <= or_1809_s19_q ? 5'h0 : patches_right_next_0_q[4:0];
+      select_1813_s20_q <= select_1813_s19_q;
+      and_1823_s20_q <= sample_pair_whole_s19_q & and_1822;
+      select_1838_s20_q <= or_1837_s19_q ? 5'h0 : patches_right_next_1_q[4:0];
+      and_1842_s20_q <= sample_pair_whole_s19_q & and_1841;
+      column_4_s20_q <= column_4;
+      select_1857_s20_q <= select_1857_s19_q;
+      select_1858_s20_q <= or_1850_s19_q ? row_starts_s19_q : patches_left_next_0_q[4];
+      and_1865_s20_q <= and_1865;
+      less_1961_s20_q <= less_1961_s19_q;
+      equal_1962_s20_q <= equal_1962_s19_q;
+      not_1963_s20_q <= not_1963_s19_q;
+      equal_1964_s20_q <= equal_1964_s19_q;
+      not_1991_s20_q <= not_1991_s19_q;
+      and_2057_s20_q <= and_2057_s19_q;
+      less_2058_s20_q <= less_2058_s19_q;
+      index_2_s20_q <= index_2_s19_q;
+      sum_2063_s20_q <= sum_2063_s19_q;
+      is_seen_s20_q <= is_seen;
+      and_2127_s20_q <= is_seen & less_2126_s19_q;
+      and_2137_s20_q <= and_2137_s19_q;
+      equal_2278_s20_q <= equal_2278_s19_q;
+      sum_2281_s20_q <= sum_2281[13:5];
+      equal_2293_s20_q <= equal_2293_s19_q;
+      not_2324_s20_q <= ~moments_ends_q;
+      and_2345_s20_q <= cfg_prove_i & and_2344;
+      equal_2396_s20_q <= equal_2396_s19_q;
+      less_2397_s20_q <= less_2397_s19_q;
+      select_2409_s20_q <= select_2409;
+      select_2419_s20_q <= select_2419;
+      equal_2440_s20_q <= equal_2440_s19_q;
+      and_2592_s20_q <= and_2592_s19_q;
+      and_2639_s20_q <= not_574_s19_q & (drew_q & and_2637);
+      select_2643_s20_q <= select_2643_s19_q;
+      select_2646_s20_q <= select_2646_s19_q;
+      select_2653_s20_q <= select_2653;
+      and_2674_s20_q <= drew_q & (ends_cell_s19_q & (not_2617_s19_q & and_2671));
+      and_2694_s20_q <= and_2694_s19_q;
+      equal_2893_s20_q <= equal_2893_s19_q;
+      parity_3224_s20_q <= parity_3224_s19_q;
+      parity_3353_s20_q <= parity_3353_s19_q;
+      parity_3415_s20_q <= parity_3415;
+      xor_3443_s20_q <= parity_3430 ^ parity_3442;
+      parity_3455_s20_q <= ^{or_3452, or_3448, and_3444};
+      and_3456_s20_q <= or_3448 & or_3452;
+      and_3458_s20_q <= and_3444 & (or_3448 | or_3452);
+      equal_3460_s20_q <= equal_3460_s19_q;
+      or_3603_s20_q <= or_3603;
+      difference_3650_s20_q <= difference_3650[5:0];
+      not_3652_s20_q <= ~less_3651;
+      not_3662_s20_q <= ~($signed(difference_3650) < $signed({9'h0, cfg_patch_limit_i}));
+      equal_3700_s20_q <= equal_3700_s19_q;
+      less_3774_s20_q <= $signed(15'h10) < $signed(difference_3650);
+      less_3775_s20_q <= $signed(difference_3650[14:4]) < $signed(11'h7ff);
+      less_3825_s20_q <= less_3825_s19_q;
+      or_3922_s20_q <= or_3922_s19_q;
+      select_3930_s20_q <= select_3930_s19_q;
+      equal_3941_s20_q <= equal_3941_s19_q;
+      equal_3944_s20_q <= equal_3944_s19_q;
+      equal_3946_s20_q <= equal_3946_s19_q;
+      equal_3947_s20_q <= equal_3947_s19_q;
+      equal_3948_s20_q <= equal_3948_s19_q;
+      equal_3949_s20_q <= equal_3949_s19_q;
+      and_4103_s20_q <= said_q;
+      and_4118_s20_q <= and_4118;
+      select_4188_s20_q <= select_4188_s19_q;
+      select_4195_s20_q <= select_4195_s19_q;
     end
   end
 
-  // Stage 22 ----------------------------------------------------------------------------------------------------------
+  // Stage 20 ----------------------------------------------------------------------------------------------------------
   logic moments_out_of_step_q;
   logic moments_begins_alone_q;
   logic [17:0] sharpness_comparing_rest_0_q;
@@ -10986,171 +10880,175 @@ module horopter_agreement (
   logic patches_frame_ended_q;
   logic proven_q;
   // hls/stages/moments.hpp:51
-  logic or_2331;
-  assign or_2331 = moments_begins_alone_q | (moments_out_of_step_q & not_2329_s22_q);
-  // hls/stages/census.hpp:392
+  logic or_2326;
+  assign or_2326 = moments_begins_alone_q | (moments_out_of_step_q & not_2324_s20_q);
+  // hls/stages/census.hpp:395
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2414_s22_q};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2409_s20_q};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2417;
-  assign select_2417 = equal_2401_s22_q ? (less_2402_s22_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  // hls/stages/census.hpp:392
+  logic [17:0] select_2412;
+  assign select_2412 = equal_2396_s20_q ? (less_2397_s20_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  // hls/stages/census.hpp:395
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2424_s22_q};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2419_s20_q};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2427;
-  assign select_2427 = equal_2401_s22_q ? (less_2402_s22_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [17:0] select_2422;
+  assign select_2422 = equal_2396_s20_q ? (less_2397_s20_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2646;
-  assign select_2646 = and_2597_s22_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2644_s22_q});
-  logic [13:0] select_2660;
-  assign select_2660 = and_2597_s22_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2658_s22_q});
+  logic [13:0] select_2641;
+  assign select_2641 = and_2592_s20_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2639_s20_q});
+  logic [13:0] select_2655;
+  assign select_2655 = and_2592_s20_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2653_s20_q});
   // hls/stages/agreement.hpp:788
-  logic and_2680;
-  assign and_2680 = not_576_s22_q & and_2679_s22_q;
+  logic and_2675;
+  assign and_2675 = not_574_s20_q & and_2674_s20_q;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2682;
-  assign select_2682 = and_2597_s22_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2680});
-  logic [13:0] select_2701;
-  assign select_2701 = and_2597_s22_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2699_s22_q});
+  logic [13:0] select_2677;
+  assign select_2677 = and_2592_s20_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2675});
+  logic [13:0] select_2696;
+  assign select_2696 = and_2592_s20_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2694_s20_q});
   // hls/stages/count_bits.hpp:27
-  logic or_3465;
-  assign or_3465 = and_3462_s22_q | and_3464_s22_q;
+  logic or_3459;
+  assign or_3459 = and_3456_s20_q | and_3458_s20_q;
   // hls/stages/patches.hpp:526
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3465, parity_3461_s22_q, xor_3449_s22_q, parity_3421_s22_q, parity_3359_s22_q, parity_3230_s22_q} + (equal_3466_s22_q ? 10'h0 : patches_sums_values_16_q);
+  assign sum_3 = {4'h0, or_3459, parity_3455_s20_q, xor_3443_s20_q, parity_3415_s20_q, parity_3353_s20_q, parity_3224_s20_q} + (equal_3460_s20_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/patches.hpp:185
-  logic [9:0] select_3470;
-  assign select_3470 = equal_1788_s22_q ? patches_sums_values_0_q : (equal_1790_s22_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3464;
+  assign select_3464 = equal_1783_s20_q ? patches_sums_values_0_q : (equal_1785_s20_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3465;
+  assign select_3465 = equal_1785_s20_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3467;
+  assign select_3467 = equal_1785_s20_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3469;
+  assign select_3469 = equal_1785_s20_q ? patches_sums_values_2_q : patches_sums_values_3_q;
   logic [9:0] select_3471;
-  assign select_3471 = equal_1790_s22_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  assign select_3471 = equal_1785_s20_q ? patches_sums_values_3_q : patches_sums_values_4_q;
   logic [9:0] select_3473;
-  assign select_3473 = equal_1790_s22_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  assign select_3473 = equal_1785_s20_q ? patches_sums_values_4_q : patches_sums_values_5_q;
   logic [9:0] select_3475;
-  assign select_3475 = equal_1790_s22_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  assign select_3475 = equal_1785_s20_q ? patches_sums_values_5_q : patches_sums_values_6_q;
   logic [9:0] select_3477;
-  assign select_3477 = equal_1790_s22_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  assign select_3477 = equal_1785_s20_q ? patches_sums_values_6_q : patches_sums_values_7_q;
   logic [9:0] select_3479;
-  assign select_3479 = equal_1790_s22_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  assign select_3479 = equal_1785_s20_q ? patches_sums_values_7_q : patches_sums_values_8_q;
   logic [9:0] select_3481;
-  assign select_3481 = equal_1790_s22_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  assign select_3481 = equal_1785_s20_q ? patches_sums_values_8_q : patches_sums_values_9_q;
   logic [9:0] select_3483;
-  assign select_3483 = equal_1790_s22_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  assign select_3483 = equal_1785_s20_q ? patches_sums_values_9_q : patches_sums_values_10_q;
   logic [9:0] select_3485;
-  assign select_3485 = equal_1790_s22_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  assign select_3485 = equal_1785_s20_q ? patches_sums_values_10_q : patches_sums_values_11_q;
   logic [9:0] select_3487;
-  assign select_3487 = equal_1790_s22_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  assign select_3487 = equal_1785_s20_q ? patches_sums_values_11_q : patches_sums_values_12_q;
   logic [9:0] select_3489;
-  assign select_3489 = equal_1790_s22_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  assign select_3489 = equal_1785_s20_q ? patches_sums_values_12_q : patches_sums_values_13_q;
   logic [9:0] select_3491;
-  assign select_3491 = equal_1790_s22_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  assign select_3491 = equal_1785_s20_q ? patches_sums_values_13_q : patches_sums_values_14_q;
   logic [9:0] select_3493;
-  assign select_3493 = equal_1790_s22_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  assign select_3493 = equal_1785_s20_q ? patches_sums_values_14_q : patches_sums_values_15_q;
   logic [9:0] select_3495;
-  assign select_3495 = equal_1790_s22_q ? patches_sums_values_12_q : patches_sums_values_13_q;
-  logic [9:0] select_3497;
-  assign select_3497 = equal_1790_s22_q ? patches_sums_values_13_q : patches_sums_values_14_q;
-  logic [9:0] select_3499;
-  assign select_3499 = equal_1790_s22_q ? patches_sums_values_14_q : patches_sums_values_15_q;
-  logic [9:0] select_3501;
-  assign select_3501 = equal_1790_s22_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  assign select_3495 = equal_1785_s20_q ? patches_sums_values_15_q : patches_sums_values_16_q;
   // hls/stages/patches.hpp:580
-  logic not_3610;
-  assign not_3610 = ~or_3609_s22_q;
+  logic not_3604;
+  assign not_3604 = ~or_3603_s20_q;
+  // hls/stages/patches.hpp:561
+  logic and_3605;
+  assign and_3605 = equal_1964_s20_q & not_3604;
+  // hls/stages/patches.hpp:185
+  logic and_3608;
+  assign and_3608 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3605) : and_3605);
   // hls/stages/patches.hpp:561
   logic and_3611;
-  assign and_3611 = equal_1969_s22_q & not_3610;
+  assign and_3611 = equal_1964_s20_q & (patches_second_s20_q & not_3604);
   // hls/stages/patches.hpp:185
   logic and_3614;
-  assign and_3614 = equal_1788_s22_q & (less_1966_s22_q ? (not_1968_s22_q & and_3611) : and_3611);
+  assign and_3614 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3611) : and_3611);
   // hls/stages/patches.hpp:561
-  logic and_3617;
-  assign and_3617 = equal_1969_s22_q & (patches_second_s22_q & not_3610);
+  logic and_3654;
+  assign and_3654 = equal_1964_s20_q & (not_3604 & not_3652_s20_q);
   // hls/stages/patches.hpp:185
-  logic and_3620;
-  assign and_3620 = equal_1788_s22_q & (less_1966_s22_q ? (not_1968_s22_q & and_3617) : and_3617);
+  logic and_3657;
+  assign and_3657 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3654) : and_3654);
   // hls/stages/patches.hpp:561
-  logic and_3660;
-  assign and_3660 = equal_1969_s22_q & (not_3610 & not_3658_s22_q);
+  logic and_3664;
+  assign and_3664 = equal_1964_s20_q & (not_3604 & not_3662_s20_q);
   // hls/stages/patches.hpp:185
-  logic and_3663;
-  assign and_3663 = equal_1788_s22_q & (less_1966_s22_q ? (not_1968_s22_q & and_3660) : and_3660);
-  // hls/stages/patches.hpp:561
-  logic and_3670;
-  assign and_3670 = equal_1969_s22_q & (not_3610 & not_3668_s22_q);
-  // hls/stages/patches.hpp:185
-  logic and_3673;
-  assign and_3673 = equal_1788_s22_q & (less_1966_s22_q ? (not_1968_s22_q & and_3670) : and_3670);
+  logic and_3667;
+  assign and_3667 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3664) : and_3664);
   // hls/stages/agreement.hpp:1130
-  logic less_3707;
-  assign less_3707 = x_s22_q[5:3] < 3'h3;
+  logic less_3701;
+  assign less_3701 = x_s20_q[5:3] < 3'h3;
   // hls/stages/agreement.hpp:788
-  logic and_3711;
-  assign and_3711 = equal_575_s22_q & (x_s22_q[6] & (not_1996_s22_q & (equal_3706_s22_q & less_3707)));
+  logic and_3705;
+  assign and_3705 = equal_573_s20_q & (x_s20_q[6] & (not_1991_s20_q & (equal_3700_s20_q & less_3701)));
   // hls/stages/agreement.hpp:1142
-  logic and_3716;
-  assign and_3716 = x_s22_q[6] & (not_1996_s22_q & (less_3707 & (x_s22_q[2:0] == 3'h1)));
-  logic and_3723;
-  assign and_3723 = x_s22_q[6] & (not_1996_s22_q & (less_3707 & (x_s22_q[2:0] == 3'h2)));
-  logic and_3730;
-  assign and_3730 = x_s22_q[6] & (not_1996_s22_q & (less_3707 & (x_s22_q[2:0] == 3'h3)));
+  logic and_3710;
+  assign and_3710 = x_s20_q[6] & (not_1991_s20_q & (less_3701 & (x_s20_q[2:0] == 3'h1)));
+  logic and_3717;
+  assign and_3717 = x_s20_q[6] & (not_1991_s20_q & (less_3701 & (x_s20_q[2:0] == 3'h2)));
+  logic and_3724;
+  assign and_3724 = x_s20_q[6] & (not_1991_s20_q & (less_3701 & (x_s20_q[2:0] == 3'h3)));
   // hls/stages/patches.hpp:200
-  logic select_3737;
-  assign select_3737 = (x_s22_q[5:3] == 3'h2) ? x_s22_q[1] : (x_s22_q[0] & (x_s22_q[5:3] == 3'h1));
+  logic select_3731;
+  assign select_3731 = (x_s20_q[5:3] == 3'h2) ? x_s20_q[1] : (x_s20_q[0] & (x_s20_q[5:3] == 3'h1));
   // hls/stages/patches.hpp:203
-  logic [4:0] sum_3764;
-  assign sum_3764 = {2'h0, x_s22_q[2:0]} + 5'h1f;
+  logic [4:0] sum_3758;
+  assign sum_3758 = {2'h0, x_s20_q[2:0]} + 5'h1f;
   // hls/stages/patches.hpp:607
-  logic [5:0] select_3783;
-  assign select_3783 = less_3780_s22_q ? 6'h10 : (less_3781_s22_q ? 6'h30 : difference_3656_s22_q);
+  logic [5:0] select_3777;
+  assign select_3777 = less_3774_s20_q ? 6'h10 : (less_3775_s20_q ? 6'h30 : difference_3650_s20_q);
   // hls/stages/patches.hpp:561
-  logic [5:0] select_3785;
-  assign select_3785 = equal_1969_s22_q ? (or_3609_s22_q ? 6'h0 : select_3783) : 6'h0;
-  logic [5:0] select_3787;
-  assign select_3787 = less_1966_s22_q ? (equal_1967_s22_q ? 6'h0 : select_3785) : select_3785;
+  logic [5:0] select_3779;
+  assign select_3779 = equal_1964_s20_q ? (or_3603_s20_q ? 6'h0 : select_3777) : 6'h0;
+  logic [5:0] select_3781;
+  assign select_3781 = less_1961_s20_q ? (equal_1962_s20_q ? 6'h0 : select_3779) : select_3779;
   // hls/stages/agreement.hpp:788
-  logic and_3794;
-  assign and_3794 = equal_575_s22_q & (x_s22_q[6] & (not_1996_s22_q & (equal_2898_s22_q & less_3707)));
+  logic and_3788;
+  assign and_3788 = equal_573_s20_q & (x_s20_q[6] & (not_1991_s20_q & (equal_2893_s20_q & less_3701)));
   // hls/stages/agreement.hpp:1142
-  logic and_3798;
-  assign and_3798 = x_s22_q[6] & (not_1996_s22_q & (less_3707 & (x_s22_q[5:3] == 3'h0)));
+  logic and_3792;
+  assign and_3792 = x_s20_q[6] & (not_1991_s20_q & (less_3701 & (x_s20_q[5:3] == 3'h0)));
   // hls/stages/patches.hpp:561
-  logic and_3833;
-  assign and_3833 = equal_1969_s22_q & (not_3610 & less_3831_s22_q);
+  logic and_3827;
+  assign and_3827 = equal_1964_s20_q & (not_3604 & less_3825_s20_q);
   // hls/stages/patches.hpp:185
-  logic and_3836;
-  assign and_3836 = equal_1788_s22_q & (less_1966_s22_q ? (not_1968_s22_q & and_3833) : and_3833);
+  logic and_3830;
+  assign and_3830 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3827) : and_3827);
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3957;
-  assign select_3957 = equal_3954_s22_q ? counts_skin_unproven_q : (equal_3955_s22_q ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_3959;
-  assign select_3959 = equal_3953_s22_q ? counts_regions_bad_q : (equal_3950_s22_q ? counts_nearer_s22_q : select_3957);
+  logic [13:0] select_3951;
+  assign select_3951 = equal_3948_s20_q ? counts_skin_unproven_q : (equal_3949_s20_q ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_3953;
+  assign select_3953 = equal_3947_s20_q ? counts_regions_bad_q : (equal_3944_s20_q ? counts_nearer_s20_q : select_3951);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_3952_s22_q ? counts_on_skin_q : select_3959;
+  assign before_v_4 = equal_3946_s20_q ? counts_on_skin_q : select_3953;
   // hls/stages/agreement.hpp:788
-  logic and_4185;
-  assign and_4185 = equal_575_s22_q & (x_s22_q[6] & (not_1996_s22_q | (4'hc < x_s22_q[5:2])));
+  logic and_4179;
+  assign and_4179 = equal_573_s20_q & (x_s20_q[6] & (not_1991_s20_q | (4'hc < x_s20_q[5:2])));
   // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4195;
-  assign select_4195 = equal_1626_s22_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4194_s22_q;
-  logic [31:0] select_4196;
-  assign select_4196 = equal_1624_s22_q ? {8'h0, sharpness_sums_detail_0_s22_q} : select_4195;
-  logic [31:0] select_4197;
-  assign select_4197 = equal_1622_s22_q ? {8'h0, sharpness_sums_detail_1_s22_q} : select_4196;
-  logic [31:0] select_4198;
-  assign select_4198 = equal_1620_s22_q ? {8'h0, sharpness_sums_contrast_0_s22_q} : select_4197;
-  logic [31:0] select_4199;
-  assign select_4199 = equal_1618_s22_q ? {8'h0, sharpness_sums_contrast_1_s22_q} : select_4198;
+  logic [31:0] select_4189;
+  assign select_4189 = equal_1624_s20_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4188_s20_q;
+  logic [31:0] select_4190;
+  assign select_4190 = equal_1622_s20_q ? {8'h0, sharpness_sums_detail_0_s20_q} : select_4189;
+  logic [31:0] select_4191;
+  assign select_4191 = equal_1620_s20_q ? {8'h0, sharpness_sums_detail_1_s20_q} : select_4190;
+  logic [31:0] select_4192;
+  assign select_4192 = equal_1618_s20_q ? {8'h0, sharpness_sums_contrast_0_s20_q} : select_4191;
+  logic [31:0] select_4193;
+  assign select_4193 = equal_1616_s20_q ? {8'h0, sharpness_sums_contrast_1_s20_q} : select_4192;
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
-  assign patches_right_0_waddr = {select_1818_s22_q, select_1815_s22_q};
+  assign patches_right_0_waddr = {select_1813_s20_q, select_1810_s20_q};
   logic patches_right_0_we;
-  assign patches_right_0_we = s22_en & and_1828_s22_q;
+  assign patches_right_0_we = s20_en & and_1823_s20_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_right_0_we) patches_right_0_mem[patches_right_0_waddr] <= sample_pair_pixel_1_s22_q;
+    if (patches_right_0_we) patches_right_0_mem[patches_right_0_waddr] <= sample_pair_pixel_1_s20_q;
   end
 `ifndef SYNTHESIS
+  logic [9:0] patches_right_0_raddr_s8_sim;
+  logic patches_right_0_re_s8_sim;
+  logic [9:0] patches_right_0_raddr_s9_sim;
+  logic patches_right_0_re_s9_sim;
   logic [9:0] patches_right_0_raddr_s10_sim;
   logic patches_right_0_re_s10_sim;
   logic [9:0] patches_right_0_raddr_s11_sim;
@@ -11171,12 +11069,10 @@ module horopter_agreement (
   logic patches_right_0_re_s18_sim;
   logic [9:0] patches_right_0_raddr_s19_sim;
   logic patches_right_0_re_s19_sim;
-  logic [9:0] patches_right_0_raddr_s20_sim;
-  logic patches_right_0_re_s20_sim;
-  logic [9:0] patches_right_0_raddr_s21_sim;
-  logic patches_right_0_re_s21_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      patches_right_0_re_s8_sim <= 1'b0;
+      patches_right_0_re_s9_sim <= 1'b0;
       patches_right_0_re_s10_sim <= 1'b0;
       patches_right_0_re_s11_sim <= 1'b0;
       patches_right_0_re_s12_sim <= 1'b0;
@@ -11187,11 +11083,13 @@ module horopter_agreement (
       patches_right_0_re_s17_sim <= 1'b0;
       patches_right_0_re_s18_sim <= 1'b0;
       patches_right_0_re_s19_sim <= 1'b0;
-      patches_right_0_re_s20_sim <= 1'b0;
-      patches_right_0_re_s21_sim <= 1'b0;
     end else if (en_i) begin
-      patches_right_0_re_s10_sim <= patches_right_0_re;
-      patches_right_0_raddr_s10_sim <= patches_right_0_raddr;
+      patches_right_0_re_s8_sim <= patches_right_0_re;
+      patches_right_0_raddr_s8_sim <= patches_right_0_raddr;
+      patches_right_0_re_s9_sim <= patches_right_0_re_s8_sim;
+      patches_right_0_raddr_s9_sim <= patches_right_0_raddr_s8_sim;
+      patches_right_0_re_s10_sim <= patches_right_0_re_s9_sim;
+      patches_right_0_raddr_s10_sim <= patches_right_0_raddr_s9_sim;
       patches_right_0_re_s11_sim <= patches_right_0_re_s10_sim;
       patches_right_0_raddr_s11_sim <= patches_right_0_raddr_s10_sim;
       patches_right_0_re_s12_sim <= patches_right_0_re_s11_sim;
@@ -11210,15 +11108,17 @@ module horopter_agreement (
       patches_right_0_raddr_s18_sim <= patches_right_0_raddr_s17_sim;
       patches_right_0_re_s19_sim <= patches_right_0_re_s18_sim;
       patches_right_0_raddr_s19_sim <= patches_right_0_raddr_s18_sim;
-      patches_right_0_re_s20_sim <= patches_right_0_re_s19_sim;
-      patches_right_0_raddr_s20_sim <= patches_right_0_raddr_s19_sim;
-      patches_right_0_re_s21_sim <= patches_right_0_re_s20_sim;
-      patches_right_0_raddr_s21_sim <= patches_right_0_raddr_s20_sim;
     end
   end
   always_ff @(posedge clk_i) begin
     if (rst_ni && patches_right_0_we) begin
       if (patches_right_0_re && patches_right_0_raddr == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s8_sim && patches_right_0_raddr_s8_sim == patches_right_0_waddr) begin
+        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
+      end
+      if (patches_right_0_re_s9_sim && patches_right_0_raddr_s9_sim == patches_right_0_waddr) begin
         $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
       end
       if (patches_right_0_re_s10_sim && patches_right_0_raddr_s10_sim == patches_right_0_waddr) begin
@@ -11251,25 +11151,23 @@ module horopter_agreement (
       if (patches_right_0_re_s19_sim && patches_right_0_raddr_s19_sim == patches_right_0_waddr) begin
         $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
       end
-      if (patches_right_0_re_s20_sim && patches_right_0_raddr_s20_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
-      end
-      if (patches_right_0_re_s21_sim && patches_right_0_raddr_s21_sim == patches_right_0_waddr) begin
-        $error("patches_right_0: address %0d is read less than DISTANCE steps after its write", patches_right_0_waddr);
-      end
     end
   end
 `endif
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_1818_s22_q, select_1843_s22_q};
+  assign patches_right_1_waddr = {select_1813_s20_q, select_1838_s20_q};
   logic patches_right_1_we;
-  assign patches_right_1_we = s22_en & and_1847_s22_q;
+  assign patches_right_1_we = s20_en & and_1842_s20_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_right_1_we) patches_right_1_mem[patches_right_1_waddr] <= sample_pair_pixel_1_s22_q;
+    if (patches_right_1_we) patches_right_1_mem[patches_right_1_waddr] <= sample_pair_pixel_1_s20_q;
   end
 `ifndef SYNTHESIS
+  logic [9:0] patches_right_1_raddr_s8_sim;
+  logic patches_right_1_re_s8_sim;
+  logic [9:0] patches_right_1_raddr_s9_sim;
+  logic patches_right_1_re_s9_sim;
   logic [9:0] patches_right_1_raddr_s10_sim;
   logic patches_right_1_re_s10_sim;
   logic [9:0] patches_right_1_raddr_s11_sim;
@@ -11290,12 +11188,10 @@ module horopter_agreement (
   logic patches_right_1_re_s18_sim;
   logic [9:0] patches_right_1_raddr_s19_sim;
   logic patches_right_1_re_s19_sim;
-  logic [9:0] patches_right_1_raddr_s20_sim;
-  logic patches_right_1_re_s20_sim;
-  logic [9:0] patches_right_1_raddr_s21_sim;
-  logic patches_right_1_re_s21_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      patches_right_1_re_s8_sim <= 1'b0;
+      patches_right_1_re_s9_sim <= 1'b0;
       patches_right_1_re_s10_sim <= 1'b0;
       patches_right_1_re_s11_sim <= 1'b0;
       patches_right_1_re_s12_sim <= 1'b0;
@@ -11306,11 +11202,13 @@ module horopter_agreement (
       patches_right_1_re_s17_sim <= 1'b0;
       patches_right_1_re_s18_sim <= 1'b0;
       patches_right_1_re_s19_sim <= 1'b0;
-      patches_right_1_re_s20_sim <= 1'b0;
-      patches_right_1_re_s21_sim <= 1'b0;
     end else if (en_i) begin
-      patches_right_1_re_s10_sim <= patches_right_1_re;
-      patches_right_1_raddr_s10_sim <= patches_right_1_raddr;
+      patches_right_1_re_s8_sim <= patches_right_1_re;
+      patches_right_1_raddr_s8_sim <= patches_right_1_raddr;
+      patches_right_1_re_s9_sim <= patches_right_1_re_s8_sim;
+      patches_right_1_raddr_s9_sim <= patches_right_1_raddr_s8_sim;
+      patches_right_1_re_s10_sim <= patches_right_1_re_s9_sim;
+      patches_right_1_raddr_s10_sim <= patches_right_1_raddr_s9_sim;
       patches_right_1_re_s11_sim <= patches_right_1_re_s10_sim;
       patches_right_1_raddr_s11_sim <= patches_right_1_raddr_s10_sim;
       patches_right_1_re_s12_sim <= patches_right_1_re_s11_sim;
@@ -11329,15 +11227,17 @@ module horopter_agreement (
       patches_right_1_raddr_s18_sim <= patches_right_1_raddr_s17_sim;
       patches_right_1_re_s19_sim <= patches_right_1_re_s18_sim;
       patches_right_1_raddr_s19_sim <= patches_right_1_raddr_s18_sim;
-      patches_right_1_re_s20_sim <= patches_right_1_re_s19_sim;
-      patches_right_1_raddr_s20_sim <= patches_right_1_raddr_s19_sim;
-      patches_right_1_re_s21_sim <= patches_right_1_re_s20_sim;
-      patches_right_1_raddr_s21_sim <= patches_right_1_raddr_s20_sim;
     end
   end
   always_ff @(posedge clk_i) begin
     if (rst_ni && patches_right_1_we) begin
       if (patches_right_1_re && patches_right_1_raddr == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s8_sim && patches_right_1_raddr_s8_sim == patches_right_1_waddr) begin
+        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
+      end
+      if (patches_right_1_re_s9_sim && patches_right_1_raddr_s9_sim == patches_right_1_waddr) begin
         $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
       end
       if (patches_right_1_re_s10_sim && patches_right_1_raddr_s10_sim == patches_right_1_waddr) begin
@@ -11370,25 +11270,23 @@ module horopter_agreement (
       if (patches_right_1_re_s19_sim && patches_right_1_raddr_s19_sim == patches_right_1_waddr) begin
         $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
       end
-      if (patches_right_1_re_s20_sim && patches_right_1_raddr_s20_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
-      end
-      if (patches_right_1_re_s21_sim && patches_right_1_raddr_s21_sim == patches_right_1_waddr) begin
-        $error("patches_right_1: address %0d is read less than DISTANCE steps after its write", patches_right_1_waddr);
-      end
     end
   end
 `endif
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_1863_s22_q, select_1862_s22_q, column_4_s22_q};
+  assign patches_left_waddr = {select_1858_s20_q, select_1857_s20_q, column_4_s20_q};
   logic patches_left_we;
-  assign patches_left_we = s22_en & and_1870_s22_q;
+  assign patches_left_we = s20_en & and_1865_s20_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_left_we) patches_left_mem[patches_left_waddr] <= sample_pair_pixel_0_s22_q;
+    if (patches_left_we) patches_left_mem[patches_left_waddr] <= sample_pair_pixel_0_s20_q;
   end
 `ifndef SYNTHESIS
+  logic [8:0] patches_left_raddr_s9_sim;
+  logic patches_left_re_s9_sim;
+  logic [8:0] patches_left_raddr_s10_sim;
+  logic patches_left_re_s10_sim;
   logic [8:0] patches_left_raddr_s11_sim;
   logic patches_left_re_s11_sim;
   logic [8:0] patches_left_raddr_s12_sim;
@@ -11407,12 +11305,10 @@ module horopter_agreement (
   logic patches_left_re_s18_sim;
   logic [8:0] patches_left_raddr_s19_sim;
   logic patches_left_re_s19_sim;
-  logic [8:0] patches_left_raddr_s20_sim;
-  logic patches_left_re_s20_sim;
-  logic [8:0] patches_left_raddr_s21_sim;
-  logic patches_left_re_s21_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      patches_left_re_s9_sim <= 1'b0;
+      patches_left_re_s10_sim <= 1'b0;
       patches_left_re_s11_sim <= 1'b0;
       patches_left_re_s12_sim <= 1'b0;
       patches_left_re_s13_sim <= 1'b0;
@@ -11422,11 +11318,13 @@ module horopter_agreement (
       patches_left_re_s17_sim <= 1'b0;
       patches_left_re_s18_sim <= 1'b0;
       patches_left_re_s19_sim <= 1'b0;
-      patches_left_re_s20_sim <= 1'b0;
-      patches_left_re_s21_sim <= 1'b0;
     end else if (en_i) begin
-      patches_left_re_s11_sim <= patches_left_re;
-      patches_left_raddr_s11_sim <= patches_left_raddr;
+      patches_left_re_s9_sim <= patches_left_re;
+      patches_left_raddr_s9_sim <= patches_left_raddr;
+      patches_left_re_s10_sim <= patches_left_re_s9_sim;
+      patches_left_raddr_s10_sim <= patches_left_raddr_s9_sim;
+      patches_left_re_s11_sim <= patches_left_re_s10_sim;
+      patches_left_raddr_s11_sim <= patches_left_raddr_s10_sim;
       patches_left_re_s12_sim <= patches_left_re_s11_sim;
       patches_left_raddr_s12_sim <= patches_left_raddr_s11_sim;
       patches_left_re_s13_sim <= patches_left_re_s12_sim;
@@ -11443,15 +11341,17 @@ module horopter_agreement (
       patches_left_raddr_s18_sim <= patches_left_raddr_s17_sim;
       patches_left_re_s19_sim <= patches_left_re_s18_sim;
       patches_left_raddr_s19_sim <= patches_left_raddr_s18_sim;
-      patches_left_re_s20_sim <= patches_left_re_s19_sim;
-      patches_left_raddr_s20_sim <= patches_left_raddr_s19_sim;
-      patches_left_re_s21_sim <= patches_left_re_s20_sim;
-      patches_left_raddr_s21_sim <= patches_left_raddr_s20_sim;
     end
   end
   always_ff @(posedge clk_i) begin
     if (rst_ni && patches_left_we) begin
       if (patches_left_re && patches_left_raddr == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s9_sim && patches_left_raddr_s9_sim == patches_left_waddr) begin
+        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
+      end
+      if (patches_left_re_s10_sim && patches_left_raddr_s10_sim == patches_left_waddr) begin
         $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
       end
       if (patches_left_re_s11_sim && patches_left_raddr_s11_sim == patches_left_waddr) begin
@@ -11481,23 +11381,17 @@ module horopter_agreement (
       if (patches_left_re_s19_sim && patches_left_raddr_s19_sim == patches_left_waddr) begin
         $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
       end
-      if (patches_left_re_s20_sim && patches_left_raddr_s20_sim == patches_left_waddr) begin
-        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
-      end
-      if (patches_left_re_s21_sim && patches_left_raddr_s21_sim == patches_left_waddr) begin
-        $error("patches_left: address %0d is read less than DISTANCE steps after its write", patches_left_waddr);
-      end
     end
   end
 `endif
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_2068_s22_q, index_2_s22_q};
+  assign map_waddr = {sum_2063_s20_q, index_2_s20_q};
   logic map_we;
-  assign map_we = s22_en & and_2142_s22_q;
+  assign map_we = s20_en & and_2137_s20_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_2132_s22_q, is_seen_s22_q};
+    if (map_we) map_mem[map_waddr] <= {and_2127_s20_q, is_seen_s20_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -11540,245 +11434,245 @@ module horopter_agreement (
       patches_sums_values_16_q <= 10'h0;
       patches_frame_ended_q <= 1'b0;
       proven_q <= 1'b0;
-    end else if (s22_en) begin
-      moments_out_of_step_q <= or_2331;
-      moments_begins_alone_q <= equal_575_s22_q & (equal_2298_s22_q & and_2350_s22_q);
-      sharpness_comparing_rest_0_q <= so_s22_q ? select_2417 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= so_s22_q ? select_2427 : sharpness_comparing_rest_1_q;
-      counts_unproven_q <= select_2646;
-      counts_regions_bad_q <= select_2660;
-      counts_skin_unproven_q <= select_2682;
-      counts_on_skin_q <= select_2701;
-      patches_sums_values_0_q <= select_3470;
-      patches_sums_values_1_q <= equal_1788_s22_q ? patches_sums_values_1_q : select_3471;
-      patches_sums_values_2_q <= equal_1788_s22_q ? patches_sums_values_2_q : select_3473;
-      patches_sums_values_3_q <= equal_1788_s22_q ? patches_sums_values_3_q : select_3475;
-      patches_sums_values_4_q <= equal_1788_s22_q ? patches_sums_values_4_q : select_3477;
-      patches_sums_values_5_q <= equal_1788_s22_q ? patches_sums_values_5_q : select_3479;
-      patches_sums_values_6_q <= equal_1788_s22_q ? patches_sums_values_6_q : select_3481;
-      patches_sums_values_7_q <= equal_1788_s22_q ? patches_sums_values_7_q : select_3483;
-      patches_sums_values_8_q <= equal_1788_s22_q ? patches_sums_values_8_q : select_3485;
-      patches_sums_values_9_q <= equal_1788_s22_q ? patches_sums_values_9_q : select_3487;
-      patches_sums_values_10_q <= equal_1788_s22_q ? patches_sums_values_10_q : select_3489;
-      patches_sums_values_11_q <= equal_1788_s22_q ? patches_sums_values_11_q : select_3491;
-      patches_sums_values_12_q <= equal_1788_s22_q ? patches_sums_values_12_q : select_3493;
-      patches_sums_values_13_q <= equal_1788_s22_q ? patches_sums_values_13_q : select_3495;
-      patches_sums_values_14_q <= equal_1788_s22_q ? patches_sums_values_14_q : select_3497;
-      patches_sums_values_15_q <= equal_1788_s22_q ? patches_sums_values_15_q : select_3499;
-      patches_sums_values_16_q <= equal_1788_s22_q ? patches_sums_values_16_q : select_3501;
-      patches_frame_ended_q <= equal_575_s22_q & equal_2298_s22_q;
-      proven_q <= marks_first_s22_q ? done_s22_q : proven_q;
+    end else if (s20_en) begin
+      moments_out_of_step_q <= or_2326;
+      moments_begins_alone_q <= equal_573_s20_q & (equal_2293_s20_q & and_2345_s20_q);
+      sharpness_comparing_rest_0_q <= so_s20_q ? select_2412 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= so_s20_q ? select_2422 : sharpness_comparing_rest_1_q;
+      counts_unproven_q <= select_2641;
+      counts_regions_bad_q <= select_2655;
+      counts_skin_unproven_q <= select_2677;
+      counts_on_skin_q <= select_2696;
+      patches_sums_values_0_q <= select_3464;
+      patches_sums_values_1_q <= equal_1783_s20_q ? patches_sums_values_1_q : select_3465;
+      patches_sums_values_2_q <= equal_1783_s20_q ? patches_sums_values_2_q : select_3467;
+      patches_sums_values_3_q <= equal_1783_s20_q ? patches_sums_values_3_q : select_3469;
+      patches_sums_values_4_q <= equal_1783_s20_q ? patches_sums_values_4_q : select_3471;
+      patches_sums_values_5_q <= equal_1783_s20_q ? patches_sums_values_5_q : select_3473;
+      patches_sums_values_6_q <= equal_1783_s20_q ? patches_sums_values_6_q : select_3475;
+      patches_sums_values_7_q <= equal_1783_s20_q ? patches_sums_values_7_q : select_3477;
+      patches_sums_values_8_q <= equal_1783_s20_q ? patches_sums_values_8_q : select_3479;
+      patches_sums_values_9_q <= equal_1783_s20_q ? patches_sums_values_9_q : select_3481;
+      patches_sums_values_10_q <= equal_1783_s20_q ? patches_sums_values_10_q : select_3483;
+      patches_sums_values_11_q <= equal_1783_s20_q ? patches_sums_values_11_q : select_3485;
+      patches_sums_values_12_q <= equal_1783_s20_q ? patches_sums_values_12_q : select_3487;
+      patches_sums_values_13_q <= equal_1783_s20_q ? patches_sums_values_13_q : select_3489;
+      patches_sums_values_14_q <= equal_1783_s20_q ? patches_sums_values_14_q : select_3491;
+      patches_sums_values_15_q <= equal_1783_s20_q ? patches_sums_values_15_q : select_3493;
+      patches_sums_values_16_q <= equal_1783_s20_q ? patches_sums_values_16_q : select_3495;
+      patches_frame_ended_q <= equal_573_s20_q & equal_2293_s20_q;
+      proven_q <= marks_first_s20_q ? done_s20_q : proven_q;
     end
   end
 
-  logic [7:0] pixel_0_s23_q;
-  logic [7:0] pixel_1_s23_q;
-  logic saturated_s23_q;
-  logic mask_s23_q;
-  logic marks_first_s23_q;
-  logic marks_last_s23_q;
-  logic census_columns_values_1_cell_2_of_skin_s23_q;
-  logic x_s23_q;
-  logic registration_moved_s23_q;
-  logic patches_lower_s23_q;
-  logic [9:0] patches_sums_values_0_s23_q;
-  logic [4:0] patches_summed_row_column_s23_q;
-  logic patches_summed_first_s23_q;
-  logic patches_summed_last_s23_q;
-  logic [4:0] patches_summed_down_by_s23_q;
-  logic patches_frame_ended_s23_q;
-  logic [13:0] product_s23_q;
-  logic [6:0] last_s23_q;
-  logic and_550_s23_q;
-  logic equal_575_s23_q;
-  logic so_s23_q;
-  logic less_653_s23_q;
-  logic less_654_s23_q;
-  logic less_655_s23_q;
-  logic less_656_s23_q;
-  logic less_657_s23_q;
-  logic less_658_s23_q;
-  logic less_659_s23_q;
-  logic less_660_s23_q;
-  logic less_661_s23_q;
-  logic less_662_s23_q;
-  logic less_663_s23_q;
-  logic less_664_s23_q;
-  logic less_665_s23_q;
-  logic less_666_s23_q;
-  logic less_667_s23_q;
-  logic less_668_s23_q;
-  logic less_669_s23_q;
-  logic less_670_s23_q;
-  logic less_671_s23_q;
-  logic less_672_s23_q;
-  logic less_673_s23_q;
-  logic less_674_s23_q;
-  logic less_675_s23_q;
-  logic less_676_s23_q;
-  logic and_684_s23_q;
-  logic and_709_s23_q;
-  logic and_710_s23_q;
-  logic less_733_s23_q;
-  logic and_740_s23_q;
-  logic less_741_s23_q;
-  logic and_746_s23_q;
-  logic less_747_s23_q;
-  logic equal_1608_s23_q;
-  logic equal_1616_s23_q;
-  logic and_2062_s23_q;
-  logic less_2063_s23_q;
-  logic [1:0] map_rdata_s23_q;
-  logic is_seen_s23_q;
-  logic and_2132_s23_q;
-  logic equal_2283_s23_q;
-  logic and_2288_s23_q;
-  logic equal_2401_s23_q;
-  logic sum_s23_q;
-  logic sum_2_s23_q;
-  logic equal_2445_s23_q;
-  logic select_2463_s23_q;
-  logic select_2469_s23_q;
-  logic [9:0] select_2648_s23_q;
-  logic [9:0] select_2651_s23_q;
-  logic and_3614_s23_q;
-  logic and_3620_s23_q;
-  logic and_3663_s23_q;
-  logic and_3673_s23_q;
-  logic equal_3706_s23_q;
-  logic and_3711_s23_q;
-  logic and_3717_s23_q;
-  logic and_3724_s23_q;
-  logic and_3731_s23_q;
-  logic and_3740_s23_q;
-  logic and_3767_s23_q;
-  logic [5:0] select_3788_s23_q;
-  logic and_3794_s23_q;
-  logic and_3799_s23_q;
-  logic and_3837_s23_q;
-  logic or_3928_s23_q;
-  logic select_3936_s23_q;
-  logic equal_3947_s23_q;
-  logic and_3951_s23_q;
-  logic [13:0] before_v_4_s23_q;
-  logic not_3996_s23_q;
-  logic or_4000_s23_q;
-  logic and_4005_s23_q;
-  logic less_4006_s23_q;
-  logic and_4109_s23_q;
-  logic and_4124_s23_q;
-  logic not_4138_s23_q;
-  logic and_4185_s23_q;
-  logic [5:0] select_4187_s23_q;
-  logic [31:0] select_4199_s23_q;
-  logic [9:0] select_4201_s23_q;
+  logic [7:0] pixel_0_s21_q;
+  logic [7:0] pixel_1_s21_q;
+  logic saturated_s21_q;
+  logic mask_s21_q;
+  logic marks_first_s21_q;
+  logic marks_last_s21_q;
+  logic census_columns_values_1_cell_2_of_skin_s21_q;
+  logic x_s21_q;
+  logic registration_moved_s21_q;
+  logic patches_lower_s21_q;
+  logic [9:0] patches_sums_values_0_s21_q;
+  logic [4:0] patches_summed_row_column_s21_q;
+  logic patches_summed_first_s21_q;
+  logic patches_summed_last_s21_q;
+  logic [4:0] patches_summed_down_by_s21_q;
+  logic patches_frame_ended_s21_q;
+  logic [13:0] product_s21_q;
+  logic [6:0] last_s21_q;
+  logic and_548_s21_q;
+  logic equal_573_s21_q;
+  logic so_s21_q;
+  logic less_651_s21_q;
+  logic less_652_s21_q;
+  logic less_653_s21_q;
+  logic less_654_s21_q;
+  logic less_655_s21_q;
+  logic less_656_s21_q;
+  logic less_657_s21_q;
+  logic less_658_s21_q;
+  logic less_659_s21_q;
+  logic less_660_s21_q;
+  logic less_661_s21_q;
+  logic less_662_s21_q;
+  logic less_663_s21_q;
+  logic less_664_s21_q;
+  logic less_665_s21_q;
+  logic less_666_s21_q;
+  logic less_667_s21_q;
+  logic less_668_s21_q;
+  logic less_669_s21_q;
+  logic less_670_s21_q;
+  logic less_671_s21_q;
+  logic less_672_s21_q;
+  logic less_673_s21_q;
+  logic less_674_s21_q;
+  logic and_682_s21_q;
+  logic and_707_s21_q;
+  logic and_708_s21_q;
+  logic less_731_s21_q;
+  logic and_738_s21_q;
+  logic less_739_s21_q;
+  logic and_744_s21_q;
+  logic less_745_s21_q;
+  logic equal_1606_s21_q;
+  logic equal_1614_s21_q;
+  logic and_2057_s21_q;
+  logic less_2058_s21_q;
+  logic [1:0] map_rdata_s21_q;
+  logic is_seen_s21_q;
+  logic and_2127_s21_q;
+  logic equal_2278_s21_q;
+  logic and_2283_s21_q;
+  logic equal_2396_s21_q;
+  logic sum_s21_q;
+  logic sum_2_s21_q;
+  logic equal_2440_s21_q;
+  logic select_2458_s21_q;
+  logic select_2464_s21_q;
+  logic [9:0] select_2643_s21_q;
+  logic [9:0] select_2646_s21_q;
+  logic and_3608_s21_q;
+  logic and_3614_s21_q;
+  logic and_3657_s21_q;
+  logic and_3667_s21_q;
+  logic equal_3700_s21_q;
+  logic and_3705_s21_q;
+  logic and_3711_s21_q;
+  logic and_3718_s21_q;
+  logic and_3725_s21_q;
+  logic and_3734_s21_q;
+  logic and_3761_s21_q;
+  logic [5:0] select_3782_s21_q;
+  logic and_3788_s21_q;
+  logic and_3793_s21_q;
+  logic and_3831_s21_q;
+  logic or_3922_s21_q;
+  logic select_3930_s21_q;
+  logic equal_3941_s21_q;
+  logic and_3945_s21_q;
+  logic [13:0] before_v_4_s21_q;
+  logic not_3990_s21_q;
+  logic or_3994_s21_q;
+  logic and_3999_s21_q;
+  logic less_4000_s21_q;
+  logic and_4103_s21_q;
+  logic and_4118_s21_q;
+  logic not_4132_s21_q;
+  logic and_4179_s21_q;
+  logic [5:0] select_4181_s21_q;
+  logic [31:0] select_4193_s21_q;
+  logic [9:0] select_4195_s21_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s23_q <= pixel_0_s22_q;
-      pixel_1_s23_q <= pixel_1_s22_q;
-      saturated_s23_q <= saturated_s22_q;
-      mask_s23_q <= mask_s22_q;
-      marks_first_s23_q <= marks_first_s22_q;
-      marks_last_s23_q <= marks_last_s22_q;
-      census_columns_values_1_cell_2_of_skin_s23_q <= census_columns_values_1_cell_2_of_skin_s22_q;
-      x_s23_q <= x_s22_q[6];
-      registration_moved_s23_q <= registration_moved_s22_q;
-      patches_lower_s23_q <= patches_lower_s22_q;
-      patches_sums_values_0_s23_q <= patches_sums_values_0_q;
-      patches_summed_row_column_s23_q <= patches_summed_row_column_s22_q;
-      patches_summed_first_s23_q <= patches_summed_first_s22_q;
-      patches_summed_last_s23_q <= patches_summed_last_s22_q;
-      patches_summed_down_by_s23_q <= patches_summed_down_by_s22_q;
-      patches_frame_ended_s23_q <= patches_frame_ended_q;
-      product_s23_q <= product_s22_q;
-      last_s23_q <= last_s22_q;
-      and_550_s23_q <= and_550_s22_q;
-      equal_575_s23_q <= equal_575_s22_q;
-      so_s23_q <= so_s22_q;
-      less_653_s23_q <= less_653_s22_q;
-      less_654_s23_q <= less_654_s22_q;
-      less_655_s23_q <= less_655_s22_q;
-      less_656_s23_q <= less_656_s22_q;
-      less_657_s23_q <= less_657_s22_q;
-      less_658_s23_q <= less_658_s22_q;
-      less_659_s23_q <= less_659_s22_q;
-      less_660_s23_q <= less_660_s22_q;
-      less_661_s23_q <= less_661_s22_q;
-      less_662_s23_q <= less_662_s22_q;
-      less_663_s23_q <= less_663_s22_q;
-      less_664_s23_q <= less_664_s22_q;
-      less_665_s23_q <= less_665_s22_q;
-      less_666_s23_q <= less_666_s22_q;
-      less_667_s23_q <= less_667_s22_q;
-      less_668_s23_q <= less_668_s22_q;
-      less_669_s23_q <= less_669_s22_q;
-      less_670_s23_q <= less_670_s22_q;
-      less_671_s23_q <= less_671_s22_q;
-      less_672_s23_q <= less_672_s22_q;
-      less_673_s23_q <= less_673_s22_q;
-      less_674_s23_q <= less_674_s22_q;
-      less_675_s23_q <= less_675_s22_q;
-      less_676_s23_q <= less_676_s22_q;
-      and_684_s23_q <= and_684_s22_q;
-      and_709_s23_q <= and_709_s22_q;
-      and_710_s23_q <= and_710_s22_q;
-      less_733_s23_q <= 9'h4 < sum_732_s22_q;
-      and_740_s23_q <= and_740_s22_q;
-      less_741_s23_q <= less_741_s22_q;
-      and_746_s23_q <= and_746_s22_q;
-      less_747_s23_q <= less_747_s22_q;
-      equal_1608_s23_q <= equal_1608_s22_q;
-      equal_1616_s23_q <= equal_1616_s22_q;
-      and_2062_s23_q <= and_2062_s22_q;
-      less_2063_s23_q <= less_2063_s22_q;
-      map_rdata_s23_q <= map_rdata_q;
-      is_seen_s23_q <= is_seen_s22_q;
-      and_2132_s23_q <= and_2132_s22_q;
-      equal_2283_s23_q <= equal_2283_s22_q;
-      and_2288_s23_q <= and_709_s22_q & (9'h4 < sum_2286_s22_q);
-      equal_2401_s23_q <= equal_2401_s22_q;
-      sum_s23_q <= sum[0];
-      sum_2_s23_q <= sum_2[0];
-      equal_2445_s23_q <= equal_2445_s22_q;
-      select_2463_s23_q <= sharpness_comparing_less_contrast_0_q;
-      select_2469_s23_q <= sharpness_comparing_less_contrast_1_q;
-      select_2648_s23_q <= select_2648_s22_q;
-      select_2651_s23_q <= select_2651_s22_q;
-      and_3614_s23_q <= and_3614;
-      and_3620_s23_q <= and_3620;
-      and_3663_s23_q <= and_3663;
-      and_3673_s23_q <= and_3673;
-      equal_3706_s23_q <= equal_3706_s22_q;
-      and_3711_s23_q <= and_3711;
-      and_3717_s23_q <= equal_575_s22_q & and_3716;
-      and_3724_s23_q <= equal_575_s22_q & and_3723;
-      and_3731_s23_q <= equal_575_s22_q & and_3730;
-      and_3740_s23_q <= x_s22_q[6] & (not_1996_s22_q & (less_3707 & select_3737));
-      and_3767_s23_q <= not_1996_s22_q & (less_3707 & (sum_3764[4:2] == 3'h0));
-      select_3788_s23_q <= equal_1788_s22_q ? select_3787 : 6'h0;
-      and_3794_s23_q <= and_3794;
-      and_3799_s23_q <= equal_575_s22_q & and_3798;
-      and_3837_s23_q <= and_3614 & and_3836;
-      or_3928_s23_q <= or_3928_s22_q;
-      select_3936_s23_q <= select_3936_s22_q;
-      equal_3947_s23_q <= equal_3947_s22_q;
-      and_3951_s23_q <= equal_3950_s22_q & equal_3706_s22_q;
-      before_v_4_s23_q <= before_v_4;
-      not_3996_s23_q <= ~(equal_3955_s22_q & equal_3706_s22_q);
-      or_4000_s23_q <= (equal_3955_s22_q | equal_3954_s22_q) | (x_s22_q[6:3] == 4'hf);
-      and_4005_s23_q <= equal_3952_s22_q & equal_3706_s22_q;
-      less_4006_s23_q <= {4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q;
-      and_4109_s23_q <= and_4109_s22_q;
-      and_4124_s23_q <= and_4124_s22_q;
-      not_4138_s23_q <= ~proven_q;
-      and_4185_s23_q <= and_4185;
-      select_4187_s23_q <= equal_575_s22_q ? (x_s22_q[6] ? x_s22_q[5:0] : 6'h0) : 6'h0;
-      select_4199_s23_q <= select_4199;
-      select_4201_s23_q <= select_4201_s22_q;
+      pixel_0_s21_q <= pixel_0_s20_q;
+      pixel_1_s21_q <= pixel_1_s20_q;
+      saturated_s21_q <= saturated_s20_q;
+      mask_s21_q <= mask_s20_q;
+      marks_first_s21_q <= marks_first_s20_q;
+      marks_last_s21_q <= marks_last_s20_q;
+      census_columns_values_1_cell_2_of_skin_s21_q <= census_columns_values_1_cell_2_of_skin_s20_q;
+      x_s21_q <= x_s20_q[6];
+      registration_moved_s21_q <= registration_moved_s20_q;
+      patches_lower_s21_q <= patches_lower_s20_q;
+      patches_sums_values_0_s21_q <= patches_sums_values_0_q;
+      patches_summed_row_column_s21_q <= patches_summed_row_column_s20_q;
+      patches_summed_first_s21_q <= patches_summed_first_s20_q;
+      patches_summed_last_s21_q <= patches_summed_last_s20_q;
+      patches_summed_down_by_s21_q <= patches_summed_down_by_s20_q;
+      patches_frame_ended_s21_q <= patches_frame_ended_q;
+      product_s21_q <= product_s20_q;
+      last_s21_q <= last_s20_q;
+      and_548_s21_q <= and_548_s20_q;
+      equal_573_s21_q <= equal_573_s20_q;
+      so_s21_q <= so_s20_q;
+      less_651_s21_q <= less_651_s20_q;
+      less_652_s21_q <= less_652_s20_q;
+      less_653_s21_q <= less_653_s20_q;
+      less_654_s21_q <= less_654_s20_q;
+      less_655_s21_q <= less_655_s20_q;
+      less_656_s21_q <= less_656_s20_q;
+      less_657_s21_q <= less_657_s20_q;
+      less_658_s21_q <= less_658_s20_q;
+      less_659_s21_q <= less_659_s20_q;
+      less_660_s21_q <= less_660_s20_q;
+      less_661_s21_q <= less_661_s20_q;
+      less_662_s21_q <= less_662_s20_q;
+      less_663_s21_q <= less_663_s20_q;
+      less_664_s21_q <= less_664_s20_q;
+      less_665_s21_q <= less_665_s20_q;
+      less_666_s21_q <= less_666_s20_q;
+      less_667_s21_q <= less_667_s20_q;
+      less_668_s21_q <= less_668_s20_q;
+      less_669_s21_q <= less_669_s20_q;
+      less_670_s21_q <= less_670_s20_q;
+      less_671_s21_q <= less_671_s20_q;
+      less_672_s21_q <= less_672_s20_q;
+      less_673_s21_q <= less_673_s20_q;
+      less_674_s21_q <= less_674_s20_q;
+      and_682_s21_q <= and_682_s20_q;
+      and_707_s21_q <= and_707_s20_q;
+      and_708_s21_q <= and_708_s20_q;
+      less_731_s21_q <= 9'h4 < sum_730_s20_q;
+      and_738_s21_q <= and_738_s20_q;
+      less_739_s21_q <= less_739_s20_q;
+      and_744_s21_q <= and_744_s20_q;
+      less_745_s21_q <= less_745_s20_q;
+      equal_1606_s21_q <= equal_1606_s20_q;
+      equal_1614_s21_q <= equal_1614_s20_q;
+      and_2057_s21_q <= and_2057_s20_q;
+      less_2058_s21_q <= less_2058_s20_q;
+      map_rdata_s21_q <= map_rdata_q;
+      is_seen_s21_q <= is_seen_s20_q;
+      and_2127_s21_q <= and_2127_s20_q;
+      equal_2278_s21_q <= equal_2278_s20_q;
+      and_2283_s21_q <= and_707_s20_q & (9'h4 < sum_2281_s20_q);
+      equal_2396_s21_q <= equal_2396_s20_q;
+      sum_s21_q <= sum[0];
+      sum_2_s21_q <= sum_2[0];
+      equal_2440_s21_q <= equal_2440_s20_q;
+      select_2458_s21_q <= sharpness_comparing_less_contrast_0_q;
+      select_2464_s21_q <= sharpness_comparing_less_contrast_1_q;
+      select_2643_s21_q <= select_2643_s20_q;
+      select_2646_s21_q <= select_2646_s20_q;
+      and_3608_s21_q <= and_3608;
+      and_3614_s21_q <= and_3614;
+      and_3657_s21_q <= and_3657;
+      and_3667_s21_q <= and_3667;
+      equal_3700_s21_q <= equal_3700_s20_q;
+      and_3705_s21_q <= and_3705;
+      and_3711_s21_q <= equal_573_s20_q & and_3710;
+      and_3718_s21_q <= equal_573_s20_q & and_3717;
+      and_3725_s21_q <= equal_573_s20_q & and_3724;
+      and_3734_s21_q <= x_s20_q[6] & (not_1991_s20_q & (less_3701 & select_3731));
+      and_3761_s21_q <= not_1991_s20_q & (less_3701 & (sum_3758[4:2] == 3'h0));
+      select_3782_s21_q <= equal_1783_s20_q ? select_3781 : 6'h0;
+      and_3788_s21_q <= and_3788;
+      and_3793_s21_q <= equal_573_s20_q & and_3792;
+      and_3831_s21_q <= and_3608 & and_3830;
+      or_3922_s21_q <= or_3922_s20_q;
+      select_3930_s21_q <= select_3930_s20_q;
+      equal_3941_s21_q <= equal_3941_s20_q;
+      and_3945_s21_q <= equal_3944_s20_q & equal_3700_s20_q;
+      before_v_4_s21_q <= before_v_4;
+      not_3990_s21_q <= ~(equal_3949_s20_q & equal_3700_s20_q);
+      or_3994_s21_q <= (equal_3949_s20_q | equal_3948_s20_q) | (x_s20_q[6:3] == 4'hf);
+      and_3999_s21_q <= equal_3946_s20_q & equal_3700_s20_q;
+      less_4000_s21_q <= {4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q;
+      and_4103_s21_q <= and_4103_s20_q;
+      and_4118_s21_q <= and_4118_s20_q;
+      not_4132_s21_q <= ~proven_q;
+      and_4179_s21_q <= and_4179;
+      select_4181_s21_q <= equal_573_s20_q ? (x_s20_q[6] ? x_s20_q[5:0] : 6'h0) : 6'h0;
+      select_4193_s21_q <= select_4193;
+      select_4195_s21_q <= select_4195_s20_q;
     end
   end
 
-  // Stage 23 ----------------------------------------------------------------------------------------------------------
+  // Stage 21 ----------------------------------------------------------------------------------------------------------
   logic [7:0] left_pixel_q;
   logic [19:0] census_left_misses_q;
   logic [2:0] sharpness_comparing_product_0_q;
@@ -11827,256 +11721,260 @@ module horopter_agreement (
   logic patches_clear_q;
   logic [9:0] patches_age_q;
   logic hides_q;
-  // hls/stages/census.hpp:314
-  logic and_734;
-  assign and_734 = and_684_s23_q & less_733_s23_q;
+  // hls/stages/census.hpp:317
+  logic and_732;
+  assign and_732 = and_682_s21_q & less_731_s21_q;
   // hls/stages/patches.hpp:185
-  logic less_1978;
-  assign less_1978 = patches_sums_values_0_s23_q < patches_best_differing_q;
+  logic less_1973;
+  assign less_1973 = patches_sums_values_0_s21_q < patches_best_differing_q;
   // hls/stages/patches.hpp:186
-  logic not_1979;
-  assign not_1979 = ~less_1978;
-  logic [1:0] select_1980;
-  assign select_1980 = patches_summed_first_s23_q ? 2'h2 : {less_1978, not_1979};
-  logic [12:0] select_1982;
-  assign select_1982 = select_1980[0] ? {4'h0, patches_summed_first_s23_q, 3'h0, patches_summed_row_column_s23_q} : {patches_summed_row_column_s23_q, patches_sums_values_0_s23_q[7:0]};
-  logic [14:0] select_1983;
-  assign select_1983 = select_1980[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
-  logic [14:0] select_1984;
-  assign select_1984 = (select_1980 == 2'h2) ? {select_1982[12:8], patches_sums_values_0_s23_q[9:8], select_1982[7:0]} : select_1983;
-  // hls/stages/census.hpp:321
-  logic and_2289;
-  assign and_2289 = and_709_s23_q & less_733_s23_q;
-  // hls/stages/census.hpp:322
-  logic [19:0] sum_2290;
-  assign sum_2290 = census_left_misses_q + {{17{and_2289}}, and_2288_s23_q, 1'b0, and_2288_s23_q};
+  logic not_1974;
+  assign not_1974 = ~less_1973;
+  logic [1:0] select_1975;
+  assign select_1975 = patches_summed_first_s21_q ? 2'h2 : {less_1973, not_1974};
+  logic [12:0] select_1977;
+  assign select_1977 = select_1975[0] ? {4'h0, patches_summed_first_s21_q, 3'h0, patches_summed_row_column_s21_q} : {patches_summed_row_column_s21_q, patches_sums_values_0_s21_q[7:0]};
+  logic [14:0] select_1978;
+  assign select_1978 = select_1975[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
+  logic [14:0] select_1979;
+  assign select_1979 = (select_1975 == 2'h2) ? {select_1977[12:8], patches_sums_values_0_s21_q[9:8], select_1977[7:0]} : select_1978;
+  // hls/stages/census.hpp:324
+  logic and_2284;
+  assign and_2284 = and_707_s21_q & less_731_s21_q;
+  // hls/stages/census.hpp:325
+  logic [19:0] sum_2285;
+  assign sum_2285 = census_left_misses_q + {{17{and_2284}}, and_2283_s21_q, 1'b0, and_2283_s21_q};
   // hls/stages/agreement.hpp:520
-  logic [19:0] select_2292;
-  assign select_2292 = and_550_s23_q ? (equal_2283_s23_q ? 20'h0 : sum_2290) : census_left_misses_q;
+  logic [19:0] select_2287;
+  assign select_2287 = and_548_s21_q ? (equal_2278_s21_q ? 20'h0 : sum_2285) : census_left_misses_q;
   // hls/stages/agreement.hpp:216
-  logic [2:0] select_2429;
-  assign select_2429 = equal_2401_s23_q ? {sharpness_comparing_product_0_q[1:0], sum_s23_q} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2431;
-  assign select_2431 = equal_2401_s23_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s23_q} : sharpness_comparing_product_1_q;
-  // hls/stages/census.hpp:398
+  logic [2:0] select_2424;
+  assign select_2424 = equal_2396_s21_q ? {sharpness_comparing_product_0_q[1:0], sum_s21_q} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2426;
+  assign select_2426 = equal_2396_s21_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s21_q} : sharpness_comparing_product_1_q;
+  // hls/stages/census.hpp:401
   logic [1:0] five_times;
-  assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s23_q});
+  assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s21_q});
   // hls/stages/agreement.hpp:216
-  logic select_2440;
-  assign select_2440 = so_s23_q ? (equal_2401_s23_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
-  // hls/stages/census.hpp:398
+  logic select_2435;
+  assign select_2435 = so_s21_q ? (equal_2396_s21_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  // hls/stages/census.hpp:401
   logic [1:0] five_times_2;
-  assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s23_q});
+  assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s21_q});
   // hls/stages/agreement.hpp:216
-  logic select_2443;
-  assign select_2443 = equal_2401_s23_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
-  // hls/stages/census.hpp:400
-  logic xor_2446;
-  assign xor_2446 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic xor_2452;
-  assign xor_2452 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2438;
+  assign select_2438 = equal_2396_s21_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
+  // hls/stages/census.hpp:403
+  logic xor_2441;
+  assign xor_2441 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic xor_2447;
+  assign xor_2447 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
   // hls/stages/patches.hpp:658
+  logic not_3609;
+  assign not_3609 = ~patches_lower_s21_q;
   logic not_3615;
-  assign not_3615 = ~patches_lower_s23_q;
-  logic not_3621;
-  assign not_3621 = ~and_3620_s23_q;
+  assign not_3615 = ~and_3614_s21_q;
   // hls/stages/patches.hpp:189
-  logic and_3623;
-  assign and_3623 = and_3614_s23_q & (not_3615 & not_3621);
+  logic and_3617;
+  assign and_3617 = and_3608_s21_q & (not_3609 & not_3615);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_3625;
-  assign sum_3625 = {7'h0, and_3623} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  logic [7:0] sum_3619;
+  assign sum_3619 = {7'h0, and_3617} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:661
-  logic and_3664;
-  assign and_3664 = and_3663_s23_q & and_3623;
-  logic [7:0] sum_3665;
-  assign sum_3665 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3664};
+  logic and_3658;
+  assign and_3658 = and_3657_s21_q & and_3617;
+  logic [7:0] sum_3659;
+  assign sum_3659 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3658};
   // hls/stages/patches.hpp:662
-  logic and_3674;
-  assign and_3674 = and_3673_s23_q & and_3623;
-  logic [7:0] sum_3675;
-  assign sum_3675 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3674};
+  logic and_3668;
+  assign and_3668 = and_3667_s21_q & and_3617;
+  logic [7:0] sum_3669;
+  assign sum_3669 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3668};
   // hls/stages/patches.hpp:189
-  logic and_3677;
-  assign and_3677 = and_3614_s23_q & (and_3620_s23_q & not_3615);
+  logic and_3671;
+  assign and_3671 = and_3608_s21_q & (and_3614_s21_q & not_3609);
   // hls/stages/patches.hpp:660
+  logic [7:0] sum_3673;
+  assign sum_3673 = {7'h0, and_3671} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:661
+  logic and_3675;
+  assign and_3675 = and_3657_s21_q & and_3671;
+  logic [7:0] sum_3676;
+  assign sum_3676 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3675};
+  // hls/stages/patches.hpp:662
+  logic and_3678;
+  assign and_3678 = and_3667_s21_q & and_3671;
   logic [7:0] sum_3679;
-  assign sum_3679 = {7'h0, and_3677} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:661
+  assign sum_3679 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3678};
+  // hls/stages/patches.hpp:189
   logic and_3681;
-  assign and_3681 = and_3663_s23_q & and_3677;
-  logic [7:0] sum_3682;
-  assign sum_3682 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3681};
-  // hls/stages/patches.hpp:662
-  logic and_3684;
-  assign and_3684 = and_3673_s23_q & and_3677;
-  logic [7:0] sum_3685;
-  assign sum_3685 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3684};
-  // hls/stages/patches.hpp:189
-  logic and_3687;
-  assign and_3687 = and_3614_s23_q & (patches_lower_s23_q & not_3621);
+  assign and_3681 = and_3608_s21_q & (patches_lower_s21_q & not_3615);
   // hls/stages/patches.hpp:660
+  logic [7:0] sum_3683;
+  assign sum_3683 = {7'h0, and_3681} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:661
+  logic and_3685;
+  assign and_3685 = and_3657_s21_q & and_3681;
+  logic [7:0] sum_3686;
+  assign sum_3686 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3685};
+  // hls/stages/patches.hpp:662
+  logic and_3688;
+  assign and_3688 = and_3667_s21_q & and_3681;
   logic [7:0] sum_3689;
-  assign sum_3689 = {7'h0, and_3687} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:661
+  assign sum_3689 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3688};
+  // hls/stages/patches.hpp:189
   logic and_3691;
-  assign and_3691 = and_3663_s23_q & and_3687;
-  logic [7:0] sum_3692;
-  assign sum_3692 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3691};
-  // hls/stages/patches.hpp:662
-  logic and_3694;
-  assign and_3694 = and_3673_s23_q & and_3687;
-  logic [7:0] sum_3695;
-  assign sum_3695 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3694};
-  // hls/stages/patches.hpp:189
-  logic and_3697;
-  assign and_3697 = and_3614_s23_q & (patches_lower_s23_q & and_3620_s23_q);
+  assign and_3691 = and_3608_s21_q & (patches_lower_s21_q & and_3614_s21_q);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_3699;
-  assign sum_3699 = {7'h0, and_3697} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  logic [7:0] sum_3693;
+  assign sum_3693 = {7'h0, and_3691} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
   // hls/stages/patches.hpp:661
-  logic and_3701;
-  assign and_3701 = and_3663_s23_q & and_3697;
-  logic [7:0] sum_3702;
-  assign sum_3702 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3701};
+  logic and_3695;
+  assign and_3695 = and_3657_s21_q & and_3691;
+  logic [7:0] sum_3696;
+  assign sum_3696 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3695};
   // hls/stages/patches.hpp:662
-  logic and_3704;
-  assign and_3704 = and_3673_s23_q & and_3697;
-  logic [7:0] sum_3705;
-  assign sum_3705 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3704};
+  logic and_3698;
+  assign and_3698 = and_3667_s21_q & and_3691;
+  logic [7:0] sum_3699;
+  assign sum_3699 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3698};
   // hls/stages/patches.hpp:624
-  logic [7:0] or_3719;
-  assign or_3719 = (and_3711_s23_q ? patches_quarters_0_places_q : 8'h0) | (and_3717_s23_q ? patches_quarters_1_places_q : 8'h0);
-  logic [7:0] or_3733;
-  assign or_3733 = (or_3719 | (and_3724_s23_q ? patches_quarters_2_places_q : 8'h0)) | (and_3731_s23_q ? patches_quarters_3_places_q : 8'h0);
+  logic [7:0] or_3713;
+  assign or_3713 = (and_3705_s21_q ? patches_quarters_0_places_q : 8'h0) | (and_3711_s21_q ? patches_quarters_1_places_q : 8'h0);
+  logic [7:0] or_3727;
+  assign or_3727 = (or_3713 | (and_3718_s21_q ? patches_quarters_2_places_q : 8'h0)) | (and_3725_s21_q ? patches_quarters_3_places_q : 8'h0);
   // hls/stages/agreement.hpp:788
-  logic and_3741;
-  assign and_3741 = equal_575_s23_q & and_3740_s23_q;
+  logic and_3735;
+  assign and_3735 = equal_573_s21_q & and_3734_s21_q;
   // hls/stages/patches.hpp:625
-  logic [7:0] select_3743;
-  assign select_3743 = and_3711_s23_q ? (and_3741 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_3737;
+  assign select_3737 = and_3705_s21_q ? (and_3735 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_3739;
+  assign select_3739 = and_3711_s21_q ? (and_3735 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_3742;
+  assign select_3742 = and_3718_s21_q ? (and_3735 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
   logic [7:0] select_3745;
-  assign select_3745 = and_3717_s23_q ? (and_3741 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_3748;
-  assign select_3748 = and_3724_s23_q ? (and_3741 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_3751;
-  assign select_3751 = and_3731_s23_q ? (and_3741 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  assign select_3745 = and_3725_s21_q ? (and_3735 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
   // hls/stages/patches.hpp:626
-  logic [7:0] select_3754;
-  assign select_3754 = and_3711_s23_q ? (and_3741 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_3748;
+  assign select_3748 = and_3705_s21_q ? (and_3735 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_3750;
+  assign select_3750 = and_3711_s21_q ? (and_3735 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_3753;
+  assign select_3753 = and_3718_s21_q ? (and_3735 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
   logic [7:0] select_3756;
-  assign select_3756 = and_3717_s23_q ? (and_3741 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_3759;
-  assign select_3759 = and_3724_s23_q ? (and_3741 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_3762;
-  assign select_3762 = and_3731_s23_q ? (and_3741 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  assign select_3756 = and_3725_s21_q ? (and_3735 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
   // hls/stages/agreement.hpp:788
-  logic and_3769;
-  assign and_3769 = equal_575_s23_q & (x_s23_q & and_3767_s23_q);
+  logic and_3763;
+  assign and_3763 = equal_573_s21_q & (x_s21_q & and_3761_s21_q);
   // hls/stages/patches.hpp:619
-  logic [7:0] sum_3771;
-  assign sum_3771 = patches_word_places_q + (and_3717_s23_q ? 8'h0 : patches_sum_places_q);
+  logic [7:0] sum_3765;
+  assign sum_3765 = patches_word_places_q + (and_3711_s21_q ? 8'h0 : patches_sum_places_q);
   // hls/stages/patches.hpp:621
-  logic [7:0] select_3775;
-  assign select_3775 = and_3769 ? (patches_word_up_q + (and_3717_s23_q ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] sum_3777;
-  assign sum_3777 = patches_word_down_q + (and_3717_s23_q ? 8'h0 : patches_sum_down_q);
+  logic [7:0] select_3769;
+  assign select_3769 = and_3763 ? (patches_word_up_q + (and_3711_s21_q ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] sum_3771;
+  assign sum_3771 = patches_word_down_q + (and_3711_s21_q ? 8'h0 : patches_sum_down_q);
   // hls/stages/patches.hpp:664
-  logic [5:0] select_3789;
-  assign select_3789 = and_3614_s23_q ? select_3788_s23_q : 6'h0;
-  logic [11:0] sum_3790;
-  assign sum_3790 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3789[5]}}, select_3789};
+  logic [5:0] select_3783;
+  assign select_3783 = and_3608_s21_q ? select_3782_s21_q : 6'h0;
+  logic [11:0] sum_3784;
+  assign sum_3784 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3783[5]}}, select_3783};
   // hls/stages/patches.hpp:648
-  logic [7:0] select_3801;
-  assign select_3801 = and_3794_s23_q ? (and_3799_s23_q ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  logic [7:0] select_3795;
+  assign select_3795 = and_3788_s21_q ? (and_3793_s21_q ? patches_sum_places_q : patches_places_q) : patches_places_q;
   // hls/stages/patches.hpp:650
-  logic or_3805;
-  assign or_3805 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  logic or_3799;
+  assign or_3799 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
   // hls/stages/patches.hpp:651
-  logic or_3808;
-  assign or_3808 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  logic or_3802;
+  assign or_3802 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
   // hls/stages/patches.hpp:652
-  logic [8:0] sum_3809;
-  assign sum_3809 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  logic [8:0] sum_3803;
+  assign sum_3803 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
   // hls/stages/patches.hpp:647
-  logic select_3811;
-  assign select_3811 = and_3794_s23_q ? (and_3799_s23_q ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  logic select_3805;
+  assign select_3805 = and_3788_s21_q ? (and_3793_s21_q ? patches_enough_q : patches_complete_q) : patches_complete_q;
   // hls/stages/patches.hpp:189
-  logic and_3814;
-  assign and_3814 = patches_enough_q & patches_mostly_q;
+  logic and_3808;
+  assign and_3808 = patches_enough_q & patches_mostly_q;
   // hls/stages/patches.hpp:647
-  logic [2:0] select_3815;
-  assign select_3815 = and_3794_s23_q ? {and_3814, patches_found_q[2:1]} : patches_found_q;
-  logic [2:0] select_3817;
-  assign select_3817 = and_3794_s23_q ? (and_3799_s23_q ? {and_3814, patches_found_q[2:1]} : select_3815) : patches_found_q;
+  logic [2:0] select_3809;
+  assign select_3809 = and_3788_s21_q ? {and_3808, patches_found_q[2:1]} : patches_found_q;
+  logic [2:0] select_3811;
+  assign select_3811 = and_3788_s21_q ? (and_3793_s21_q ? {and_3808, patches_found_q[2:1]} : select_3809) : patches_found_q;
   // hls/stages/patches.hpp:646
-  logic or_3820;
-  assign or_3820 = patches_partly_q | (patches_doubted_q & (~and_3799_s23_q));
+  logic or_3814;
+  assign or_3814 = patches_partly_q | (patches_doubted_q & (~and_3793_s21_q));
   // hls/stages/patches.hpp:647
-  logic select_3822;
-  assign select_3822 = and_3799_s23_q ? or_3820 : (and_3794_s23_q ? or_3820 : patches_doubted_q);
+  logic select_3816;
+  assign select_3816 = and_3793_s21_q ? or_3814 : (and_3788_s21_q ? or_3814 : patches_doubted_q);
   // hls/stages/patches.hpp:645
-  logic select_3824;
-  assign select_3824 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  logic select_3818;
+  assign select_3818 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
   // hls/stages/patches.hpp:634
-  logic [7:0] select_3828;
-  assign select_3828 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  logic [7:0] select_3822;
+  assign select_3822 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
   // hls/stages/patches.hpp:665
-  logic [7:0] sum_3838;
-  assign sum_3838 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3837_s23_q};
+  logic [7:0] sum_3832;
+  assign sum_3832 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3831_s21_q};
   // hls/stages/patches.hpp:636
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
   // hls/stages/patches.hpp:637
-  logic select_3861;
-  assign select_3861 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  logic select_3855;
+  assign select_3855 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:638
-  logic and_3867;
-  assign and_3867 = patches_frame_ended_s23_q & (~patches_age_q[9]);
-  logic [9:0] sum_3868;
-  assign sum_3868 = patches_age_q + {9'h0, and_3867};
-  logic [9:0] select_3871;
-  assign select_3871 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3868)) : sum_3868;
+  logic and_3861;
+  assign and_3861 = patches_frame_ended_s21_q & (~patches_age_q[9]);
+  logic [9:0] sum_3862;
+  assign sum_3862 = patches_age_q + {9'h0, and_3861};
+  logic [9:0] select_3865;
+  assign select_3865 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3862)) : sum_3862;
   // hls/stages/agreement.hpp:1222
   logic [14:0] over;
-  assign over = {1'b0, product_s23_q} - {1'b0, before_v_4_s23_q};
+  assign over = {1'b0, product_s21_q} - {1'b0, before_v_4_s21_q};
   // hls/stages/agreement.hpp:1230
-  logic select_3962;
-  assign select_3962 = and_3951_s23_q ? over[14] : hides_q;
+  logic select_3956;
+  assign select_3956 = and_3945_s21_q ? over[14] : hides_q;
   // hls/stages/agreement.hpp:1308
-  logic [1:0] select_4125;
-  assign select_4125 = and_4124_s23_q ? {and_2132_s23_q, is_seen_s23_q} : map_rdata_s23_q;
+  logic [1:0] select_4119;
+  assign select_4119 = and_4118_s21_q ? {and_2127_s21_q, is_seen_s21_q} : map_rdata_s21_q;
   // hls/stages/agreement.hpp:1309
-  logic and_4126;
-  assign and_4126 = proven_q & less_4114;
+  logic and_4120;
+  assign and_4120 = proven_q & less_4108;
   // hls/stages/agreement.hpp:1239
-  logic or_4139;
-  assign or_4139 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4138_s23_q;
+  logic or_4133;
+  assign or_4133 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4132_s21_q;
   // hls/stages/agreement.hpp:788
-  logic and_4154;
-  assign and_4154 = equal_3947_s23_q & (cfg_prove_i & (registration_moved_s23_q | patches_moved_q));
+  logic and_4148;
+  assign and_4148 = equal_3941_s21_q & (cfg_prove_i & (registration_moved_s21_q | patches_moved_q));
   // hls/stages/agreement.hpp:1150
-  logic or_4157;
-  assign or_4157 = select_2463_s23_q | ($signed(20'h0) < $signed(census_left_misses_q));
+  logic or_4151;
+  assign or_4151 = select_2458_s21_q | ($signed(20'h0) < $signed(census_left_misses_q));
   // hls/stages/agreement.hpp:788
-  logic and_4181;
-  assign and_4181 = equal_575_s23_q & (equal_3947_s23_q & (cfg_prove_i & moments_out_of_step_q));
+  logic and_4175;
+  assign and_4175 = equal_573_s21_q & (equal_3941_s21_q & (cfg_prove_i & moments_out_of_step_q));
   // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4200;
-  assign select_4200 = equal_1616_s23_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4199_s23_q;
+  logic [31:0] select_4194;
+  assign select_4194 = equal_1614_s21_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4193_s21_q;
   // hls/stages/agreement.hpp:1142
-  logic [31:0] select_4202;
-  assign select_4202 = equal_1608_s23_q ? select_4200 : {2'h0, select_4201_s23_q, select_2651_s23_q, select_2648_s23_q};
+  logic [31:0] select_4196;
+  assign select_4196 = equal_1606_s21_q ? select_4194 : {2'h0, select_4195_s21_q, select_2646_s21_q, select_2643_s21_q};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
-  assign fresh_waddr = last_s23_q;
+  assign fresh_waddr = last_s21_q;
   logic fresh_we;
-  assign fresh_we = s23_en & and_550_s23_q;
+  assign fresh_we = s21_en & and_548_s21_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (fresh_we) fresh_mem[fresh_waddr] <= {less_747_s23_q, and_746_s23_q, less_741_s23_q, and_740_s23_q, census_columns_values_1_cell_2_of_skin_s23_q, and_734, and_710_s23_q, and_709_s23_q, and_684_s23_q, less_676_s23_q, less_675_s23_q, less_674_s23_q, less_673_s23_q, less_672_s23_q, less_671_s23_q, less_670_s23_q, less_669_s23_q, less_668_s23_q, less_667_s23_q, less_666_s23_q, less_665_s23_q, less_664_s23_q, less_663_s23_q, less_662_s23_q, less_661_s23_q, less_660_s23_q, less_659_s23_q, less_658_s23_q, less_657_s23_q, less_656_s23_q, less_655_s23_q, less_654_s23_q, less_653_s23_q};
+    if (fresh_we) fresh_mem[fresh_waddr] <= {less_745_s21_q, and_744_s21_q, less_739_s21_q, and_738_s21_q, census_columns_values_1_cell_2_of_skin_s21_q, and_732, and_708_s21_q, and_707_s21_q, and_682_s21_q, less_674_s21_q, less_673_s21_q, less_672_s21_q, less_671_s21_q, less_670_s21_q, less_669_s21_q, less_668_s21_q, less_667_s21_q, less_666_s21_q, less_665_s21_q, less_664_s21_q, less_663_s21_q, less_662_s21_q, less_661_s21_q, less_660_s21_q, less_659_s21_q, less_658_s21_q, less_657_s21_q, less_656_s21_q, less_655_s21_q, less_654_s21_q, less_653_s21_q, less_652_s21_q, less_651_s21_q};
   end
 `ifndef SYNTHESIS
+  logic [6:0] fresh_raddr_s7_sim;
+  logic fresh_re_s7_sim;
+  logic [6:0] fresh_raddr_s8_sim;
+  logic fresh_re_s8_sim;
   logic [6:0] fresh_raddr_s9_sim;
   logic fresh_re_s9_sim;
   logic [6:0] fresh_raddr_s10_sim;
@@ -12101,12 +11999,10 @@ module horopter_agreement (
   logic fresh_re_s19_sim;
   logic [6:0] fresh_raddr_s20_sim;
   logic fresh_re_s20_sim;
-  logic [6:0] fresh_raddr_s21_sim;
-  logic fresh_re_s21_sim;
-  logic [6:0] fresh_raddr_s22_sim;
-  logic fresh_re_s22_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      fresh_re_s7_sim <= 1'b0;
+      fresh_re_s8_sim <= 1'b0;
       fresh_re_s9_sim <= 1'b0;
       fresh_re_s10_sim <= 1'b0;
       fresh_re_s11_sim <= 1'b0;
@@ -12119,11 +12015,13 @@ module horopter_agreement (
       fresh_re_s18_sim <= 1'b0;
       fresh_re_s19_sim <= 1'b0;
       fresh_re_s20_sim <= 1'b0;
-      fresh_re_s21_sim <= 1'b0;
-      fresh_re_s22_sim <= 1'b0;
     end else if (en_i) begin
-      fresh_re_s9_sim <= fresh_re;
-      fresh_raddr_s9_sim <= fresh_raddr;
+      fresh_re_s7_sim <= fresh_re;
+      fresh_raddr_s7_sim <= fresh_raddr;
+      fresh_re_s8_sim <= fresh_re_s7_sim;
+      fresh_raddr_s8_sim <= fresh_raddr_s7_sim;
+      fresh_re_s9_sim <= fresh_re_s8_sim;
+      fresh_raddr_s9_sim <= fresh_raddr_s8_sim;
       fresh_re_s10_sim <= fresh_re_s9_sim;
       fresh_raddr_s10_sim <= fresh_raddr_s9_sim;
       fresh_re_s11_sim <= fresh_re_s10_sim;
@@ -12146,15 +12044,17 @@ module horopter_agreement (
       fresh_raddr_s19_sim <= fresh_raddr_s18_sim;
       fresh_re_s20_sim <= fresh_re_s19_sim;
       fresh_raddr_s20_sim <= fresh_raddr_s19_sim;
-      fresh_re_s21_sim <= fresh_re_s20_sim;
-      fresh_raddr_s21_sim <= fresh_raddr_s20_sim;
-      fresh_re_s22_sim <= fresh_re_s21_sim;
-      fresh_raddr_s22_sim <= fresh_raddr_s21_sim;
     end
   end
   always_ff @(posedge clk_i) begin
     if (rst_ni && fresh_we) begin
       if (fresh_re && fresh_raddr == fresh_waddr) begin
+        $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
+      end
+      if (fresh_re_s7_sim && fresh_raddr_s7_sim == fresh_waddr) begin
+        $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
+      end
+      if (fresh_re_s8_sim && fresh_raddr_s8_sim == fresh_waddr) begin
         $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
       end
       if (fresh_re_s9_sim && fresh_raddr_s9_sim == fresh_waddr) begin
@@ -12191,12 +12091,6 @@ module horopter_agreement (
         $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
       end
       if (fresh_re_s20_sim && fresh_raddr_s20_sim == fresh_waddr) begin
-        $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
-      end
-      if (fresh_re_s21_sim && fresh_raddr_s21_sim == fresh_waddr) begin
-        $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
-      end
-      if (fresh_re_s22_sim && fresh_raddr_s22_sim == fresh_waddr) begin
         $error("fresh: address %0d is read less than DISTANCE steps after its write", fresh_waddr);
       end
       if (fresh_waddr >= 7'd120) $error("fresh: write outside, address %0d", fresh_waddr);
@@ -12254,54 +12148,54 @@ module horopter_agreement (
       patches_clear_q <= 1'b0;
       patches_age_q <= 10'h200;
       hides_q <= 1'b0;
-    end else if (s23_en) begin
-      census_left_misses_q <= select_2292;
-      sharpness_comparing_product_0_q <= so_s23_q ? select_2429 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= so_s23_q ? select_2431 : sharpness_comparing_product_1_q;
-      sharpness_comparing_carry_0_q <= select_2440;
-      sharpness_comparing_carry_1_q <= so_s23_q ? select_2443 : sharpness_comparing_carry_1_q;
-      patches_best_differing_q <= select_1984[9:0];
-      patches_best_column_q <= select_1984[14:10];
-      patches_quarters_0_places_q <= sum_3625;
-      patches_quarters_0_up_q <= sum_3665;
-      patches_quarters_0_down_q <= sum_3675;
-      patches_quarters_1_places_q <= sum_3679;
-      patches_quarters_1_up_q <= sum_3682;
-      patches_quarters_1_down_q <= sum_3685;
-      patches_quarters_2_places_q <= sum_3689;
-      patches_quarters_2_up_q <= sum_3692;
-      patches_quarters_2_down_q <= sum_3695;
-      patches_quarters_3_places_q <= sum_3699;
-      patches_quarters_3_up_q <= sum_3702;
-      patches_quarters_3_down_q <= sum_3705;
-      patches_word_places_q <= or_3733;
-      patches_word_up_q <= ((select_3743 | select_3745) | select_3748) | select_3751;
-      patches_word_down_q <= ((select_3754 | select_3756) | select_3759) | select_3762;
-      patches_sum_places_q <= and_3769 ? sum_3771 : patches_sum_places_q;
-      patches_sum_up_q <= select_3775;
-      patches_sum_down_q <= and_3769 ? sum_3777 : patches_sum_down_q;
-      patches_across_q <= sum_3790;
-      patches_places_q <= select_3801;
+    end else if (s21_en) begin
+      census_left_misses_q <= select_2287;
+      sharpness_comparing_product_0_q <= so_s21_q ? select_2424 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= so_s21_q ? select_2426 : sharpness_comparing_product_1_q;
+      sharpness_comparing_carry_0_q <= select_2435;
+      sharpness_comparing_carry_1_q <= so_s21_q ? select_2438 : sharpness_comparing_carry_1_q;
+      patches_best_differing_q <= select_1979[9:0];
+      patches_best_column_q <= select_1979[14:10];
+      patches_quarters_0_places_q <= sum_3619;
+      patches_quarters_0_up_q <= sum_3659;
+      patches_quarters_0_down_q <= sum_3669;
+      patches_quarters_1_places_q <= sum_3673;
+      patches_quarters_1_up_q <= sum_3676;
+      patches_quarters_1_down_q <= sum_3679;
+      patches_quarters_2_places_q <= sum_3683;
+      patches_quarters_2_up_q <= sum_3686;
+      patches_quarters_2_down_q <= sum_3689;
+      patches_quarters_3_places_q <= sum_3693;
+      patches_quarters_3_up_q <= sum_3696;
+      patches_quarters_3_down_q <= sum_3699;
+      patches_word_places_q <= or_3727;
+      patches_word_up_q <= ((select_3737 | select_3739) | select_3742) | select_3745;
+      patches_word_down_q <= ((select_3748 | select_3750) | select_3753) | select_3756;
+      patches_sum_places_q <= and_3763 ? sum_3765 : patches_sum_places_q;
+      patches_sum_up_q <= select_3769;
+      patches_sum_down_q <= and_3763 ? sum_3771 : patches_sum_down_q;
+      patches_across_q <= sum_3784;
+      patches_places_q <= select_3795;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_3805;
-      patches_partly_q <= or_3808;
-      patches_clear_limit_q <= sum_3809[8:2];
-      patches_complete_q <= select_3811;
+      patches_mostly_q <= or_3799;
+      patches_partly_q <= or_3802;
+      patches_clear_limit_q <= sum_3803[8:2];
+      patches_complete_q <= select_3805;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= select_3817;
-      patches_doubted_q <= and_3794_s23_q ? select_3822 : patches_doubted_q;
-      patches_doubted_before_q <= select_3824;
+      patches_found_q <= select_3811;
+      patches_doubted_q <= and_3788_s21_q ? select_3816 : patches_doubted_q;
+      patches_doubted_before_q <= select_3818;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_3828;
-      patches_on_skin_q <= sum_3838;
+      patches_round_on_skin_q <= select_3822;
+      patches_on_skin_q <= sum_3832;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_3861;
+      patches_moved_q <= select_3855;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_3871;
-      hides_q <= equal_575_s23_q ? select_3962 : hides_q;
+      patches_age_q <= select_3865;
+      hides_q <= equal_573_s21_q ? select_3956 : hides_q;
     end
   end
 
@@ -12312,95 +12206,95 @@ module horopter_agreement (
   end
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (s23_en) begin
+    if (s21_en) begin
       left_pixel_q <= left_pixel_q;
     end
   end
 
-  logic [7:0] pixel_0_s24_q;
-  logic [7:0] pixel_1_s24_q;
-  logic saturated_s24_q;
-  logic mask_s24_q;
-  logic marks_first_s24_q;
-  logic marks_last_s24_q;
-  logic patches_summed_last_s24_q;
-  logic [4:0] patches_summed_down_by_s24_q;
-  logic patches_round_ends_s24_q;
-  logic [7:0] patches_on_skin_s24_q;
-  logic equal_575_s24_q;
-  logic so_s24_q;
-  logic and_2062_s24_q;
-  logic less_2063_s24_q;
-  logic equal_2401_s24_q;
-  logic or_2447_s24_q;
-  logic and_2448_s24_q;
-  logic or_2453_s24_q;
-  logic and_2454_s24_q;
-  logic select_2469_s24_q;
-  logic or_3928_s24_q;
-  logic select_3936_s24_q;
-  logic equal_3947_s24_q;
-  logic select_3962_s24_q;
-  logic and_3994_s24_q;
-  logic not_3996_s24_q;
-  logic or_4000_s24_q;
-  logic and_4005_s24_q;
-  logic and_4007_s24_q;
-  logic and_4109_s24_q;
-  logic and_4127_s24_q;
-  logic and_4130_s24_q;
-  logic and_4142_s24_q;
-  logic and_4155_s24_q;
-  logic or_4157_s24_q;
-  logic and_4181_s24_q;
-  logic and_4185_s24_q;
-  logic [5:0] select_4187_s24_q;
-  logic [31:0] select_4204_s24_q;
+  logic [7:0] pixel_0_s22_q;
+  logic [7:0] pixel_1_s22_q;
+  logic saturated_s22_q;
+  logic mask_s22_q;
+  logic marks_first_s22_q;
+  logic marks_last_s22_q;
+  logic patches_summed_last_s22_q;
+  logic [4:0] patches_summed_down_by_s22_q;
+  logic patches_round_ends_s22_q;
+  logic [7:0] patches_on_skin_s22_q;
+  logic equal_573_s22_q;
+  logic so_s22_q;
+  logic and_2057_s22_q;
+  logic less_2058_s22_q;
+  logic equal_2396_s22_q;
+  logic or_2442_s22_q;
+  logic and_2443_s22_q;
+  logic or_2448_s22_q;
+  logic and_2449_s22_q;
+  logic select_2464_s22_q;
+  logic or_3922_s22_q;
+  logic select_3930_s22_q;
+  logic equal_3941_s22_q;
+  logic select_3956_s22_q;
+  logic and_3988_s22_q;
+  logic not_3990_s22_q;
+  logic or_3994_s22_q;
+  logic and_3999_s22_q;
+  logic and_4001_s22_q;
+  logic and_4103_s22_q;
+  logic and_4121_s22_q;
+  logic and_4124_s22_q;
+  logic and_4136_s22_q;
+  logic and_4149_s22_q;
+  logic or_4151_s22_q;
+  logic and_4175_s22_q;
+  logic and_4179_s22_q;
+  logic [5:0] select_4181_s22_q;
+  logic [31:0] select_4198_s22_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s24_q <= pixel_0_s23_q;
-      pixel_1_s24_q <= pixel_1_s23_q;
-      saturated_s24_q <= saturated_s23_q;
-      mask_s24_q <= mask_s23_q;
-      marks_first_s24_q <= marks_first_s23_q;
-      marks_last_s24_q <= marks_last_s23_q;
-      patches_summed_last_s24_q <= patches_summed_last_s23_q;
-      patches_summed_down_by_s24_q <= patches_summed_down_by_s23_q;
-      patches_round_ends_s24_q <= patches_round_ends_q;
-      patches_on_skin_s24_q <= patches_on_skin_q;
-      equal_575_s24_q <= equal_575_s23_q;
-      so_s24_q <= so_s23_q;
-      and_2062_s24_q <= and_2062_s23_q;
-      less_2063_s24_q <= less_2063_s23_q;
-      equal_2401_s24_q <= equal_2401_s23_q;
-      or_2447_s24_q <= equal_2445_s23_q | xor_2446;
-      and_2448_s24_q <= five_times[0] & xor_2446;
-      or_2453_s24_q <= equal_2445_s23_q | xor_2452;
-      and_2454_s24_q <= five_times_2[0] & xor_2452;
-      select_2469_s24_q <= select_2469_s23_q;
-      or_3928_s24_q <= or_3928_s23_q;
-      select_3936_s24_q <= select_3936_s23_q;
-      equal_3947_s24_q <= equal_3947_s23_q;
-      select_3962_s24_q <= select_3962;
-      and_3994_s24_q <= over[14] & equal_3706_s23_q;
-      not_3996_s24_q <= not_3996_s23_q;
-      or_4000_s24_q <= or_4000_s23_q;
-      and_4005_s24_q <= and_4005_s23_q;
-      and_4007_s24_q <= over[14] & less_4006_s23_q;
-      and_4109_s24_q <= and_4109_s23_q;
-      and_4127_s24_q <= select_4125[0] & and_4126;
-      and_4130_s24_q <= select_4125[1] & and_4126;
-      and_4142_s24_q <= equal_575_s23_q & (equal_3947_s23_q & (cfg_prove_i & or_4139));
-      and_4155_s24_q <= equal_575_s23_q & and_4154;
-      or_4157_s24_q <= or_4157;
-      and_4181_s24_q <= and_4181;
-      and_4185_s24_q <= and_4185_s23_q;
-      select_4187_s24_q <= select_4187_s23_q;
-      select_4204_s24_q <= equal_575_s23_q ? (x_s23_q ? select_4202 : 32'h0) : 32'h0;
+      pixel_0_s22_q <= pixel_0_s21_q;
+      pixel_1_s22_q <= pixel_1_s21_q;
+      saturated_s22_q <= saturated_s21_q;
+      mask_s22_q <= mask_s21_q;
+      marks_first_s22_q <= marks_first_s21_q;
+      marks_last_s22_q <= marks_last_s21_q;
+      patches_summed_last_s22_q <= patches_summed_last_s21_q;
+      patches_summed_down_by_s22_q <= patches_summed_down_by_s21_q;
+      patches_round_ends_s22_q <= patches_round_ends_q;
+      patches_on_skin_s22_q <= patches_on_skin_q;
+      equal_573_s22_q <= equal_573_s21_q;
+      so_s22_q <= so_s21_q;
+      and_2057_s22_q <= and_2057_s21_q;
+      less_2058_s22_q <= less_2058_s21_q;
+      equal_2396_s22_q <= equal_2396_s21_q;
+      or_2442_s22_q <= equal_2440_s21_q | xor_2441;
+      and_2443_s22_q <= five_times[0] & xor_2441;
+      or_2448_s22_q <= equal_2440_s21_q | xor_2447;
+      and_2449_s22_q <= five_times_2[0] & xor_2447;
+      select_2464_s22_q <= select_2464_s21_q;
+      or_3922_s22_q <= or_3922_s21_q;
+      select_3930_s22_q <= select_3930_s21_q;
+      equal_3941_s22_q <= equal_3941_s21_q;
+      select_3956_s22_q <= select_3956;
+      and_3988_s22_q <= over[14] & equal_3700_s21_q;
+      not_3990_s22_q <= not_3990_s21_q;
+      or_3994_s22_q <= or_3994_s21_q;
+      and_3999_s22_q <= and_3999_s21_q;
+      and_4001_s22_q <= over[14] & less_4000_s21_q;
+      and_4103_s22_q <= and_4103_s21_q;
+      and_4121_s22_q <= select_4119[0] & and_4120;
+      and_4124_s22_q <= select_4119[1] & and_4120;
+      and_4136_s22_q <= equal_573_s21_q & (equal_3941_s21_q & (cfg_prove_i & or_4133));
+      and_4149_s22_q <= equal_573_s21_q & and_4148;
+      or_4151_s22_q <= or_4151;
+      and_4175_s22_q <= and_4175;
+      and_4179_s22_q <= and_4179_s21_q;
+      select_4181_s22_q <= select_4181_s21_q;
+      select_4198_s22_q <= equal_573_s21_q ? (x_s21_q ? select_4196 : 32'h0) : 32'h0;
     end
   end
 
-  // Stage 24 ----------------------------------------------------------------------------------------------------------
+  // Stage 22 ----------------------------------------------------------------------------------------------------------
   logic sharpness_comparing_less_detail_0_q;
   logic sharpness_comparing_less_detail_1_q;
   logic [7:0] hidden_for_q;
@@ -12408,68 +12302,72 @@ module horopter_agreement (
   logic overlooks_q;
   logic seen_q;
   logic nearer_q;
-  // hls/stages/census.hpp:400
-  logic select_2449;
-  assign select_2449 = or_2447_s24_q ? and_2448_s24_q : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:403
+  logic select_2444;
+  assign select_2444 = or_2442_s22_q ? and_2443_s22_q : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:216
+  logic select_2445;
+  assign select_2445 = equal_2396_s22_q ? select_2444 : sharpness_comparing_less_detail_0_q;
+  logic select_2446;
+  assign select_2446 = so_s22_q ? select_2445 : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:403
   logic select_2450;
-  assign select_2450 = equal_2401_s24_q ? select_2449 : sharpness_comparing_less_detail_0_q;
-  logic select_2451;
-  assign select_2451 = so_s24_q ? select_2450 : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:400
-  logic select_2455;
-  assign select_2455 = or_2453_s24_q ? and_2454_s24_q : sharpness_comparing_less_detail_1_q;
+  assign select_2450 = or_2448_s22_q ? and_2449_s22_q : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2456;
-  assign select_2456 = equal_2401_s24_q ? select_2455 : sharpness_comparing_less_detail_1_q;
-  logic select_2457;
-  assign select_2457 = so_s24_q ? select_2456 : sharpness_comparing_less_detail_1_q;
+  logic select_2451;
+  assign select_2451 = equal_2396_s22_q ? select_2450 : sharpness_comparing_less_detail_1_q;
+  logic select_2452;
+  assign select_2452 = so_s22_q ? select_2451 : sharpness_comparing_less_detail_1_q;
   // hls/stages/patches.hpp:654
-  logic [12:0] product_3843;
-  assign product_3843 = {8'h0, cfg_on_skin_limit_i} * {5'h0, patches_places_q};
+  logic [12:0] product_3837;
+  assign product_3837 = {8'h0, cfg_on_skin_limit_i} * {5'h0, patches_places_q};
   // hls/stages/agreement.hpp:1148
-  logic not_3963;
-  assign not_3963 = ~hidden_for_q[7];
-  logic [7:0] select_3965;
-  assign select_3965 = select_3962_s24_q ? (hidden_for_q + {7'h0, not_3963}) : 8'h0;
+  logic not_3957;
+  assign not_3957 = ~hidden_for_q[7];
+  logic [7:0] select_3959;
+  assign select_3959 = select_3956_s22_q ? (hidden_for_q + {7'h0, not_3957}) : 8'h0;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3967;
-  assign select_3967 = equal_575_s24_q ? (equal_3947_s24_q ? select_3965 : hidden_for_q) : hidden_for_q;
+  logic [7:0] select_3961;
+  assign select_3961 = equal_573_s22_q ? (equal_3941_s22_q ? select_3959 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1228
-  logic and_3997;
-  assign and_3997 = too_much_q & not_3996_s24_q;
+  logic and_3991;
+  assign and_3991 = too_much_q & not_3990_s22_q;
   // hls/stages/agreement.hpp:1229
-  logic select_4002;
-  assign select_4002 = and_3994_s24_q ? (and_3997 | or_4000_s24_q) : and_3997;
+  logic select_3996;
+  assign select_3996 = and_3988_s22_q ? (and_3991 | or_3994_s22_q) : and_3991;
   // hls/stages/agreement.hpp:1231
-  logic select_4008;
-  assign select_4008 = and_4005_s24_q ? and_4007_s24_q : overlooks_q;
+  logic select_4002;
+  assign select_4002 = and_3999_s22_q ? and_4001_s22_q : overlooks_q;
   // hls/stages/agreement.hpp:438
-  logic select_4129;
-  assign select_4129 = and_2062_s24_q ? (less_2063_s24_q ? and_4127_s24_q : seen_q) : seen_q;
-  logic select_4132;
-  assign select_4132 = and_2062_s24_q ? (less_2063_s24_q ? and_4130_s24_q : nearer_q) : nearer_q;
+  logic select_4123;
+  assign select_4123 = and_2057_s22_q ? (less_2058_s22_q ? and_4121_s22_q : seen_q) : seen_q;
+  logic select_4126;
+  assign select_4126 = and_2057_s22_q ? (less_2058_s22_q ? and_4124_s22_q : nearer_q) : nearer_q;
   // hls/stages/agreement.hpp:788
-  logic and_4145;
-  assign and_4145 = equal_575_s24_q & (equal_3947_s24_q & (cfg_prove_i & or_3928_s24_q));
+  logic and_4139;
+  assign and_4139 = equal_573_s22_q & (equal_3941_s22_q & (cfg_prove_i & or_3922_s22_q));
   // hls/stages/agreement.hpp:1241
-  logic not_4147;
-  assign not_4147 = ~(or_3928_s24_q | not_2353);
+  logic not_4141;
+  assign not_4141 = ~(or_3922_s22_q | not_2348);
   // hls/stages/agreement.hpp:788
-  logic and_4150;
-  assign and_4150 = equal_3947_s24_q & (not_4147 & (select_3936_s24_q | select_4002));
-  logic and_4164;
-  assign and_4164 = equal_3947_s24_q & (not_4147 & (select_2457 | select_2469_s24_q));
+  logic and_4144;
+  assign and_4144 = equal_3941_s22_q & (not_4141 & (select_3930_s22_q | select_3996));
+  logic and_4158;
+  assign and_4158 = equal_3941_s22_q & (not_4141 & (select_2452 | select_2464_s22_q));
 
   // Memory patches_rows, write
   logic [4:0] patches_rows_waddr;
-  assign patches_rows_waddr = patches_summed_down_by_s24_q;
+  assign patches_rows_waddr = patches_summed_down_by_s22_q;
   logic patches_rows_we;
-  assign patches_rows_we = s24_en & patches_summed_last_s24_q;
+  assign patches_rows_we = s22_en & patches_summed_last_s22_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= {patches_best_column_q, patches_best_differing_q};
   end
 `ifndef SYNTHESIS
+  logic [4:0] patches_rows_raddr_s8_sim;
+  logic patches_rows_re_s8_sim;
+  logic [4:0] patches_rows_raddr_s9_sim;
+  logic patches_rows_re_s9_sim;
   logic [4:0] patches_rows_raddr_s10_sim;
   logic patches_rows_re_s10_sim;
   logic [4:0] patches_rows_raddr_s11_sim;
@@ -12494,12 +12392,10 @@ module horopter_agreement (
   logic patches_rows_re_s20_sim;
   logic [4:0] patches_rows_raddr_s21_sim;
   logic patches_rows_re_s21_sim;
-  logic [4:0] patches_rows_raddr_s22_sim;
-  logic patches_rows_re_s22_sim;
-  logic [4:0] patches_rows_raddr_s23_sim;
-  logic patches_rows_re_s23_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      patches_rows_re_s8_sim <= 1'b0;
+      patches_rows_re_s9_sim <= 1'b0;
       patches_rows_re_s10_sim <= 1'b0;
       patches_rows_re_s11_sim <= 1'b0;
       patches_rows_re_s12_sim <= 1'b0;
@@ -12512,11 +12408,13 @@ module horopter_agreement (
       patches_rows_re_s19_sim <= 1'b0;
       patches_rows_re_s20_sim <= 1'b0;
       patches_rows_re_s21_sim <= 1'b0;
-      patches_rows_re_s22_sim <= 1'b0;
-      patches_rows_re_s23_sim <= 1'b0;
     end else if (en_i) begin
-      patches_rows_re_s10_sim <= patches_rows_re;
-      patches_rows_raddr_s10_sim <= patches_rows_raddr;
+      patches_rows_re_s8_sim <= patches_rows_re;
+      patches_rows_raddr_s8_sim <= patches_rows_raddr;
+      patches_rows_re_s9_sim <= patches_rows_re_s8_sim;
+      patches_rows_raddr_s9_sim <= patches_rows_raddr_s8_sim;
+      patches_rows_re_s10_sim <= patches_rows_re_s9_sim;
+      patches_rows_raddr_s10_sim <= patches_rows_raddr_s9_sim;
       patches_rows_re_s11_sim <= patches_rows_re_s10_sim;
       patches_rows_raddr_s11_sim <= patches_rows_raddr_s10_sim;
       patches_rows_re_s12_sim <= patches_rows_re_s11_sim;
@@ -12539,15 +12437,17 @@ module horopter_agreement (
       patches_rows_raddr_s20_sim <= patches_rows_raddr_s19_sim;
       patches_rows_re_s21_sim <= patches_rows_re_s20_sim;
       patches_rows_raddr_s21_sim <= patches_rows_raddr_s20_sim;
-      patches_rows_re_s22_sim <= patches_rows_re_s21_sim;
-      patches_rows_raddr_s22_sim <= patches_rows_raddr_s21_sim;
-      patches_rows_re_s23_sim <= patches_rows_re_s22_sim;
-      patches_rows_raddr_s23_sim <= patches_rows_raddr_s22_sim;
     end
   end
   always_ff @(posedge clk_i) begin
     if (rst_ni && patches_rows_we) begin
       if (patches_rows_re && patches_rows_raddr == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s8_sim && patches_rows_raddr_s8_sim == patches_rows_waddr) begin
+        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
+      end
+      if (patches_rows_re_s9_sim && patches_rows_raddr_s9_sim == patches_rows_waddr) begin
         $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
       end
       if (patches_rows_re_s10_sim && patches_rows_raddr_s10_sim == patches_rows_waddr) begin
@@ -12586,12 +12486,6 @@ module horopter_agreement (
       if (patches_rows_re_s21_sim && patches_rows_raddr_s21_sim == patches_rows_waddr) begin
         $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
       end
-      if (patches_rows_re_s22_sim && patches_rows_raddr_s22_sim == patches_rows_waddr) begin
-        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
-      end
-      if (patches_rows_re_s23_sim && patches_rows_raddr_s23_sim == patches_rows_waddr) begin
-        $error("patches_rows: address %0d is read less than DISTANCE steps after its write", patches_rows_waddr);
-      end
       if (patches_rows_waddr >= 5'd17) $error("patches_rows: write outside, address %0d", patches_rows_waddr);
     end
     if (rst_ni && patches_rows_re && patches_rows_raddr >= 5'd17) $error("patches_rows: read outside, address %0d", patches_rows_raddr);
@@ -12607,171 +12501,171 @@ module horopter_agreement (
       overlooks_q <= 1'b0;
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
-    end else if (s24_en) begin
-      sharpness_comparing_less_detail_0_q <= select_2451;
-      sharpness_comparing_less_detail_1_q <= select_2457;
-      hidden_for_q <= select_3967;
-      too_much_q <= equal_575_s24_q ? select_4002 : too_much_q;
-      overlooks_q <= equal_575_s24_q ? select_4008 : overlooks_q;
-      seen_q <= select_4129;
-      nearer_q <= select_4132;
+    end else if (s22_en) begin
+      sharpness_comparing_less_detail_0_q <= select_2446;
+      sharpness_comparing_less_detail_1_q <= select_2452;
+      hidden_for_q <= select_3961;
+      too_much_q <= equal_573_s22_q ? select_3996 : too_much_q;
+      overlooks_q <= equal_573_s22_q ? select_4002 : overlooks_q;
+      seen_q <= select_4123;
+      nearer_q <= select_4126;
     end
   end
 
-  logic [7:0] pixel_0_s25_q;
-  logic [7:0] pixel_1_s25_q;
-  logic saturated_s25_q;
-  logic mask_s25_q;
-  logic marks_first_s25_q;
-  logic marks_last_s25_q;
-  logic patches_round_ends_s25_q;
-  logic [7:0] patches_on_skin_s25_q;
-  logic equal_575_s25_q;
-  logic [7:0] product_3843_s25_q;
-  logic equal_3947_s25_q;
-  logic and_4109_s25_q;
-  logic and_4142_s25_q;
-  logic and_4145_s25_q;
-  logic and_4151_s25_q;
-  logic and_4155_s25_q;
-  logic and_4160_s25_q;
-  logic and_4164_s25_q;
-  logic not_4169_s25_q;
-  logic or_4175_s25_q;
-  logic and_4181_s25_q;
-  logic and_4185_s25_q;
-  logic [5:0] select_4187_s25_q;
-  logic [31:0] select_4204_s25_q;
+  logic [7:0] pixel_0_s23_q;
+  logic [7:0] pixel_1_s23_q;
+  logic saturated_s23_q;
+  logic mask_s23_q;
+  logic marks_first_s23_q;
+  logic marks_last_s23_q;
+  logic patches_round_ends_s23_q;
+  logic [7:0] patches_on_skin_s23_q;
+  logic equal_573_s23_q;
+  logic [7:0] product_3837_s23_q;
+  logic equal_3941_s23_q;
+  logic and_4103_s23_q;
+  logic and_4136_s23_q;
+  logic and_4139_s23_q;
+  logic and_4145_s23_q;
+  logic and_4149_s23_q;
+  logic and_4154_s23_q;
+  logic and_4158_s23_q;
+  logic not_4163_s23_q;
+  logic or_4169_s23_q;
+  logic and_4175_s23_q;
+  logic and_4179_s23_q;
+  logic [5:0] select_4181_s23_q;
+  logic [31:0] select_4198_s23_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      pixel_0_s25_q <= pixel_0_s24_q;
-      pixel_1_s25_q <= pixel_1_s24_q;
-      saturated_s25_q <= saturated_s24_q;
-      mask_s25_q <= mask_s24_q;
-      marks_first_s25_q <= marks_first_s24_q;
-      marks_last_s25_q <= marks_last_s24_q;
-      patches_round_ends_s25_q <= patches_round_ends_s24_q;
-      patches_on_skin_s25_q <= patches_on_skin_s24_q;
-      equal_575_s25_q <= equal_575_s24_q;
-      product_3843_s25_q <= product_3843[12:5];
-      equal_3947_s25_q <= equal_3947_s24_q;
-      and_4109_s25_q <= and_4109_s24_q;
-      and_4142_s25_q <= and_4142_s24_q;
-      and_4145_s25_q <= and_4145;
-      and_4151_s25_q <= equal_575_s24_q & and_4150;
-      and_4155_s25_q <= and_4155_s24_q;
-      and_4160_s25_q <= equal_3947_s24_q & (not_4147 & (select_2451 | or_4157_s24_q));
-      and_4164_s25_q <= and_4164;
-      not_4169_s25_q <= ~(select_3965 < cfg_hidden_frames_i);
-      or_4175_s25_q <= not_2353 | (select_4008 & not_3840);
-      and_4181_s25_q <= and_4181_s24_q;
-      and_4185_s25_q <= and_4185_s24_q;
-      select_4187_s25_q <= select_4187_s24_q;
-      select_4204_s25_q <= select_4204_s24_q;
+      pixel_0_s23_q <= pixel_0_s22_q;
+      pixel_1_s23_q <= pixel_1_s22_q;
+      saturated_s23_q <= saturated_s22_q;
+      mask_s23_q <= mask_s22_q;
+      marks_first_s23_q <= marks_first_s22_q;
+      marks_last_s23_q <= marks_last_s22_q;
+      patches_round_ends_s23_q <= patches_round_ends_s22_q;
+      patches_on_skin_s23_q <= patches_on_skin_s22_q;
+      equal_573_s23_q <= equal_573_s22_q;
+      product_3837_s23_q <= product_3837[12:5];
+      equal_3941_s23_q <= equal_3941_s22_q;
+      and_4103_s23_q <= and_4103_s22_q;
+      and_4136_s23_q <= and_4136_s22_q;
+      and_4139_s23_q <= and_4139;
+      and_4145_s23_q <= equal_573_s22_q & and_4144;
+      and_4149_s23_q <= and_4149_s22_q;
+      and_4154_s23_q <= equal_3941_s22_q & (not_4141 & (select_2446 | or_4151_s22_q));
+      and_4158_s23_q <= and_4158;
+      not_4163_s23_q <= ~(select_3959 < cfg_hidden_frames_i);
+      or_4169_s23_q <= not_2348 | (select_4002 & not_3834);
+      and_4175_s23_q <= and_4175_s22_q;
+      and_4179_s23_q <= and_4179_s22_q;
+      select_4181_s23_q <= select_4181_s22_q;
+      select_4198_s23_q <= select_4198_s22_q;
     end
   end
 
-  // Stage 25 ----------------------------------------------------------------------------------------------------------
+  // Stage 23 ----------------------------------------------------------------------------------------------------------
   logic patches_large_q;
   logic patches_overlooked_q;
   logic patches_spoiled_q;
   // hls/stages/patches.hpp:189
-  logic and_3845;
-  assign and_3845 = (~(patches_on_skin_s25_q[7:2] == 6'h0)) & (product_3843_s25_q < patches_on_skin_s25_q);
-  logic select_3850;
-  assign select_3850 = patches_round_ends_s25_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic and_3839;
+  assign and_3839 = (~(patches_on_skin_s23_q[7:2] == 6'h0)) & (product_3837_s23_q < patches_on_skin_s23_q);
+  logic select_3844;
+  assign select_3844 = patches_round_ends_s23_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:635
-  logic or_3854;
-  assign or_3854 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_s25_q));
+  logic or_3848;
+  assign or_3848 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_s23_q));
   // hls/stages/agreement.hpp:1150
-  logic and_4171;
-  assign and_4171 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_4169_s25_q);
+  logic and_4165;
+  assign and_4165 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_4163_s23_q);
   // hls/stages/agreement.hpp:788
-  logic and_4177;
-  assign and_4177 = equal_3947_s25_q & (or_4175_s25_q ? cfg_prove_i : patches_overlooked_q);
+  logic and_4171;
+  assign and_4171 = equal_3941_s23_q & (or_4169_s23_q ? cfg_prove_i : patches_overlooked_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       patches_large_q <= 1'b0;
       patches_overlooked_q <= 1'b0;
       patches_spoiled_q <= 1'b0;
-    end else if (s25_en) begin
-      patches_large_q <= not_3840 & and_3845;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3850;
-      patches_spoiled_q <= or_3854;
+    end else if (s23_en) begin
+      patches_large_q <= not_3834 & and_3839;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3844;
+      patches_spoiled_q <= or_3848;
     end
   end
 
-  logic [7:0] pixel_0_s26_q;
-  logic [7:0] pixel_1_s26_q;
-  logic saturated_s26_q;
-  logic mask_s26_q;
-  logic marks_first_s26_q;
-  logic marks_last_s26_q;
-  logic and_4109_s26_q;
-  logic or_4133_s26_q;
-  logic and_4134_s26_q;
-  logic and_4142_s26_q;
-  logic and_4145_s26_q;
-  logic and_4151_s26_q;
-  logic and_4155_s26_q;
-  logic and_4161_s26_q;
-  logic and_4165_s26_q;
-  logic and_4173_s26_q;
-  logic and_4178_s26_q;
-  logic and_4181_s26_q;
-  logic and_4185_s26_q;
-  logic [5:0] select_4187_s26_q;
-  logic [31:0] select_4204_s26_q;
+  logic [7:0] pixel_0_s24_q;
+  logic [7:0] pixel_1_s24_q;
+  logic saturated_s24_q;
+  logic mask_s24_q;
+  logic marks_first_s24_q;
+  logic marks_last_s24_q;
+  logic and_4103_s24_q;
+  logic or_4127_s24_q;
+  logic and_4128_s24_q;
+  logic and_4136_s24_q;
+  logic and_4139_s24_q;
+  logic and_4145_s24_q;
+  logic and_4149_s24_q;
+  logic and_4155_s24_q;
+  logic and_4159_s24_q;
+  logic and_4167_s24_q;
+  logic and_4172_s24_q;
+  logic and_4175_s24_q;
+  logic and_4179_s24_q;
+  logic [5:0] select_4181_s24_q;
+  logic [31:0] select_4198_s24_q;
   always_ff @(posedge clk_i) begin
-    if (s25_en) begin
-      pixel_0_s26_q <= pixel_0_s25_q;
-      pixel_1_s26_q <= pixel_1_s25_q;
-      saturated_s26_q <= saturated_s25_q;
-      mask_s26_q <= mask_s25_q;
-      marks_first_s26_q <= marks_first_s25_q;
-      marks_last_s26_q <= marks_last_s25_q;
-      and_4109_s26_q <= and_4109_s25_q;
-      or_4133_s26_q <= not_2353 | seen_q;
-      and_4134_s26_q <= cfg_prove_i & nearer_q;
-      and_4142_s26_q <= and_4142_s25_q;
-      and_4145_s26_q <= and_4145_s25_q;
-      and_4151_s26_q <= and_4151_s25_q;
-      and_4155_s26_q <= and_4155_s25_q;
-      and_4161_s26_q <= equal_575_s25_q & and_4160_s25_q;
-      and_4165_s26_q <= equal_575_s25_q & and_4164_s25_q;
-      and_4173_s26_q <= equal_575_s25_q & (equal_3947_s25_q & and_4171);
-      and_4178_s26_q <= equal_575_s25_q & and_4177;
-      and_4181_s26_q <= and_4181_s25_q;
-      and_4185_s26_q <= and_4185_s25_q;
-      select_4187_s26_q <= select_4187_s25_q;
-      select_4204_s26_q <= select_4204_s25_q;
+    if (s23_en) begin
+      pixel_0_s24_q <= pixel_0_s23_q;
+      pixel_1_s24_q <= pixel_1_s23_q;
+      saturated_s24_q <= saturated_s23_q;
+      mask_s24_q <= mask_s23_q;
+      marks_first_s24_q <= marks_first_s23_q;
+      marks_last_s24_q <= marks_last_s23_q;
+      and_4103_s24_q <= and_4103_s23_q;
+      or_4127_s24_q <= not_2348 | seen_q;
+      and_4128_s24_q <= cfg_prove_i & nearer_q;
+      and_4136_s24_q <= and_4136_s23_q;
+      and_4139_s24_q <= and_4139_s23_q;
+      and_4145_s24_q <= and_4145_s23_q;
+      and_4149_s24_q <= and_4149_s23_q;
+      and_4155_s24_q <= equal_573_s23_q & and_4154_s23_q;
+      and_4159_s24_q <= equal_573_s23_q & and_4158_s23_q;
+      and_4167_s24_q <= equal_573_s23_q & (equal_3941_s23_q & and_4165);
+      and_4172_s24_q <= equal_573_s23_q & and_4171;
+      and_4175_s24_q <= and_4175_s23_q;
+      and_4179_s24_q <= and_4179_s23_q;
+      select_4181_s24_q <= select_4181_s23_q;
+      select_4198_s24_q <= select_4198_s23_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign pixel_0_o = pixel_0_s26_q;
-  assign pixel_1_o = pixel_1_s26_q;
-  assign saturated_o = saturated_s26_q;
-  assign mask_o = mask_s26_q;
-  assign marks_first_o = marks_first_s26_q;
-  assign marks_last_o = marks_last_s26_q;
-  assign marks_seen_o = or_4133_s26_q;
-  assign marks_nearer_o = and_4134_s26_q;
-  assign verdict_valid_o = and_4109_s26_q;
-  assign verdict_unproven_yet_o = and_4142_s26_q;
-  assign verdict_untextured_o = and_4145_s26_q;
-  assign verdict_disagree_o = and_4151_s26_q;
-  assign verdict_moved_o = and_4155_s26_q;
-  assign verdict_unsharp_left_o = and_4161_s26_q;
-  assign verdict_unsharp_right_o = and_4165_s26_q;
-  assign verdict_hidden_o = and_4173_s26_q;
-  assign verdict_overlooked_o = and_4178_s26_q;
-  assign verdict_out_of_step_o = and_4181_s26_q;
-  assign frame_valid_o = and_4185_s26_q;
-  assign frame_index_o = select_4187_s26_q;
-  assign frame_word_o = select_4204_s26_q;
-  assign valid_o = valid_s26_q;
+  assign pixel_0_o = pixel_0_s24_q;
+  assign pixel_1_o = pixel_1_s24_q;
+  assign saturated_o = saturated_s24_q;
+  assign mask_o = mask_s24_q;
+  assign marks_first_o = marks_first_s24_q;
+  assign marks_last_o = marks_last_s24_q;
+  assign marks_seen_o = or_4127_s24_q;
+  assign marks_nearer_o = and_4128_s24_q;
+  assign verdict_valid_o = and_4103_s24_q;
+  assign verdict_unproven_yet_o = and_4136_s24_q;
+  assign verdict_untextured_o = and_4139_s24_q;
+  assign verdict_disagree_o = and_4145_s24_q;
+  assign verdict_moved_o = and_4149_s24_q;
+  assign verdict_unsharp_left_o = and_4155_s24_q;
+  assign verdict_unsharp_right_o = and_4159_s24_q;
+  assign verdict_hidden_o = and_4167_s24_q;
+  assign verdict_overlooked_o = and_4172_s24_q;
+  assign verdict_out_of_step_o = and_4175_s24_q;
+  assign frame_valid_o = and_4179_s24_q;
+  assign frame_index_o = select_4181_s24_q;
+  assign frame_word_o = select_4198_s24_q;
+  assign valid_o = valid_s24_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -12799,8 +12693,6 @@ module horopter_agreement (
       valid_s22_q <= 1'b0;
       valid_s23_q <= 1'b0;
       valid_s24_q <= 1'b0;
-      valid_s25_q <= 1'b0;
-      valid_s26_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -12826,13 +12718,11 @@ module horopter_agreement (
       valid_s22_q <= valid_s21_q;
       valid_s23_q <= valid_s22_q;
       valid_s24_q <= valid_s23_q;
-      valid_s25_q <= valid_s24_q;
-      valid_s26_q <= valid_s25_q;
     end
   end
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_3843[4:0], sum_3809[1:0], sum_3764[1:0], product_3655[4:0], sum_2747[0], difference_2688[1:0], detail_4[1:0], detail_3[1:0], sum_2286[4:0], sum_1769[1:0], sum_1768[1:0], sum_1764[0], sum_1713[0], sum_1709[0], sum_732[4:0], cfg_width_i[3:0]};
+  assign unused_bits = ^{over[13:0], product_3837[4:0], sum_3803[1:0], sum_3758[1:0], product_3649[4:0], sum_2742[0], difference_2683[1:0], detail_4[1:0], detail_3[1:0], sum_2281[4:0], sum_1764[1:0], sum_1763[1:0], sum_1759[0], sum_1708[0], sum_1704[0], sum_730[4:0], cfg_width_i[3:0]};
 
 endmodule

@@ -75,20 +75,20 @@ module horopter_agreement (
   assign s3_en = en_i & valid_s3_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2813;
-  assign not_2813 = ~cfg_prove_i;
-  logic [5:0] sum_3023;
-  assign sum_3023 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_4067;
-  assign difference_4067 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_4280;
-  assign not_4280 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_4338;
-  assign difference_4338 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_4554;
-  assign less_4554 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_4555;
-  assign sum_4555 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic not_2808;
+  assign not_2808 = ~cfg_prove_i;
+  logic [5:0] sum_3018;
+  assign sum_3018 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_4061;
+  assign difference_4061 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_4274;
+  assign not_4274 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [6:0] difference_4332;
+  assign difference_4332 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_4548;
+  assign less_4548 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_4549;
+  assign sum_4549 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -154,404 +154,400 @@ module horopter_agreement (
   logic [4:0] patches_code_row_q;
   logic [4:0] patches_column_q;
   logic patches_column_ends_q;
-  // hls/stages/census.hpp:36
+  // hls/stages/census.hpp:33
+  logic row_starts;
+  assign row_starts = sample_pair_first_q | raster_row_ended_q;
+  // hls/stages/census.hpp:38
   logic [2:0] select_502;
-  assign select_502 = sample_pair_first_q ? 3'h0 : (raster_row_ended_q ? 3'h0 : raster_at_x_q);
-  logic [6:0] select_504;
-  assign select_504 = sample_pair_first_q ? 7'h0 : (raster_row_ended_q ? 7'h0 : raster_at_column_q);
-  // hls/stages/census.hpp:117
-  logic equal_505;
-  assign equal_505 = {select_504, select_502} == 10'h0;
-  // hls/stages/census.hpp:121
-  logic [8:0] select_508;
-  assign select_508 = select_502[0] ? averager_place_q : (equal_505 ? 9'h0 : (averager_place_q + 9'h1));
-  // hls/stages/census.hpp:119
-  logic or_512;
-  assign or_512 = equal_505 | (averager_inside_q & (~(averager_place_q == 9'h13f)));
-  // hls/stages/census.hpp:121
-  logic select_513;
-  assign select_513 = select_502[0] ? averager_inside_q : or_512;
-  // hls/stages/census.hpp:42
-  logic or_514;
-  assign or_514 = sample_pair_first_q | raster_at_live_q;
+  assign select_502 = row_starts ? 3'h0 : raster_at_x_q;
+  // hls/stages/census.hpp:124
+  logic [8:0] select_505;
+  assign select_505 = select_502[0] ? averager_place_q : (row_starts ? 9'h0 : (averager_place_q + 9'h1));
+  // hls/stages/census.hpp:122
+  logic or_509;
+  assign or_509 = row_starts | (averager_inside_q & (~(averager_place_q == 9'h13f)));
+  // hls/stages/census.hpp:124
+  logic select_510;
+  assign select_510 = select_502[0] ? averager_inside_q : or_509;
+  // hls/stages/census.hpp:44
+  logic or_511;
+  assign or_511 = sample_pair_first_q | raster_at_live_q;
   // hls/stages/agreement.hpp:418
-  logic and_516;
-  assign and_516 = select_513 & (select_502[0] & or_514);
-  // hls/stages/census.hpp:42
-  logic [2:0] select_521;
-  assign select_521 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  logic and_513;
+  assign and_513 = select_510 & (select_502[0] & or_511);
+  // hls/stages/census.hpp:44
+  logic [2:0] select_518;
+  assign select_518 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  // hls/stages/census.hpp:38
+  logic [6:0] select_534;
+  assign select_534 = row_starts ? 7'h0 : raster_at_column_q;
   // hls/stages/agreement.hpp:276
   logic [6:0] last;
-  assign last = sample_pair_whole_q ? select_504 : 7'h0;
-  // hls/stages/census.hpp:51
-  logic equal_538;
-  assign equal_538 = select_502 == 3'h7;
-  // hls/stages/census.hpp:54
-  logic equal_539;
-  assign equal_539 = select_521 == 3'h7;
-  // hls/stages/census.hpp:131
-  logic and_540;
-  assign and_540 = equal_539 & and_516;
+  assign last = sample_pair_whole_q ? select_534 : 7'h0;
+  // hls/stages/census.hpp:55
+  logic equal_536;
+  assign equal_536 = select_502 == 3'h7;
+  // hls/stages/census.hpp:58
+  logic equal_537;
+  assign equal_537 = select_518 == 3'h7;
+  // hls/stages/census.hpp:134
+  logic and_538;
+  assign and_538 = equal_537 & and_513;
   // hls/stages/agreement.hpp:276
-  logic and_542;
-  assign and_542 = sample_pair_whole_q & (equal_538 & and_540);
+  logic and_540;
+  assign and_540 = sample_pair_whole_q & (equal_536 & and_538);
   // hls/stages/agreement.hpp:196
   logic so;
   assign so = run_phase_q == 3'h6;
   // hls/stages/agreement.hpp:623
-  logic equal_571;
-  assign equal_571 = run_phase_q == 3'h5;
+  logic equal_569;
+  assign equal_569 = run_phase_q == 3'h5;
   // hls/stages/agreement.hpp:594
-  logic or_572;
-  assign or_572 = so | equal_571;
+  logic or_570;
+  assign or_570 = so | equal_569;
   // hls/stages/agreement.hpp:592
-  logic [7:0] sum_573;
-  assign sum_573 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+  logic [7:0] sum_571;
+  assign sum_571 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
   // hls/stages/agreement.hpp:594
-  logic [7:0] select_574;
-  assign select_574 = run_shift_q[5] ? x_q : sum_573;
-  logic less_575;
-  assign less_575 = {1'b0, last_q} < select_574;
+  logic [7:0] select_572;
+  assign select_572 = run_shift_q[5] ? x_q : sum_571;
+  logic less_573;
+  assign less_573 = {1'b0, last_q} < select_572;
   // hls/stages/agreement.hpp:226
-  logic not_576;
-  assign not_576 = ~less_575;
+  logic not_574;
+  assign not_574 = ~less_573;
   // hls/stages/agreement.hpp:614
-  logic equal_586;
-  assign equal_586 = run_phase_q == 3'h3;
+  logic equal_584;
+  assign equal_584 = run_phase_q == 3'h3;
   // hls/stages/agreement.hpp:615
-  logic equal_587;
-  assign equal_587 = run_phase_q == 3'h2;
+  logic equal_585;
+  assign equal_585 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:149
-  logic and_588;
-  assign and_588 = equal_587 & not_576;
-  logic select_590;
-  assign select_590 = or_572 ? not_576 : (equal_586 ? not_576 : and_588);
+  logic and_586;
+  assign and_586 = equal_585 & not_574;
+  logic select_588;
+  assign select_588 = or_570 ? not_574 : (equal_584 ? not_574 : and_586);
   // hls/stages/agreement.hpp:798
   logic [7:0] x;
   assign x = x_q + 8'hfd;
   // hls/stages/agreement.hpp:149
-  logic and_608;
-  assign and_608 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_574)));
-  logic and_609;
-  assign and_609 = equal_586 & and_608;
-  logic select_610;
-  assign select_610 = or_572 ? not_576 : and_609;
+  logic and_606;
+  assign and_606 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_572)));
+  logic and_607;
+  assign and_607 = equal_584 & and_606;
+  logic select_608;
+  assign select_608 = or_570 ? not_574 : and_607;
   // hls/stages/agreement.hpp:821
   logic [6:0] right;
-  assign right = sum_573[6:0] + 7'h7d;
+  assign right = sum_571[6:0] + 7'h7d;
   // hls/stages/agreement.hpp:594
-  logic not_640;
-  assign not_640 = ~or_572;
+  logic not_638;
+  assign not_638 = ~or_570;
   // hls/stages/agreement.hpp:149
-  logic and_643;
-  assign and_643 = not_640 & ((~equal_586) & and_588);
-  // hls/stages/census.hpp:42
-  logic [5:0] select_670;
-  assign select_670 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
+  logic and_641;
+  assign and_641 = not_638 & ((~equal_584) & and_586);
+  // hls/stages/census.hpp:44
+  logic [5:0] select_668;
+  assign select_668 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:276
   logic [5:0] row;
-  assign row = sample_pair_whole_q ? select_670 : 6'h0;
-  // hls/stages/patches.hpp:122
-  logic and_2142;
-  assign and_2142 = (select_502 == 3'h0) & (select_504 == 7'h0);
+  assign row = sample_pair_whole_q ? select_668 : 6'h0;
   // hls/stages/patches.hpp:393
-  logic not_2143;
-  assign not_2143 = ~patches_begins_q;
-  // hls/stages/census.hpp:32
-  logic not_2146;
-  assign not_2146 = ~sample_pair_first_q;
+  logic not_2138;
+  assign not_2138 = ~patches_begins_q;
+  // hls/stages/census.hpp:33
+  logic not_2141;
+  assign not_2141 = ~sample_pair_first_q;
   // hls/stages/patches.hpp:363
-  logic and_2147;
-  assign and_2147 = patches_capturing_q & not_2146;
+  logic and_2142;
+  assign and_2142 = patches_capturing_q & not_2141;
   // hls/stages/patches.hpp:365
-  logic equal_2148;
-  assign equal_2148 = {or_514, select_521} == 4'hc;
+  logic equal_2143;
+  assign equal_2143 = {or_511, select_518} == 4'hc;
   // hls/stages/patches.hpp:312
-  logic equal_2150;
-  assign equal_2150 = patches_band_rows_rows_to_next_q == 4'h0;
+  logic equal_2145;
+  assign equal_2145 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/patches.hpp:125
-  logic and_2155;
-  assign and_2155 = (not_2143 & (patches_work_q == 3'h0)) & (~(and_2147 | ((~equal_2148) | (~equal_2150))));
+  logic and_2150;
+  assign and_2150 = (not_2138 & (patches_work_q == 3'h0)) & (~(and_2142 | ((~equal_2143) | (~equal_2145))));
   // hls/stages/patches.hpp:535
-  logic equal_2246;
-  assign equal_2246 = patches_work_q == 3'h4;
+  logic equal_2241;
+  assign equal_2241 = patches_work_q == 3'h4;
   // hls/stages/patches.hpp:513
-  logic not_2247;
-  assign not_2247 = ~equal_2246;
+  logic not_2242;
+  assign not_2242 = ~equal_2241;
   // hls/stages/patches.hpp:506
-  logic equal_2248;
-  assign equal_2248 = patches_work_q == 3'h3;
+  logic equal_2243;
+  assign equal_2243 = patches_work_q == 3'h3;
   // hls/stages/patches.hpp:459
-  logic not_2249;
-  assign not_2249 = ~equal_2248;
+  logic not_2244;
+  assign not_2244 = ~equal_2243;
   // hls/stages/patches.hpp:500
-  logic equal_2250;
-  assign equal_2250 = patches_work_q == 3'h2;
+  logic equal_2245;
+  assign equal_2245 = patches_work_q == 3'h2;
   // hls/stages/patches.hpp:168
-  logic equal_2251;
-  assign equal_2251 = patches_work_q == 3'h1;
+  logic equal_2246;
+  assign equal_2246 = patches_work_q == 3'h1;
   // hls/stages/patches.hpp:535
-  logic or_2252;
-  assign or_2252 = equal_2250 | equal_2251;
+  logic or_2247;
+  assign or_2247 = equal_2245 | equal_2246;
   // hls/stages/patches.hpp:461
-  logic not_2253;
-  assign not_2253 = ~patches_second_q;
+  logic not_2248;
+  assign not_2248 = ~patches_second_q;
   // hls/stages/patches.hpp:374
-  logic [4:0] select_2275;
-  assign select_2275 = and_2155 ? 5'h0 : (patches_row_q + 5'h1);
+  logic [4:0] select_2270;
+  assign select_2270 = and_2150 ? 5'h0 : (patches_row_q + 5'h1);
   // hls/stages/patches.hpp:126
-  logic [4:0] select_2276;
-  assign select_2276 = and_2142 ? select_2275 : patches_row_q;
+  logic [4:0] select_2271;
+  assign select_2271 = row_starts ? select_2270 : patches_row_q;
   // hls/stages/patches.hpp:125
-  logic and_2278;
-  assign and_2278 = and_2147 & (patches_row_q == 5'h1f);
+  logic and_2273;
+  assign and_2273 = and_2142 & (patches_row_q == 5'h1f);
   // hls/stages/patches.hpp:126
-  logic select_2282;
-  assign select_2282 = and_2142 ? (and_2155 | (and_2147 & (~and_2278))) : patches_capturing_q;
+  logic select_2277;
+  assign select_2277 = row_starts ? (and_2150 | (and_2142 & (~and_2273))) : patches_capturing_q;
   // hls/stages/patches.hpp:185
-  logic and_2290;
-  assign and_2290 = not_2247 & (not_2249 & (or_2252 & (patches_second_q & equal_2251)));
+  logic and_2285;
+  assign and_2285 = not_2242 & (not_2244 & (or_2247 & (patches_second_q & equal_2246)));
   // hls/stages/patches.hpp:168
-  logic not_2306;
-  assign not_2306 = ~equal_2251;
+  logic not_2301;
+  assign not_2301 = ~equal_2246;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2322;
-  assign select_2322 = and_2142 ? {select_2275[4], select_2275[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  logic [3:0] select_2317;
+  assign select_2317 = row_starts ? {select_2270[4], select_2270[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
   // hls/stages/patches.hpp:459
-  logic and_2332;
-  assign and_2332 = not_2247 & (or_2252 & not_2249);
+  logic and_2327;
+  assign and_2327 = not_2242 & (or_2247 & not_2244);
   // hls/stages/agreement.hpp:276
-  logic [2:0] select_2607;
-  assign select_2607 = sample_pair_whole_q ? (sample_last_q ? (select_521 + 3'h1) : select_521) : raster_at_y_q;
-  logic [6:0] select_2609;
-  assign select_2609 = sample_pair_whole_q ? (select_504 + {6'h0, equal_538}) : raster_at_column_q;
-  logic [5:0] select_2612;
-  assign select_2612 = sample_pair_whole_q ? (sample_last_q ? (select_670 + {5'h0, equal_539}) : select_670) : raster_at_row_q;
-  logic select_2616;
-  assign select_2616 = sample_pair_whole_q ? (sample_last_q ? (or_514 & (~raster_final_row_q)) : or_514) : raster_at_live_q;
-  // hls/stages/census.hpp:50
-  logic [8:0] select_2618;
-  assign select_2618 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [2:0] select_2602;
+  assign select_2602 = sample_pair_whole_q ? (sample_last_q ? (select_518 + 3'h1) : select_518) : raster_at_y_q;
+  logic [6:0] select_2604;
+  assign select_2604 = sample_pair_whole_q ? (select_534 + {6'h0, equal_536}) : raster_at_column_q;
+  logic [5:0] select_2607;
+  assign select_2607 = sample_pair_whole_q ? (sample_last_q ? (select_668 + {5'h0, equal_537}) : select_668) : raster_at_row_q;
+  logic select_2611;
+  assign select_2611 = sample_pair_whole_q ? (sample_last_q ? (or_511 & (~raster_final_row_q)) : or_511) : raster_at_live_q;
+  // hls/stages/census.hpp:54
+  logic [8:0] select_2613;
+  assign select_2613 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:276
-  logic select_2622;
-  assign select_2622 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  logic select_2617;
+  assign select_2617 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:459
-  logic [7:0] sum_2931;
-  assign sum_2931 = {1'b0, last} + 8'h1;
-  logic equal_2932;
-  assign equal_2932 = {sum_2931[7], cfg_width_i[9:3]} == {1'b0, sum_2931[6:0]};
+  logic [7:0] sum_2926;
+  assign sum_2926 = {1'b0, last} + 8'h1;
+  logic equal_2927;
+  assign equal_2927 = {sum_2926[7], cfg_width_i[9:3]} == {1'b0, sum_2926[6:0]};
   // hls/stages/agreement.hpp:464
-  logic and_2933;
-  assign and_2933 = and_542 & equal_2932;
+  logic and_2928;
+  assign and_2928 = and_540 & equal_2927;
   // hls/stages/agreement.hpp:523
-  logic select_2936;
-  assign select_2936 = (and_2933 | (~ends_cell_q)) ? and_2933 : ends_q;
+  logic select_2931;
+  assign select_2931 = (and_2928 | (~ends_cell_q)) ? and_2928 : ends_q;
   // hls/stages/agreement.hpp:529
   logic [2:0] now;
-  assign now = select_2936 ? (and_2933 ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2931 ? (and_2928 ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:534
-  logic [5:0] select_2940;
-  assign select_2940 = select_2936 ? (and_2933 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2943;
-  assign select_2943 = select_2936 ? (following_last_shift_q & (~and_2933)) : run_last_shift_q;
+  logic [5:0] select_2935;
+  assign select_2935 = select_2931 ? (and_2928 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2938;
+  assign select_2938 = select_2931 ? (following_last_shift_q & (~and_2928)) : run_last_shift_q;
   // hls/stages/agreement.hpp:607
-  logic and_2946;
-  assign and_2946 = run_last_shift_q & equal_586;
+  logic and_2941;
+  assign and_2941 = run_last_shift_q & equal_584;
   // hls/stages/agreement.hpp:616
-  logic select_2948;
-  assign select_2948 = equal_586 ? (~run_last_shift_q) : equal_587;
+  logic select_2943;
+  assign select_2943 = equal_584 ? (~run_last_shift_q) : equal_585;
   // hls/stages/agreement.hpp:620
-  logic equal_2949;
-  assign equal_2949 = run_phase_q == 3'h1;
-  logic not_2952;
-  assign not_2952 = ~select_2948;
+  logic equal_2944;
+  assign equal_2944 = run_phase_q == 3'h1;
+  logic not_2947;
+  assign not_2947 = ~select_2943;
   // hls/stages/agreement.hpp:623
-  logic equal_2954;
-  assign equal_2954 = run_phase_q == 3'h4;
+  logic equal_2949;
+  assign equal_2949 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:607
-  logic and_2955;
-  assign and_2955 = final_row_q & so;
+  logic and_2950;
+  assign and_2950 = final_row_q & so;
   // hls/stages/agreement.hpp:620
-  logic [1:0] select_2956;
-  assign select_2956 = equal_2954 ? 2'h1 : {2{and_2955}};
-  logic [2:0] select_2958;
-  assign select_2958 = (and_2946 | (select_2948 | equal_2949)) ? (equal_2949 ? 3'h2 : {not_2952, {2{select_2948}}}) : (equal_571 ? 3'h6 : {select_2956[0], select_2956});
+  logic [1:0] select_2951;
+  assign select_2951 = equal_2949 ? 2'h1 : {2{and_2950}};
+  logic [2:0] select_2953;
+  assign select_2953 = (and_2941 | (select_2943 | equal_2944)) ? (equal_2944 ? 3'h2 : {not_2947, {2{select_2943}}}) : (equal_569 ? 3'h6 : {select_2951[0], select_2951});
   // hls/stages/agreement.hpp:607
-  logic and_2961;
-  assign and_2961 = select_2948 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  logic and_2956;
+  assign and_2956 = select_2943 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:630
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2964;
-  assign select_2964 = (plan_shift_q[5] & select_2948) ? value : 7'h0;
-  logic [1:0] or_2965;
-  assign or_2965 = {2{so}} | select_2964[5:4];
+  logic [6:0] select_2959;
+  assign select_2959 = (plan_shift_q[5] & select_2943) ? value : 7'h0;
+  logic [1:0] or_2960;
+  assign or_2960 = {2{so}} | select_2959[5:4];
   // hls/stages/agreement.hpp:633
-  logic [7:0] or_2969;
-  assign or_2969 = (select_2948 ? plan_columns_q : 8'h0) | ((equal_2949 | equal_2954) ? whole_q : 8'h0);
-  logic [1:0] or_2970;
-  assign or_2970 = {2{and_2946}} | or_2969[3:2];
+  logic [7:0] or_2964;
+  assign or_2964 = (select_2943 ? plan_columns_q : 8'h0) | ((equal_2944 | equal_2949) ? whole_q : 8'h0);
+  logic [1:0] or_2965;
+  assign or_2965 = {2{and_2941}} | or_2964[3:2];
   // hls/stages/agreement.hpp:634
-  logic [7:0] or_2972;
-  assign or_2972 = {or_2969[7:4], or_2970, or_2969[1:0]} | (equal_571 ? drawn_q : 8'h0);
-  logic [4:0] or_2973;
-  assign or_2973 = {5{so}} | {or_2972[6], or_2972[3:0]};
+  logic [7:0] or_2967;
+  assign or_2967 = {or_2964[7:4], or_2965, or_2964[1:0]} | (equal_569 ? drawn_q : 8'h0);
+  logic [4:0] or_2968;
+  assign or_2968 = {5{so}} | {or_2967[6], or_2967[3:0]};
   // hls/stages/agreement.hpp:640
-  logic not_2977;
-  assign not_2977 = ~run_shift_q[5];
-  logic [7:0] select_2980;
-  assign select_2980 = equal_586 ? ({{7{not_2977}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  logic not_2972;
+  assign not_2972 = ~run_shift_q[5];
+  logic [7:0] select_2975;
+  assign select_2975 = equal_584 ? ({{7{not_2972}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:523
-  logic [6:0] select_2984;
-  assign select_2984 = and_2933 ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2979;
+  assign select_2979 = and_2928 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:526
-  logic [7:0] select_2986;
-  assign select_2986 = select_2936 ? {select_2984[6], select_2984} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2989;
-  assign select_2989 = select_2936 ? (and_2933 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2981;
+  assign select_2981 = select_2931 ? {select_2979[6], select_2979} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2984;
+  assign select_2984 = select_2931 ? (and_2928 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_2997;
-  assign select_2997 = and_542 ? (equal_2932 ? ((6'he < last[6:1]) ? 7'h1d : last) : least_q) : least_q;
+  logic [6:0] select_2992;
+  assign select_2992 = and_540 ? (equal_2927 ? ((6'he < last[6:1]) ? 7'h1d : last) : least_q) : least_q;
   // hls/stages/agreement.hpp:473
-  logic [5:0] sum_2998;
-  assign sum_2998 = {1'b0, last[6:2]} + 6'h3;
+  logic [5:0] sum_2993;
+  assign sum_2993 = {1'b0, last[6:2]} + 6'h3;
   // hls/stages/agreement.hpp:520
-  logic [7:0] select_3000;
-  assign select_3000 = and_542 ? (equal_2932 ? {sum_2998, last[1:0]} : whole_q) : whole_q;
+  logic [7:0] select_2995;
+  assign select_2995 = and_540 ? (equal_2927 ? {sum_2993, last[1:0]} : whole_q) : whole_q;
   // hls/stages/agreement.hpp:474
-  logic [5:0] sum_3001;
-  assign sum_3001 = {1'b0, last[6:2]} + 6'h1;
+  logic [5:0] sum_2996;
+  assign sum_2996 = {1'b0, last[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:520
-  logic [7:0] select_3003;
-  assign select_3003 = and_542 ? (equal_2932 ? {sum_3001, last[1:0]} : drawn_q) : drawn_q;
+  logic [7:0] select_2998;
+  assign select_2998 = and_540 ? (equal_2927 ? {sum_2996, last[1:0]} : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:531
-  logic select_3014;
-  assign select_3014 = (ends_cell_q | select_2936) ? (~(now == 3'h6)) : (equal_586 | (slot_q == 3'h6));
+  logic select_3009;
+  assign select_3009 = (ends_cell_q | select_2931) ? (~(now == 3'h6)) : (equal_584 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:526
-  logic and_3018;
-  assign and_3018 = (~select_2936) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_3013;
+  assign and_3013 = (~select_2931) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:476
-  logic [6:0] sum_3019;
-  assign sum_3019 = {1'b0, row} + 7'h1;
+  logic [6:0] sum_3014;
+  assign sum_3014 = {1'b0, row} + 7'h1;
   // hls/stages/agreement.hpp:460
-  logic select_3021;
-  assign select_3021 = equal_2932 ? ({sum_3019[6], cfg_height_i[8:3]} == {1'b0, sum_3019[5:0]}) : final_row_q;
+  logic select_3016;
+  assign select_3016 = equal_2927 ? ({sum_3014[6], cfg_height_i[8:3]} == {1'b0, sum_3014[5:0]}) : final_row_q;
   // hls/stages/patches.hpp:318
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
-  logic [3:0] select_3380;
-  assign select_3380 = and_2142 ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
+  logic [3:0] select_3375;
+  assign select_3375 = row_starts ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_3381;
-  assign select_3381 = sample_pair_whole_q ? select_3380 : patches_phase_q;
+  logic [3:0] select_3376;
+  assign select_3376 = sample_pair_whole_q ? select_3375 : patches_phase_q;
   // hls/stages/patches.hpp:374
-  logic and_3382;
-  assign and_3382 = not_2146 & equal_2148;
-  logic [8:0] select_3383;
-  assign select_3383 = and_3382 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_3384;
-  assign select_3384 = and_3382 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_3385;
-  assign select_3385 = sample_pair_first_q ? select_3383 : select_3384;
+  logic and_3377;
+  assign and_3377 = not_2141 & equal_2143;
+  logic [8:0] select_3378;
+  assign select_3378 = and_3377 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_3379;
+  assign select_3379 = and_3377 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_3380;
+  assign select_3380 = sample_pair_first_q ? select_3378 : select_3379;
   // hls/stages/agreement.hpp:276
+  logic [3:0] select_3382;
+  assign select_3382 = sample_pair_whole_q ? (row_starts ? select_3380[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_3384;
+  assign select_3384 = sample_pair_whole_q ? (row_starts ? select_3380[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
   logic [3:0] select_3387;
-  assign select_3387 = sample_pair_whole_q ? (and_2142 ? select_3385[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  assign select_3387 = sample_pair_whole_q ? (equal_2145 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
   logic [4:0] select_3389;
-  assign select_3389 = sample_pair_whole_q ? (and_2142 ? select_3385[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_3392;
-  assign select_3392 = sample_pair_whole_q ? (equal_2150 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_3394;
-  assign select_3394 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_2150}) : patches_next_band_number_q;
+  assign select_3389 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_2145}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:331
-  logic equal_3395;
-  assign equal_3395 = phase[3:1] == 3'h0;
+  logic equal_3390;
+  assign equal_3390 = phase[3:1] == 3'h0;
   // hls/stages/patches.hpp:332
-  logic not_3396;
-  assign not_3396 = ~equal_3395;
+  logic not_3391;
+  assign not_3391 = ~equal_3390;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_3398;
-  assign select_3398 = sample_pair_whole_q ? (phase + {not_3396, 1'b1, not_3396, equal_3395}) : patches_first_band_rows_to_next_q;
+  logic [3:0] select_3393;
+  assign select_3393 = sample_pair_whole_q ? (phase + {not_3391, 1'b1, not_3391, equal_3390}) : patches_first_band_rows_to_next_q;
   // hls/stages/agreement.hpp:470
+  logic equal_3395;
+  assign equal_3395 = row == 6'h3;
+  // hls/stages/patches.hpp:87
+  logic [3:0] select_3399;
+  assign select_3399 = equal_3395 ? ((select_3376 == 4'h6) ? 4'h0 : (select_3376 + 4'h1)) : patches_choosing_rows_to_next_q;
   logic equal_3400;
-  assign equal_3400 = row == 6'h3;
-  // hls/stages/patches.hpp:87
-  logic [3:0] select_3404;
-  assign select_3404 = equal_3400 ? ((select_3381 == 4'h6) ? 4'h0 : (select_3381 + 4'h1)) : patches_choosing_rows_to_next_q;
-  logic equal_3405;
-  assign equal_3405 = select_3404 == 4'h0;
+  assign equal_3400 = select_3399 == 4'h0;
   // hls/stages/agreement.hpp:460
-  logic [3:0] select_3408;
-  assign select_3408 = equal_2932 ? (equal_3405 ? 4'h6 : (select_3404 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_3403;
+  assign select_3403 = equal_2927 ? (equal_3400 ? 4'h6 : (select_3399 + 4'hf)) : patches_choosing_rows_to_next_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_3410;
-  assign select_3410 = equal_3400 ? 5'h0 : patches_choosing_number_q;
+  logic [4:0] select_3405;
+  assign select_3405 = equal_3395 ? 5'h0 : patches_choosing_number_q;
   // hls/stages/agreement.hpp:460
-  logic [4:0] select_3412;
-  assign select_3412 = equal_2932 ? (select_3410 + {4'h0, equal_3405}) : patches_choosing_number_q;
+  logic [4:0] select_3407;
+  assign select_3407 = equal_2927 ? (select_3405 + {4'h0, equal_3400}) : patches_choosing_number_q;
   // hls/stages/agreement.hpp:520
-  logic select_3417;
-  assign select_3417 = and_542 ? (equal_2932 ? ((6'h2 < row) & equal_3405) : patches_chooses_q) : patches_chooses_q;
-  logic [4:0] select_3419;
-  assign select_3419 = and_542 ? (equal_2932 ? select_3410 : patches_choosing_band_q) : patches_choosing_band_q;
+  logic select_3412;
+  assign select_3412 = and_540 ? (equal_2927 ? ((6'h2 < row) & equal_3400) : patches_chooses_q) : patches_chooses_q;
+  logic [4:0] select_3414;
+  assign select_3414 = and_540 ? (equal_2927 ? select_3405 : patches_choosing_band_q) : patches_choosing_band_q;
   // hls/stages/patches.hpp:372
-  logic or_3443;
-  assign or_3443 = select_504[0] | select_670[5];
-  logic [7:0] sum_3444;
-  assign sum_3444 = {1'b0, select_504[2:1], or_3443, select_670[4:1]} + 8'h1;
-  logic less_3445;
-  assign less_3445 = {sum_3444, select_670[0], select_521, 1'b0} < {4'h0, cfg_height_i};
+  logic [5:0] sum_3438;
+  assign sum_3438 = {1'b0, select_668[5:1]} + 6'h1;
+  logic less_3439;
+  assign less_3439 = {sum_3438, select_668[0], select_518, 1'b0} < {2'h0, cfg_height_i};
   // hls/stages/patches.hpp:126
-  logic select_3448;
-  assign select_3448 = and_2142 ? (and_2155 ? (~less_3445) : patches_lower_q) : patches_lower_q;
+  logic select_3442;
+  assign select_3442 = row_starts ? (and_2150 ? (~less_3439) : patches_lower_q) : patches_lower_q;
   // hls/stages/patches.hpp:394
-  logic or_3487;
-  assign or_3487 = patches_begins_q | patches_ends_q;
+  logic or_3481;
+  assign or_3481 = patches_begins_q | patches_ends_q;
   // hls/stages/patches.hpp:396
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:188
-  logic and_3493;
-  assign and_3493 = equal_2246 & not_2253;
+  logic and_3487;
+  assign and_3487 = equal_2241 & not_2248;
   // hls/stages/patches.hpp:400
-  logic and_3494;
-  assign and_3494 = not_2306 & and_3493;
-  logic [1:0] select_3496;
-  assign select_3496 = equal_2248 ? 2'h0 : (equal_2250 ? 2'h3 : {equal_2251, and_3494});
+  logic and_3488;
+  assign and_3488 = not_2301 & and_3487;
+  logic [1:0] select_3490;
+  assign select_3490 = equal_2243 ? 2'h0 : (equal_2245 ? 2'h3 : {equal_2246, and_3488});
   // hls/stages/patches.hpp:280
-  logic equal_3498;
-  assign equal_3498 = patches_following_q == 3'h4;
+  logic equal_3492;
+  assign equal_3492 = patches_following_q == 3'h4;
   // hls/stages/patches.hpp:278
-  logic not_3499;
-  assign not_3499 = ~equal_3498;
+  logic not_3493;
+  assign not_3493 = ~equal_3492;
   // hls/stages/patches.hpp:280
-  logic equal_3500;
-  assign equal_3500 = patches_following_q == 3'h3;
+  logic equal_3494;
+  assign equal_3494 = patches_following_q == 3'h3;
   // hls/stages/patches.hpp:276
-  logic not_3501;
-  assign not_3501 = ~equal_3500;
+  logic not_3495;
+  assign not_3495 = ~equal_3494;
   // hls/stages/patches.hpp:284
-  logic not_3503;
-  assign not_3503 = ~(patches_following_q == 3'h2);
-  logic and_3506;
-  assign and_3506 = (~(patches_following_q == 3'h1)) & not_3503;
+  logic not_3497;
+  assign not_3497 = ~(patches_following_q == 3'h2);
+  logic and_3500;
+  assign and_3500 = (~(patches_following_q == 3'h1)) & not_3497;
   // hls/stages/patches.hpp:398
-  logic [1:0] select_3507;
-  assign select_3507 = equal_3500 ? 2'h2 : {and_3506, not_3503};
-  logic [3:0] select_3508;
-  assign select_3508 = equal_3498 ? 4'h2 : {select_3507, {2{not_3501}}};
+  logic [1:0] select_3501;
+  assign select_3501 = equal_3494 ? 2'h2 : {and_3500, not_3497};
+  logic [3:0] select_3502;
+  assign select_3502 = equal_3492 ? 4'h2 : {select_3501, {2{not_3495}}};
   // hls/stages/patches.hpp:406
-  logic not_3511;
-  assign not_3511 = ~or_3487;
+  logic not_3505;
+  assign not_3505 = ~or_3481;
   // hls/stages/patches.hpp:395
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
   // hls/stages/patches.hpp:407
-  logic [11:0] select_3516;
-  assign select_3516 = or_3487 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  logic [11:0] select_3510;
+  assign select_3510 = or_3481 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/patches.hpp:188
-  logic [4:0] select_3518;
-  assign select_3518 = or_3487 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  logic [4:0] select_3512;
+  assign select_3512 = or_3481 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
   // Memory fresh, 80 x 33 and parity, DISTANCE 12, hls/stages/agreement.hpp:1372; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -563,7 +559,7 @@ module horopter_agreement (
   logic [6:0] fresh_raddr;
   assign fresh_raddr = x_q[6:0];
   logic fresh_re;
-  assign fresh_re = s0_en & and_643;
+  assign fresh_re = s0_en & and_641;
   logic [33:0] fresh_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) fresh_word_q <= fresh_mem[fresh_raddr];
@@ -584,7 +580,7 @@ module horopter_agreement (
   logic [6:0] left_raddr;
   assign left_raddr = x_q[6:0];
   logic left_re;
-  assign left_re = s0_en & select_590;
+  assign left_re = s0_en & select_588;
   logic [85:0] left_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) left_word_q <= left_mem[left_raddr];
@@ -603,9 +599,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) right_codes_mem[i] = 100'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = or_572 ? x_q[6:0] : (equal_586 ? sum_573[6:0] : x_q[6:0]);
+  assign right_codes_raddr = or_570 ? x_q[6:0] : (equal_584 ? sum_571[6:0] : x_q[6:0]);
   logic right_codes_re;
-  assign right_codes_re = s0_en & select_590;
+  assign right_codes_re = s0_en & select_588;
   logic [99:0] right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) right_codes_word_q <= right_codes_mem[right_codes_raddr];
@@ -624,9 +620,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_left_mem[i] = 63'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = or_572 ? x_q[6:0] : x[6:0];
+  assign best_left_raddr = or_570 ? x_q[6:0] : x[6:0];
   logic best_left_re;
-  assign best_left_re = s0_en & select_610;
+  assign best_left_re = s0_en & select_608;
   logic [62:0] best_left_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) best_left_word_q <= best_left_mem[best_left_raddr];
@@ -647,7 +643,7 @@ module horopter_agreement (
   logic [9:0] patches_right_0_raddr;
   assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
   logic patches_right_0_re;
-  assign patches_right_0_re = s0_en & (not_2247 & (not_2249 & (or_2252 & (equal_2251 & not_2253))));
+  assign patches_right_0_re = s0_en & (not_2242 & (not_2244 & (or_2247 & (equal_2246 & not_2248))));
   logic [8:0] patches_right_0_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_right_0_word_q <= patches_right_0_mem[patches_right_0_raddr];
@@ -668,7 +664,7 @@ module horopter_agreement (
   logic [9:0] patches_right_1_raddr;
   assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
   logic patches_right_1_re;
-  assign patches_right_1_re = s0_en & and_2290;
+  assign patches_right_1_re = s0_en & and_2285;
   logic [8:0] patches_right_1_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_right_1_word_q <= patches_right_1_mem[patches_right_1_raddr];
@@ -689,7 +685,7 @@ module horopter_agreement (
   logic [8:0] patches_left_raddr;
   assign patches_left_raddr = {patches_second_q, patches_code_row_q[3:0], patches_column_q[3:0]};
   logic patches_left_re;
-  assign patches_left_re = s0_en & (not_2247 & (not_2249 & (not_2306 & or_2252)));
+  assign patches_left_re = s0_en & (not_2242 & (not_2244 & (not_2301 & or_2247)));
   logic [8:0] patches_left_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_left_word_q <= patches_left_mem[patches_left_raddr];
@@ -711,7 +707,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_raddr;
   assign patches_columns_above_raddr = patches_column_q;
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s0_en & and_2332;
+  assign patches_columns_above_re = s0_en & and_2327;
   logic [32:0] patches_columns_above_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_columns_above_word_q <= patches_columns_above_mem[patches_columns_above_raddr];
@@ -793,64 +789,64 @@ module horopter_agreement (
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
       raster_at_x_q <= sample_pair_whole_q ? (select_502 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_2607;
-      raster_at_column_q <= select_2609;
-      raster_at_row_q <= select_2612;
-      raster_at_live_q <= select_2616;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2618 : raster_rows_left_q;
+      raster_at_y_q <= select_2602;
+      raster_at_column_q <= select_2604;
+      raster_at_row_q <= select_2607;
+      raster_at_live_q <= select_2611;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2613 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2622;
-      averager_place_q <= sample_pair_whole_q ? select_508 : averager_place_q;
-      averager_inside_q <= sample_pair_whole_q ? select_513 : averager_inside_q;
+      raster_final_row_q <= select_2617;
+      averager_place_q <= sample_pair_whole_q ? select_505 : averager_place_q;
+      averager_inside_q <= sample_pair_whole_q ? select_510 : averager_inside_q;
       run_phase_q <= now;
-      run_shift_q <= select_2940;
-      run_last_shift_q <= select_2943;
-      run_span_q <= select_2936 ? (and_2933 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2958;
-      following_shift_q <= select_2948 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2961;
+      run_shift_q <= select_2935;
+      run_last_shift_q <= select_2938;
+      run_span_q <= select_2931 ? (and_2928 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2953;
+      following_shift_q <= select_2943 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2956;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2964[6], or_2965, select_2964[3:0]};
-      following_columns_q <= {or_2972[7], or_2973[4], or_2972[5:4], or_2973[3:0]};
-      plan_shift_q <= equal_586 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2980;
+      following_lowest_q <= {select_2959[6], or_2960, select_2959[3:0]};
+      following_columns_q <= {or_2967[7], or_2968[4], or_2967[5:4], or_2968[3:0]};
+      plan_shift_q <= equal_584 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
+      plan_span_q <= select_2975;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2986;
-      columns_left_q <= select_2989;
-      last_q <= and_542 ? (equal_2932 ? last : last_q) : last_q;
-      least_q <= select_2997;
-      whole_q <= select_3000;
-      drawn_q <= select_3003;
-      age_q <= select_2936 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2936 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_3014;
-      ends_q <= and_3018;
-      final_row_q <= and_542 ? select_3021 : final_row_q;
+      x_q <= select_2981;
+      columns_left_q <= select_2984;
+      last_q <= and_540 ? (equal_2927 ? last : last_q) : last_q;
+      least_q <= select_2992;
+      whole_q <= select_2995;
+      drawn_q <= select_2998;
+      age_q <= select_2931 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2931 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_3009;
+      ends_q <= and_3013;
+      final_row_q <= and_540 ? select_3016 : final_row_q;
       shift_first_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      patches_phase_q <= select_3381;
-      patches_band_rows_rows_to_next_q <= select_3387;
-      patches_band_rows_number_q <= select_3389;
-      patches_next_band_rows_to_next_q <= select_3392;
-      patches_next_band_number_q <= select_3394;
-      patches_first_band_rows_to_next_q <= select_3398;
-      patches_first_band_number_q <= sample_pair_whole_q ? equal_3395 : patches_first_band_number_q;
-      patches_choosing_rows_to_next_q <= and_542 ? select_3408 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_542 ? select_3412 : patches_choosing_number_q;
-      patches_chooses_q <= select_3417;
-      patches_choosing_band_q <= select_3419;
-      patches_capturing_q <= sample_pair_whole_q ? select_2282 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_q ? select_3448 : patches_lower_q;
-      patches_row_q <= sample_pair_whole_q ? select_2276 : patches_row_q;
-      patches_work_q <= or_3487 ? following : patches_work_q;
-      patches_second_q <= not_2143 & (patches_second_q | (patches_ends_q & equal_2246));
-      patches_following_q <= equal_2246 ? {2'h0, and_3493} : {equal_2248, select_3496};
-      patches_following_beats_q <= {select_3508, not_3499};
-      patches_begins_q <= sample_pair_whole_q & (and_2142 & and_2278);
-      patches_ends_q <= not_3511 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3516;
-      patches_code_row_q <= select_3518;
-      patches_column_q <= or_3487 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3511 & (patches_column_q == 5'h1e);
+      patches_phase_q <= select_3376;
+      patches_band_rows_rows_to_next_q <= select_3382;
+      patches_band_rows_number_q <= select_3384;
+      patches_next_band_rows_to_next_q <= select_3387;
+      patches_next_band_number_q <= select_3389;
+      patches_first_band_rows_to_next_q <= select_3393;
+      patches_first_band_number_q <= sample_pair_whole_q ? equal_3390 : patches_first_band_number_q;
+      patches_choosing_rows_to_next_q <= and_540 ? select_3403 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_540 ? select_3407 : patches_choosing_number_q;
+      patches_chooses_q <= select_3412;
+      patches_choosing_band_q <= select_3414;
+      patches_capturing_q <= sample_pair_whole_q ? select_2277 : patches_capturing_q;
+      patches_lower_q <= sample_pair_whole_q ? select_3442 : patches_lower_q;
+      patches_row_q <= sample_pair_whole_q ? select_2271 : patches_row_q;
+      patches_work_q <= or_3481 ? following : patches_work_q;
+      patches_second_q <= not_2138 & (patches_second_q | (patches_ends_q & equal_2241));
+      patches_following_q <= equal_2241 ? {2'h0, and_3487} : {equal_2243, select_3490};
+      patches_following_beats_q <= {select_3502, not_3493};
+      patches_begins_q <= sample_pair_whole_q & (row_starts & and_2273);
+      patches_ends_q <= not_3505 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3510;
+      patches_code_row_q <= select_3512;
+      patches_column_q <= or_3481 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3505 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -874,45 +870,45 @@ module horopter_agreement (
   logic patches_second_s1_q;
   logic [4:0] patches_code_row_s1_q;
   logic [4:0] patches_column_s1_q;
+  logic row_starts_s1_q;
   logic [2:0] select_502_s1_q;
-  logic [6:0] select_504_s1_q;
-  logic [8:0] select_508_s1_q;
-  logic and_516_s1_q;
-  logic equal_522_s1_q;
+  logic [8:0] select_505_s1_q;
+  logic and_513_s1_q;
+  logic equal_519_s1_q;
+  logic [6:0] select_534_s1_q;
   logic [6:0] last_s1_2_q;
+  logic and_538_s1_q;
   logic and_540_s1_q;
-  logic and_542_s1_q;
-  logic equal_567_s1_q;
+  logic equal_565_s1_q;
   logic so_s1_q;
-  logic equal_571_s1_q;
-  logic or_572_s1_q;
-  logic less_575_s1_q;
-  logic not_576_s1_q;
-  logic equal_586_s1_q;
+  logic equal_569_s1_q;
+  logic or_570_s1_q;
+  logic less_573_s1_q;
+  logic not_574_s1_q;
+  logic equal_584_s1_q;
   logic [6:0] x_s1_2_q;
-  logic select_610_s1_q;
+  logic select_608_s1_q;
   logic [6:0] right_s1_q;
-  logic and_643_s1_q;
+  logic and_641_s1_q;
   logic [5:0] row_s1_q;
-  logic and_2028_s1_q;
-  logic equal_2029_s1_q;
-  logic and_2142_s1_q;
-  logic and_2155_s1_q;
+  logic and_2026_s1_q;
+  logic equal_2027_s1_q;
+  logic and_2150_s1_q;
+  logic equal_2241_s1_q;
+  logic not_2242_s1_q;
+  logic equal_2243_s1_q;
+  logic not_2244_s1_q;
+  logic equal_2245_s1_q;
   logic equal_2246_s1_q;
-  logic not_2247_s1_q;
-  logic equal_2248_s1_q;
-  logic not_2249_s1_q;
-  logic equal_2250_s1_q;
-  logic equal_2251_s1_q;
-  logic or_2252_s1_q;
-  logic [4:0] select_2276_s1_q;
-  logic select_2282_s1_q;
-  logic [3:0] select_2322_s1_q;
-  logic and_2332_s1_q;
-  logic equal_2932_s1_q;
-  logic and_2933_s1_q;
-  logic or_3487_s1_q;
-  logic not_3511_s1_q;
+  logic or_2247_s1_q;
+  logic [4:0] select_2271_s1_q;
+  logic select_2277_s1_q;
+  logic [3:0] select_2317_s1_q;
+  logic and_2327_s1_q;
+  logic equal_2927_s1_q;
+  logic and_2928_s1_q;
+  logic or_3481_s1_q;
+  logic not_3505_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -935,45 +931,45 @@ module horopter_agreement (
       patches_second_s1_q <= patches_second_q;
       patches_code_row_s1_q <= patches_code_row_q;
       patches_column_s1_q <= patches_column_q;
+      row_starts_s1_q <= row_starts;
       select_502_s1_q <= select_502;
-      select_504_s1_q <= select_504;
-      select_508_s1_q <= select_508;
-      and_516_s1_q <= and_516;
-      equal_522_s1_q <= select_521 == 3'h0;
+      select_505_s1_q <= select_505;
+      and_513_s1_q <= and_513;
+      equal_519_s1_q <= select_518 == 3'h0;
+      select_534_s1_q <= select_534;
       last_s1_2_q <= last;
+      and_538_s1_q <= and_538;
       and_540_s1_q <= and_540;
-      and_542_s1_q <= and_542;
-      equal_567_s1_q <= run_phase_q == 3'h7;
+      equal_565_s1_q <= run_phase_q == 3'h7;
       so_s1_q <= so;
-      equal_571_s1_q <= equal_571;
-      or_572_s1_q <= or_572;
-      less_575_s1_q <= less_575;
-      not_576_s1_q <= not_576;
-      equal_586_s1_q <= equal_586;
+      equal_569_s1_q <= equal_569;
+      or_570_s1_q <= or_570;
+      less_573_s1_q <= less_573;
+      not_574_s1_q <= not_574;
+      equal_584_s1_q <= equal_584;
       x_s1_2_q <= x[6:0];
-      select_610_s1_q <= select_610;
+      select_608_s1_q <= select_608;
       right_s1_q <= right;
-      and_643_s1_q <= and_643;
+      and_641_s1_q <= and_641;
       row_s1_q <= row;
-      and_2028_s1_q <= not_640 & and_609;
-      equal_2029_s1_q <= {x[7], last_q} == {1'b0, x[6:0]};
-      and_2142_s1_q <= and_2142;
-      and_2155_s1_q <= and_2155;
+      and_2026_s1_q <= not_638 & and_607;
+      equal_2027_s1_q <= {x[7], last_q} == {1'b0, x[6:0]};
+      and_2150_s1_q <= and_2150;
+      equal_2241_s1_q <= equal_2241;
+      not_2242_s1_q <= not_2242;
+      equal_2243_s1_q <= equal_2243;
+      not_2244_s1_q <= not_2244;
+      equal_2245_s1_q <= equal_2245;
       equal_2246_s1_q <= equal_2246;
-      not_2247_s1_q <= not_2247;
-      equal_2248_s1_q <= equal_2248;
-      not_2249_s1_q <= not_2249;
-      equal_2250_s1_q <= equal_2250;
-      equal_2251_s1_q <= equal_2251;
-      or_2252_s1_q <= or_2252;
-      select_2276_s1_q <= select_2276;
-      select_2282_s1_q <= select_2282;
-      select_2322_s1_q <= select_2322;
-      and_2332_s1_q <= and_2332;
-      equal_2932_s1_q <= equal_2932;
-      and_2933_s1_q <= and_2933;
-      or_3487_s1_q <= or_3487;
-      not_3511_s1_q <= not_3511;
+      or_2247_s1_q <= or_2247;
+      select_2271_s1_q <= select_2271;
+      select_2277_s1_q <= select_2277;
+      select_2317_s1_q <= select_2317;
+      and_2327_s1_q <= and_2327;
+      equal_2927_s1_q <= equal_2927;
+      and_2928_s1_q <= and_2928;
+      or_3481_s1_q <= or_3481;
+      not_3505_s1_q <= not_3505;
     end
   end
 
@@ -1048,45 +1044,45 @@ module horopter_agreement (
   logic [8:0] region_across_next_q;
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
-  // hls/stages/census.hpp:124
-  logic and_517;
-  assign and_517 = sample_pair_whole_s1_q & and_516_s1_q;
+  // hls/stages/census.hpp:127
+  logic and_514;
+  assign and_514 = sample_pair_whole_s1_q & and_513_s1_q;
   // hls/stages/agreement.hpp:668
-  logic equal_561;
-  assign equal_561 = row_q == 6'h0;
+  logic equal_559;
+  assign equal_559 = row_q == 6'h0;
   // hls/stages/patches.hpp:106
-  logic equal_562;
-  assign equal_562 = x_s1_q == 8'h0;
+  logic equal_560;
+  assign equal_560 = x_s1_q == 8'h0;
   // hls/stages/agreement.hpp:259
   logic first;
-  assign first = equal_561 & equal_562;
+  assign first = equal_559 & equal_560;
   // hls/stages/moments.hpp:57
-  logic [13:0] select_565;
-  assign select_565 = moments_starts_q ? 14'h1 : (moments_place_q + {13'h0, moments_taken_q});
+  logic [13:0] select_563;
+  assign select_563 = moments_starts_q ? 14'h1 : (moments_place_q + {13'h0, moments_taken_q});
   // hls/stages/agreement.hpp:788
-  logic [12:0] select_566;
-  assign select_566 = first ? 13'h0 : select_565[12:0];
+  logic [12:0] select_564;
+  assign select_564 = first ? 13'h0 : select_563[12:0];
   // hls/stages/agreement.hpp:1009
-  logic not_568;
-  assign not_568 = ~equal_567_s1_q;
+  logic not_566;
+  assign not_566 = ~equal_565_s1_q;
   // hls/stages/agreement.hpp:201
-  logic not_570;
-  assign not_570 = ~so_s1_q;
+  logic not_568;
+  assign not_568 = ~so_s1_q;
   // hls/stages/agreement.hpp:226
   logic inside_v;
-  assign inside_v = or_572_s1_q & not_576_s1_q;
+  assign inside_v = or_570_s1_q & not_574_s1_q;
   // hls/stages/moments.hpp:63
   logic [7:0] place;
-  assign place = first ? 8'h0 : select_565[13:6];
+  assign place = first ? 8'h0 : select_563[13:6];
   // hls/stages/moments.hpp:104
-  logic not_580;
-  assign not_580 = ~(8'h4a < place);
+  logic not_578;
+  assign not_578 = ~(8'h4a < place);
   // hls/stages/agreement.hpp:788
-  logic and_584;
-  assign and_584 = not_568 & (not_570 & (equal_571_s1_q & (inside_v & not_580)));
+  logic and_582;
+  assign and_582 = not_566 & (not_568 & (equal_569_s1_q & (inside_v & not_578)));
   // hls/stages/agreement.hpp:975
-  logic and_600;
-  assign and_600 = (or_572_s1_q & (left_rdata_q[67] & not_576_s1_q)) & (~(row_q[5:3] == 3'h0));
+  logic and_598;
+  assign and_598 = (or_570_s1_q & (left_rdata_q[67] & not_574_s1_q)) & (~(row_q[5:3] == 3'h0));
   // hls/stages/agreement.hpp:966
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
@@ -1094,1144 +1090,1144 @@ module horopter_agreement (
   logic [7:0] found;
   assign found = x_s1_q + {{2{shift[5]}}, shift};
   // hls/stages/agreement.hpp:968
-  logic [6:0] select_619;
-  assign select_619 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
+  logic [6:0] select_617;
+  assign select_617 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
   // hls/stages/agreement.hpp:668
-  logic not_740;
-  assign not_740 = ~equal_561;
+  logic not_738;
+  assign not_738 = ~equal_559;
   // hls/stages/agreement.hpp:671
+  logic and_739;
+  assign and_739 = left_rdata_q[12] & not_738;
+  logic and_740;
+  assign and_740 = left_rdata_q[30] & not_738;
   logic and_741;
-  assign and_741 = left_rdata_q[12] & not_740;
+  assign and_741 = left_rdata_q[48] & not_738;
   logic and_742;
-  assign and_742 = left_rdata_q[30] & not_740;
-  logic and_743;
-  assign and_743 = left_rdata_q[48] & not_740;
-  logic and_744;
-  assign and_744 = left_rdata_q[66] & not_740;
+  assign and_742 = left_rdata_q[66] & not_738;
   // hls/stages/agreement.hpp:672
+  logic and_743;
+  assign and_743 = right_codes_rdata_q[12] & not_738;
+  logic and_744;
+  assign and_744 = right_codes_rdata_q[27] & not_738;
   logic and_745;
-  assign and_745 = right_codes_rdata_q[12] & not_740;
+  assign and_745 = right_codes_rdata_q[42] & not_738;
   logic and_746;
-  assign and_746 = right_codes_rdata_q[27] & not_740;
+  assign and_746 = right_codes_rdata_q[57] & not_738;
   logic and_747;
-  assign and_747 = right_codes_rdata_q[42] & not_740;
+  assign and_747 = right_codes_rdata_q[72] & not_738;
   logic and_748;
-  assign and_748 = right_codes_rdata_q[57] & not_740;
-  logic and_749;
-  assign and_749 = right_codes_rdata_q[72] & not_740;
-  logic and_750;
-  assign and_750 = right_codes_rdata_q[85] & not_740;
+  assign and_748 = right_codes_rdata_q[85] & not_738;
   // hls/stages/agreement.hpp:221
-  logic and_755;
-  assign and_755 = left_rdata_q[48] & not_576_s1_q;
-  logic and_756;
-  assign and_756 = right_codes_rdata_q[42] & not_576_s1_q;
-  logic [11:0] select_757;
-  assign select_757 = less_575_s1_q ? 12'h0 : left_rdata_q[47:36];
-  logic [11:0] select_758;
-  assign select_758 = less_575_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
+  logic and_753;
+  assign and_753 = left_rdata_q[48] & not_574_s1_q;
+  logic and_754;
+  assign and_754 = right_codes_rdata_q[42] & not_574_s1_q;
+  logic [11:0] select_755;
+  assign select_755 = less_573_s1_q ? 12'h0 : left_rdata_q[47:36];
+  logic [11:0] select_756;
+  assign select_756 = less_573_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_762;
-  assign select_762 = and_755 ? (and_756 ? (~(select_757 ^ select_758)) : 12'h0) : 12'h0;
+  logic [11:0] select_760;
+  assign select_760 = and_753 ? (and_754 ? (~(select_755 ^ select_756)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_768;
-  assign parity_768 = ^select_762[5:3];
-  logic parity_771;
-  assign parity_771 = ^select_762[8:6];
-  logic parity_774;
-  assign parity_774 = ^select_762[11:3];
+  logic parity_766;
+  assign parity_766 = ^select_760[5:3];
+  logic parity_769;
+  assign parity_769 = ^select_760[8:6];
+  logic parity_772;
+  assign parity_772 = ^select_760[11:3];
   // hls/stages/agreement.hpp:221
-  logic and_778;
-  assign and_778 = left_rdata_q[66] & not_576_s1_q;
-  logic and_779;
-  assign and_779 = right_codes_rdata_q[57] & not_576_s1_q;
-  logic [11:0] select_780;
-  assign select_780 = less_575_s1_q ? 12'h0 : left_rdata_q[65:54];
-  logic [11:0] select_781;
-  assign select_781 = less_575_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
+  logic and_776;
+  assign and_776 = left_rdata_q[66] & not_574_s1_q;
+  logic and_777;
+  assign and_777 = right_codes_rdata_q[57] & not_574_s1_q;
+  logic [11:0] select_778;
+  assign select_778 = less_573_s1_q ? 12'h0 : left_rdata_q[65:54];
+  logic [11:0] select_779;
+  assign select_779 = less_573_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_785;
-  assign select_785 = and_778 ? (and_779 ? (~(select_780 ^ select_781)) : 12'h0) : 12'h0;
+  logic [11:0] select_783;
+  assign select_783 = and_776 ? (and_777 ? (~(select_778 ^ select_779)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_788;
-  assign parity_788 = ^select_785[8:6];
-  logic parity_791;
-  assign parity_791 = ^select_785[11:9];
+  logic parity_786;
+  assign parity_786 = ^select_783[8:6];
+  logic parity_789;
+  assign parity_789 = ^select_783[11:9];
   // hls/stages/agreement.hpp:221
-  logic and_795;
-  assign and_795 = left_rdata_q[84] & not_576_s1_q;
-  logic and_796;
-  assign and_796 = right_codes_rdata_q[72] & not_576_s1_q;
-  logic [11:0] select_797;
-  assign select_797 = less_575_s1_q ? 12'h0 : left_rdata_q[83:72];
-  logic [11:0] select_798;
-  assign select_798 = less_575_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
+  logic and_793;
+  assign and_793 = left_rdata_q[84] & not_574_s1_q;
+  logic and_794;
+  assign and_794 = right_codes_rdata_q[72] & not_574_s1_q;
+  logic [11:0] select_795;
+  assign select_795 = less_573_s1_q ? 12'h0 : left_rdata_q[83:72];
+  logic [11:0] select_796;
+  assign select_796 = less_573_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_802;
-  assign select_802 = and_795 ? (and_796 ? (~(select_797 ^ select_798)) : 12'h0) : 12'h0;
+  logic [11:0] select_800;
+  assign select_800 = and_793 ? (and_794 ? (~(select_795 ^ select_796)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_808;
-  assign parity_808 = ^select_802[2:0];
-  logic parity_811;
-  assign parity_811 = ^select_802[5:3];
-  logic parity_814;
-  assign parity_814 = ^select_802[8:0];
-  logic parity_820;
-  assign parity_820 = ^select_802[11:9];
-  logic parity_823;
-  assign parity_823 = ^select_785[2:0];
-  logic parity_826;
-  assign parity_826 = ^{select_802[11:9], select_785[5:0]};
-  logic parity_829;
-  assign parity_829 = ^{select_802, select_785, select_762[2:0]};
-  logic xor_830;
-  assign xor_830 = parity_774 ^ parity_829;
+  logic parity_806;
+  assign parity_806 = ^select_800[2:0];
+  logic parity_809;
+  assign parity_809 = ^select_800[5:3];
+  logic parity_812;
+  assign parity_812 = ^select_800[8:0];
+  logic parity_818;
+  assign parity_818 = ^select_800[11:9];
+  logic parity_821;
+  assign parity_821 = ^select_783[2:0];
+  logic parity_824;
+  assign parity_824 = ^{select_800[11:9], select_783[5:0]};
+  logic parity_827;
+  assign parity_827 = ^{select_800, select_783, select_760[2:0]};
+  logic xor_828;
+  assign xor_828 = parity_772 ^ parity_827;
   // hls/stages/count_bits.hpp:23
-  logic or_834;
-  assign or_834 = (select_762[1:0] == 2'h3) | (select_762[2] & (select_762[0] | select_762[1]));
+  logic or_832;
+  assign or_832 = (select_760[1:0] == 2'h3) | (select_760[2] & (select_760[0] | select_760[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_838;
-  assign or_838 = (select_785[7:6] == 2'h3) | (select_785[8] & (select_785[6] | select_785[7]));
-  logic or_842;
-  assign or_842 = (select_785[10:9] == 2'h3) | (select_785[11] & (select_785[9] | select_785[10]));
+  logic or_836;
+  assign or_836 = (select_783[7:6] == 2'h3) | (select_783[8] & (select_783[6] | select_783[7]));
+  logic or_840;
+  assign or_840 = (select_783[10:9] == 2'h3) | (select_783[11] & (select_783[9] | select_783[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_850;
-  assign or_850 = (select_802[7:6] == 2'h3) | (select_802[8] & (~(select_802[7:6] == 2'h0)));
+  logic or_848;
+  assign or_848 = (select_800[7:6] == 2'h3) | (select_800[8] & (~(select_800[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_854;
-  assign or_854 = (select_802[1:0] == 2'h3) | (select_802[2] & (select_802[0] | select_802[1]));
-  logic or_858;
-  assign or_858 = (select_802[4:3] == 2'h3) | (select_802[5] & (select_802[3] | select_802[4]));
+  logic or_852;
+  assign or_852 = (select_800[1:0] == 2'h3) | (select_800[2] & (select_800[0] | select_800[1]));
+  logic or_856;
+  assign or_856 = (select_800[4:3] == 2'h3) | (select_800[5] & (select_800[3] | select_800[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_861;
-  assign parity_861 = ^{or_858, or_854, or_850};
+  logic parity_859;
+  assign parity_859 = ^{or_856, or_852, or_848};
   // hls/stages/count_bits.hpp:23
-  logic or_865;
-  assign or_865 = (select_785[4:3] == 2'h3) | (select_785[5] & (select_785[3] | select_785[4]));
+  logic or_863;
+  assign or_863 = (select_783[4:3] == 2'h3) | (select_783[5] & (select_783[3] | select_783[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_869;
-  assign or_869 = (select_802[10:9] == 2'h3) | (select_802[11] & (select_802[9] | select_802[10]));
-  logic or_873;
-  assign or_873 = (select_785[1:0] == 2'h3) | (select_785[2] & (select_785[0] | select_785[1]));
+  logic or_867;
+  assign or_867 = (select_800[10:9] == 2'h3) | (select_800[11] & (select_800[9] | select_800[10]));
+  logic or_871;
+  assign or_871 = (select_783[1:0] == 2'h3) | (select_783[2] & (select_783[0] | select_783[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_876;
-  assign parity_876 = ^{or_873, or_869, or_865};
-  logic parity_879;
-  assign parity_879 = ^{or_873, or_869, or_865, or_858, or_854, or_850, or_842, or_838, or_834};
+  logic parity_874;
+  assign parity_874 = ^{or_871, or_867, or_863};
+  logic parity_877;
+  assign parity_877 = ^{or_871, or_867, or_863, or_856, or_852, or_848, or_840, or_836, or_832};
   // hls/stages/count_bits.hpp:25
-  logic and_880;
-  assign and_880 = parity_774 & parity_829;
-  logic or_884;
-  assign or_884 = (parity_768 & parity_771) | ((^select_762[11:9]) & (parity_768 | parity_771));
-  logic and_887;
-  assign and_887 = (^{select_785[11:6], select_762[2:0]}) & (parity_814 | parity_826);
-  logic or_888;
-  assign or_888 = (parity_814 & parity_826) | and_887;
+  logic and_878;
+  assign and_878 = parity_772 & parity_827;
+  logic or_882;
+  assign or_882 = (parity_766 & parity_769) | ((^select_760[11:9]) & (parity_766 | parity_769));
+  logic and_885;
+  assign and_885 = (^{select_783[11:6], select_760[2:0]}) & (parity_812 | parity_824);
+  logic or_886;
+  assign or_886 = (parity_812 & parity_824) | and_885;
   // hls/stages/count_bits.hpp:23
-  logic or_895;
-  assign or_895 = (select_762[10:9] == 2'h3) | (select_762[11] & (select_762[9] | select_762[10]));
+  logic or_893;
+  assign or_893 = (select_760[10:9] == 2'h3) | (select_760[11] & (select_760[9] | select_760[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_899;
-  assign or_899 = (select_762[4:3] == 2'h3) | (select_762[5] & (select_762[3] | select_762[4]));
-  logic or_903;
-  assign or_903 = (select_762[7:6] == 2'h3) | (select_762[8] & (select_762[6] | select_762[7]));
+  logic or_897;
+  assign or_897 = (select_760[4:3] == 2'h3) | (select_760[5] & (select_760[3] | select_760[4]));
+  logic or_901;
+  assign or_901 = (select_760[7:6] == 2'h3) | (select_760[8] & (select_760[6] | select_760[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_906;
-  assign parity_906 = ^{or_903, or_899, or_895};
+  logic parity_904;
+  assign parity_904 = ^{or_901, or_897, or_893};
   // hls/stages/count_bits.hpp:25
-  logic or_910;
-  assign or_910 = (parity_788 & parity_791) | ((^select_762[2:0]) & (parity_788 | parity_791));
-  logic or_914;
-  assign or_914 = (parity_808 & parity_811) | ((^select_802[8:6]) & (parity_808 | parity_811));
-  logic or_918;
-  assign or_918 = (parity_820 & parity_823) | ((^select_785[5:3]) & (parity_820 | parity_823));
+  logic or_908;
+  assign or_908 = (parity_786 & parity_789) | ((^select_760[2:0]) & (parity_786 | parity_789));
+  logic or_912;
+  assign or_912 = (parity_806 & parity_809) | ((^select_800[8:6]) & (parity_806 | parity_809));
+  logic or_916;
+  assign or_916 = (parity_818 & parity_821) | ((^select_783[5:3]) & (parity_818 | parity_821));
   // hls/stages/count_bits.hpp:24
-  logic parity_921;
-  assign parity_921 = ^{or_918, or_914, or_910};
-  logic parity_924;
-  assign parity_924 = ^{or_918, or_914, or_910, or_903, or_899, or_895, or_888, or_884, and_880};
-  logic xor_925;
-  assign xor_925 = parity_879 ^ parity_924;
+  logic parity_919;
+  assign parity_919 = ^{or_916, or_912, or_908};
+  logic parity_922;
+  assign parity_922 = ^{or_916, or_912, or_908, or_901, or_897, or_893, or_886, or_882, and_878};
+  logic xor_923;
+  assign xor_923 = parity_877 ^ parity_922;
   // hls/stages/count_bits.hpp:25
-  logic and_926;
-  assign and_926 = parity_879 & parity_924;
-  logic or_930;
-  assign or_930 = (parity_861 & parity_876) | ((^{or_842, or_838, or_834}) & (parity_861 | parity_876));
-  logic or_934;
-  assign or_934 = (parity_906 & parity_921) | ((^{or_888, or_884, and_880}) & (parity_906 | parity_921));
-  logic or_941;
-  assign or_941 = (or_838 & or_842) | (or_834 & (or_838 | or_842));
-  logic or_945;
-  assign or_945 = (or_854 & or_858) | (or_850 & (or_854 | or_858));
-  logic or_949;
-  assign or_949 = (or_869 & or_873) | (or_865 & (or_869 | or_873));
+  logic and_924;
+  assign and_924 = parity_877 & parity_922;
+  logic or_928;
+  assign or_928 = (parity_859 & parity_874) | ((^{or_840, or_836, or_832}) & (parity_859 | parity_874));
+  logic or_932;
+  assign or_932 = (parity_904 & parity_919) | ((^{or_886, or_882, and_878}) & (parity_904 | parity_919));
+  logic or_939;
+  assign or_939 = (or_836 & or_840) | (or_832 & (or_836 | or_840));
+  logic or_943;
+  assign or_943 = (or_852 & or_856) | (or_848 & (or_852 | or_856));
+  logic or_947;
+  assign or_947 = (or_867 & or_871) | (or_863 & (or_867 | or_871));
   // hls/stages/count_bits.hpp:24
-  logic parity_952;
-  assign parity_952 = ^{or_949, or_945, or_941};
+  logic parity_950;
+  assign parity_950 = ^{or_947, or_943, or_939};
   // hls/stages/count_bits.hpp:25
-  logic or_956;
-  assign or_956 = (or_884 & or_888) | (and_880 & (or_884 | or_888));
-  logic or_960;
-  assign or_960 = (or_899 & or_903) | (or_895 & (or_899 | or_903));
-  logic or_964;
-  assign or_964 = (or_914 & or_918) | (or_910 & (or_914 | or_918));
+  logic or_954;
+  assign or_954 = (or_882 & or_886) | (and_878 & (or_882 | or_886));
+  logic or_958;
+  assign or_958 = (or_897 & or_901) | (or_893 & (or_897 | or_901));
+  logic or_962;
+  assign or_962 = (or_912 & or_916) | (or_908 & (or_912 | or_916));
   // hls/stages/count_bits.hpp:24
-  logic parity_967;
-  assign parity_967 = ^{or_964, or_960, or_956};
-  logic parity_970;
-  assign parity_970 = ^{or_964, or_960, or_956, or_949, or_945, or_941, or_934, or_930, and_926};
+  logic parity_965;
+  assign parity_965 = ^{or_962, or_958, or_954};
+  logic parity_968;
+  assign parity_968 = ^{or_962, or_958, or_954, or_947, or_943, or_939, or_932, or_928, and_924};
   // hls/stages/count_bits.hpp:25
-  logic or_974;
-  assign or_974 = (parity_952 & parity_967) | ((^{or_934, or_930, and_926}) & (parity_952 | parity_967));
-  logic or_978;
-  assign or_978 = (or_930 & or_934) | (and_926 & (or_930 | or_934));
-  logic or_982;
-  assign or_982 = (or_945 & or_949) | (or_941 & (or_945 | or_949));
-  logic or_986;
-  assign or_986 = (or_960 & or_964) | (or_956 & (or_960 | or_964));
+  logic or_972;
+  assign or_972 = (parity_950 & parity_965) | ((^{or_932, or_928, and_924}) & (parity_950 | parity_965));
+  logic or_976;
+  assign or_976 = (or_928 & or_932) | (and_924 & (or_928 | or_932));
+  logic or_980;
+  assign or_980 = (or_943 & or_947) | (or_939 & (or_943 | or_947));
+  logic or_984;
+  assign or_984 = (or_958 & or_962) | (or_954 & (or_958 | or_962));
   // hls/stages/count_bits.hpp:24
-  logic parity_991;
-  assign parity_991 = ^{or_986, or_982, or_978, or_974};
+  logic parity_989;
+  assign parity_989 = ^{or_984, or_980, or_976, or_972};
   // hls/stages/count_bits.hpp:25
-  logic or_995;
-  assign or_995 = (or_982 & or_986) | (or_978 & (or_982 | or_986));
+  logic or_993;
+  assign or_993 = (or_980 & or_984) | (or_976 & (or_980 | or_984));
+  logic and_994;
+  assign and_994 = or_972 & (^{or_984, or_980, or_976});
+  // hls/stages/count_bits.hpp:24
+  logic xor_995;
+  assign xor_995 = or_993 ^ and_994;
+  // hls/stages/count_bits.hpp:27
   logic and_996;
-  assign and_996 = or_974 & (^{or_986, or_982, or_978});
-  // hls/stages/count_bits.hpp:24
-  logic xor_997;
-  assign xor_997 = or_995 ^ and_996;
-  // hls/stages/count_bits.hpp:27
-  logic and_998;
-  assign and_998 = or_995 & and_996;
+  assign and_996 = or_993 & and_994;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_999;
-  assign select_999 = equal_586_s1_q ? {and_998, xor_997, parity_991, parity_970, xor_925, xor_830} : 6'h0;
+  logic [5:0] select_997;
+  assign select_997 = equal_584_s1_q ? {and_996, xor_995, parity_989, parity_968, xor_923, xor_828} : 6'h0;
   logic [5:0] column;
-  assign column = or_572_s1_q ? 6'h0 : select_999;
+  assign column = or_570_s1_q ? 6'h0 : select_997;
   // hls/stages/agreement.hpp:778
-  logic [5:0] select_1001;
-  assign select_1001 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1002;
-  assign difference_1002 = {1'b0, column} - {1'b0, select_1001};
-  logic [7:0] sum_1004;
-  assign sum_1004 = {difference_1002[6], difference_1002} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_999;
+  assign select_999 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1000;
+  assign difference_1000 = {1'b0, column} - {1'b0, select_999};
+  logic [7:0] sum_1002;
+  assign sum_1002 = {difference_1000[6], difference_1000} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1008;
-  assign select_1008 = and_755 ? (and_779 ? (~(select_757 ^ select_781)) : 12'h0) : 12'h0;
+  logic [11:0] select_1006;
+  assign select_1006 = and_753 ? (and_777 ? (~(select_755 ^ select_779)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1014;
-  assign parity_1014 = ^select_1008[5:3];
-  logic parity_1017;
-  assign parity_1017 = ^select_1008[8:6];
-  logic parity_1020;
-  assign parity_1020 = ^select_1008[11:3];
+  logic parity_1012;
+  assign parity_1012 = ^select_1006[5:3];
+  logic parity_1015;
+  assign parity_1015 = ^select_1006[8:6];
+  logic parity_1018;
+  assign parity_1018 = ^select_1006[11:3];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1027;
-  assign select_1027 = and_778 ? (and_796 ? (~(select_780 ^ select_798)) : 12'h0) : 12'h0;
+  logic [11:0] select_1025;
+  assign select_1025 = and_776 ? (and_794 ? (~(select_778 ^ select_796)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1030;
-  assign parity_1030 = ^select_1027[8:6];
-  logic parity_1033;
-  assign parity_1033 = ^select_1027[11:9];
+  logic parity_1028;
+  assign parity_1028 = ^select_1025[8:6];
+  logic parity_1031;
+  assign parity_1031 = ^select_1025[11:9];
   // hls/stages/agreement.hpp:221
-  logic and_1037;
-  assign and_1037 = right_codes_rdata_q[85] & not_576_s1_q;
-  logic [11:0] select_1038;
-  assign select_1038 = less_575_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
+  logic and_1035;
+  assign and_1035 = right_codes_rdata_q[85] & not_574_s1_q;
+  logic [11:0] select_1036;
+  assign select_1036 = less_573_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1042;
-  assign select_1042 = and_795 ? (and_1037 ? (~(select_797 ^ select_1038)) : 12'h0) : 12'h0;
+  logic [11:0] select_1040;
+  assign select_1040 = and_793 ? (and_1035 ? (~(select_795 ^ select_1036)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1048;
-  assign parity_1048 = ^select_1042[2:0];
-  logic parity_1051;
-  assign parity_1051 = ^select_1042[5:3];
-  logic parity_1054;
-  assign parity_1054 = ^select_1042[8:0];
-  logic parity_1060;
-  assign parity_1060 = ^select_1042[11:9];
-  logic parity_1063;
-  assign parity_1063 = ^select_1027[2:0];
-  logic parity_1066;
-  assign parity_1066 = ^{select_1042[11:9], select_1027[5:0]};
-  logic parity_1069;
-  assign parity_1069 = ^{select_1042, select_1027, select_1008[2:0]};
-  logic xor_1070;
-  assign xor_1070 = parity_1020 ^ parity_1069;
+  logic parity_1046;
+  assign parity_1046 = ^select_1040[2:0];
+  logic parity_1049;
+  assign parity_1049 = ^select_1040[5:3];
+  logic parity_1052;
+  assign parity_1052 = ^select_1040[8:0];
+  logic parity_1058;
+  assign parity_1058 = ^select_1040[11:9];
+  logic parity_1061;
+  assign parity_1061 = ^select_1025[2:0];
+  logic parity_1064;
+  assign parity_1064 = ^{select_1040[11:9], select_1025[5:0]};
+  logic parity_1067;
+  assign parity_1067 = ^{select_1040, select_1025, select_1006[2:0]};
+  logic xor_1068;
+  assign xor_1068 = parity_1018 ^ parity_1067;
   // hls/stages/count_bits.hpp:23
-  logic or_1074;
-  assign or_1074 = (select_1008[1:0] == 2'h3) | (select_1008[2] & (select_1008[0] | select_1008[1]));
+  logic or_1072;
+  assign or_1072 = (select_1006[1:0] == 2'h3) | (select_1006[2] & (select_1006[0] | select_1006[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1078;
-  assign or_1078 = (select_1027[7:6] == 2'h3) | (select_1027[8] & (select_1027[6] | select_1027[7]));
-  logic or_1082;
-  assign or_1082 = (select_1027[10:9] == 2'h3) | (select_1027[11] & (select_1027[9] | select_1027[10]));
+  logic or_1076;
+  assign or_1076 = (select_1025[7:6] == 2'h3) | (select_1025[8] & (select_1025[6] | select_1025[7]));
+  logic or_1080;
+  assign or_1080 = (select_1025[10:9] == 2'h3) | (select_1025[11] & (select_1025[9] | select_1025[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1090;
-  assign or_1090 = (select_1042[7:6] == 2'h3) | (select_1042[8] & (~(select_1042[7:6] == 2'h0)));
+  logic or_1088;
+  assign or_1088 = (select_1040[7:6] == 2'h3) | (select_1040[8] & (~(select_1040[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1094;
-  assign or_1094 = (select_1042[1:0] == 2'h3) | (select_1042[2] & (select_1042[0] | select_1042[1]));
-  logic or_1098;
-  assign or_1098 = (select_1042[4:3] == 2'h3) | (select_1042[5] & (select_1042[3] | select_1042[4]));
+  logic or_1092;
+  assign or_1092 = (select_1040[1:0] == 2'h3) | (select_1040[2] & (select_1040[0] | select_1040[1]));
+  logic or_1096;
+  assign or_1096 = (select_1040[4:3] == 2'h3) | (select_1040[5] & (select_1040[3] | select_1040[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1101;
-  assign parity_1101 = ^{or_1098, or_1094, or_1090};
+  logic parity_1099;
+  assign parity_1099 = ^{or_1096, or_1092, or_1088};
   // hls/stages/count_bits.hpp:23
-  logic or_1105;
-  assign or_1105 = (select_1027[4:3] == 2'h3) | (select_1027[5] & (select_1027[3] | select_1027[4]));
+  logic or_1103;
+  assign or_1103 = (select_1025[4:3] == 2'h3) | (select_1025[5] & (select_1025[3] | select_1025[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1109;
-  assign or_1109 = (select_1042[10:9] == 2'h3) | (select_1042[11] & (select_1042[9] | select_1042[10]));
-  logic or_1113;
-  assign or_1113 = (select_1027[1:0] == 2'h3) | (select_1027[2] & (select_1027[0] | select_1027[1]));
+  logic or_1107;
+  assign or_1107 = (select_1040[10:9] == 2'h3) | (select_1040[11] & (select_1040[9] | select_1040[10]));
+  logic or_1111;
+  assign or_1111 = (select_1025[1:0] == 2'h3) | (select_1025[2] & (select_1025[0] | select_1025[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1116;
-  assign parity_1116 = ^{or_1113, or_1109, or_1105};
-  logic parity_1119;
-  assign parity_1119 = ^{or_1113, or_1109, or_1105, or_1098, or_1094, or_1090, or_1082, or_1078, or_1074};
+  logic parity_1114;
+  assign parity_1114 = ^{or_1111, or_1107, or_1103};
+  logic parity_1117;
+  assign parity_1117 = ^{or_1111, or_1107, or_1103, or_1096, or_1092, or_1088, or_1080, or_1076, or_1072};
   // hls/stages/count_bits.hpp:25
-  logic and_1120;
-  assign and_1120 = parity_1020 & parity_1069;
-  logic or_1124;
-  assign or_1124 = (parity_1014 & parity_1017) | ((^select_1008[11:9]) & (parity_1014 | parity_1017));
-  logic and_1127;
-  assign and_1127 = (^{select_1027[11:6], select_1008[2:0]}) & (parity_1054 | parity_1066);
-  logic or_1128;
-  assign or_1128 = (parity_1054 & parity_1066) | and_1127;
+  logic and_1118;
+  assign and_1118 = parity_1018 & parity_1067;
+  logic or_1122;
+  assign or_1122 = (parity_1012 & parity_1015) | ((^select_1006[11:9]) & (parity_1012 | parity_1015));
+  logic and_1125;
+  assign and_1125 = (^{select_1025[11:6], select_1006[2:0]}) & (parity_1052 | parity_1064);
+  logic or_1126;
+  assign or_1126 = (parity_1052 & parity_1064) | and_1125;
   // hls/stages/count_bits.hpp:23
-  logic or_1135;
-  assign or_1135 = (select_1008[10:9] == 2'h3) | (select_1008[11] & (select_1008[9] | select_1008[10]));
+  logic or_1133;
+  assign or_1133 = (select_1006[10:9] == 2'h3) | (select_1006[11] & (select_1006[9] | select_1006[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1139;
-  assign or_1139 = (select_1008[4:3] == 2'h3) | (select_1008[5] & (select_1008[3] | select_1008[4]));
-  logic or_1143;
-  assign or_1143 = (select_1008[7:6] == 2'h3) | (select_1008[8] & (select_1008[6] | select_1008[7]));
+  logic or_1137;
+  assign or_1137 = (select_1006[4:3] == 2'h3) | (select_1006[5] & (select_1006[3] | select_1006[4]));
+  logic or_1141;
+  assign or_1141 = (select_1006[7:6] == 2'h3) | (select_1006[8] & (select_1006[6] | select_1006[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1146;
-  assign parity_1146 = ^{or_1143, or_1139, or_1135};
+  logic parity_1144;
+  assign parity_1144 = ^{or_1141, or_1137, or_1133};
   // hls/stages/count_bits.hpp:25
-  logic or_1150;
-  assign or_1150 = (parity_1030 & parity_1033) | ((^select_1008[2:0]) & (parity_1030 | parity_1033));
-  logic or_1154;
-  assign or_1154 = (parity_1048 & parity_1051) | ((^select_1042[8:6]) & (parity_1048 | parity_1051));
-  logic or_1158;
-  assign or_1158 = (parity_1060 & parity_1063) | ((^select_1027[5:3]) & (parity_1060 | parity_1063));
+  logic or_1148;
+  assign or_1148 = (parity_1028 & parity_1031) | ((^select_1006[2:0]) & (parity_1028 | parity_1031));
+  logic or_1152;
+  assign or_1152 = (parity_1046 & parity_1049) | ((^select_1040[8:6]) & (parity_1046 | parity_1049));
+  logic or_1156;
+  assign or_1156 = (parity_1058 & parity_1061) | ((^select_1025[5:3]) & (parity_1058 | parity_1061));
   // hls/stages/count_bits.hpp:24
-  logic parity_1161;
-  assign parity_1161 = ^{or_1158, or_1154, or_1150};
-  logic parity_1164;
-  assign parity_1164 = ^{or_1158, or_1154, or_1150, or_1143, or_1139, or_1135, or_1128, or_1124, and_1120};
-  logic xor_1165;
-  assign xor_1165 = parity_1119 ^ parity_1164;
+  logic parity_1159;
+  assign parity_1159 = ^{or_1156, or_1152, or_1148};
+  logic parity_1162;
+  assign parity_1162 = ^{or_1156, or_1152, or_1148, or_1141, or_1137, or_1133, or_1126, or_1122, and_1118};
+  logic xor_1163;
+  assign xor_1163 = parity_1117 ^ parity_1162;
   // hls/stages/count_bits.hpp:25
-  logic and_1166;
-  assign and_1166 = parity_1119 & parity_1164;
-  logic or_1170;
-  assign or_1170 = (parity_1101 & parity_1116) | ((^{or_1082, or_1078, or_1074}) & (parity_1101 | parity_1116));
-  logic or_1174;
-  assign or_1174 = (parity_1146 & parity_1161) | ((^{or_1128, or_1124, and_1120}) & (parity_1146 | parity_1161));
-  logic or_1181;
-  assign or_1181 = (or_1078 & or_1082) | (or_1074 & (or_1078 | or_1082));
-  logic or_1185;
-  assign or_1185 = (or_1094 & or_1098) | (or_1090 & (or_1094 | or_1098));
-  logic or_1189;
-  assign or_1189 = (or_1109 & or_1113) | (or_1105 & (or_1109 | or_1113));
+  logic and_1164;
+  assign and_1164 = parity_1117 & parity_1162;
+  logic or_1168;
+  assign or_1168 = (parity_1099 & parity_1114) | ((^{or_1080, or_1076, or_1072}) & (parity_1099 | parity_1114));
+  logic or_1172;
+  assign or_1172 = (parity_1144 & parity_1159) | ((^{or_1126, or_1122, and_1118}) & (parity_1144 | parity_1159));
+  logic or_1179;
+  assign or_1179 = (or_1076 & or_1080) | (or_1072 & (or_1076 | or_1080));
+  logic or_1183;
+  assign or_1183 = (or_1092 & or_1096) | (or_1088 & (or_1092 | or_1096));
+  logic or_1187;
+  assign or_1187 = (or_1107 & or_1111) | (or_1103 & (or_1107 | or_1111));
   // hls/stages/count_bits.hpp:24
-  logic parity_1192;
-  assign parity_1192 = ^{or_1189, or_1185, or_1181};
+  logic parity_1190;
+  assign parity_1190 = ^{or_1187, or_1183, or_1179};
   // hls/stages/count_bits.hpp:25
-  logic or_1196;
-  assign or_1196 = (or_1124 & or_1128) | (and_1120 & (or_1124 | or_1128));
-  logic or_1200;
-  assign or_1200 = (or_1139 & or_1143) | (or_1135 & (or_1139 | or_1143));
-  logic or_1204;
-  assign or_1204 = (or_1154 & or_1158) | (or_1150 & (or_1154 | or_1158));
+  logic or_1194;
+  assign or_1194 = (or_1122 & or_1126) | (and_1118 & (or_1122 | or_1126));
+  logic or_1198;
+  assign or_1198 = (or_1137 & or_1141) | (or_1133 & (or_1137 | or_1141));
+  logic or_1202;
+  assign or_1202 = (or_1152 & or_1156) | (or_1148 & (or_1152 | or_1156));
   // hls/stages/count_bits.hpp:24
-  logic parity_1207;
-  assign parity_1207 = ^{or_1204, or_1200, or_1196};
-  logic parity_1210;
-  assign parity_1210 = ^{or_1204, or_1200, or_1196, or_1189, or_1185, or_1181, or_1174, or_1170, and_1166};
+  logic parity_1205;
+  assign parity_1205 = ^{or_1202, or_1198, or_1194};
+  logic parity_1208;
+  assign parity_1208 = ^{or_1202, or_1198, or_1194, or_1187, or_1183, or_1179, or_1172, or_1168, and_1164};
   // hls/stages/count_bits.hpp:25
-  logic or_1214;
-  assign or_1214 = (parity_1192 & parity_1207) | ((^{or_1174, or_1170, and_1166}) & (parity_1192 | parity_1207));
-  logic or_1218;
-  assign or_1218 = (or_1170 & or_1174) | (and_1166 & (or_1170 | or_1174));
-  logic or_1222;
-  assign or_1222 = (or_1185 & or_1189) | (or_1181 & (or_1185 | or_1189));
-  logic or_1226;
-  assign or_1226 = (or_1200 & or_1204) | (or_1196 & (or_1200 | or_1204));
+  logic or_1212;
+  assign or_1212 = (parity_1190 & parity_1205) | ((^{or_1172, or_1168, and_1164}) & (parity_1190 | parity_1205));
+  logic or_1216;
+  assign or_1216 = (or_1168 & or_1172) | (and_1164 & (or_1168 | or_1172));
+  logic or_1220;
+  assign or_1220 = (or_1183 & or_1187) | (or_1179 & (or_1183 | or_1187));
+  logic or_1224;
+  assign or_1224 = (or_1198 & or_1202) | (or_1194 & (or_1198 | or_1202));
   // hls/stages/count_bits.hpp:24
-  logic parity_1231;
-  assign parity_1231 = ^{or_1226, or_1222, or_1218, or_1214};
+  logic parity_1229;
+  assign parity_1229 = ^{or_1224, or_1220, or_1216, or_1212};
   // hls/stages/count_bits.hpp:25
-  logic or_1235;
-  assign or_1235 = (or_1222 & or_1226) | (or_1218 & (or_1222 | or_1226));
+  logic or_1233;
+  assign or_1233 = (or_1220 & or_1224) | (or_1216 & (or_1220 | or_1224));
+  logic and_1234;
+  assign and_1234 = or_1212 & (^{or_1224, or_1220, or_1216});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1235;
+  assign xor_1235 = or_1233 ^ and_1234;
+  // hls/stages/count_bits.hpp:27
   logic and_1236;
-  assign and_1236 = or_1214 & (^{or_1226, or_1222, or_1218});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1237;
-  assign xor_1237 = or_1235 ^ and_1236;
-  // hls/stages/count_bits.hpp:27
-  logic and_1238;
-  assign and_1238 = or_1235 & and_1236;
+  assign and_1236 = or_1233 & and_1234;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1239;
-  assign select_1239 = equal_586_s1_q ? {and_1238, xor_1237, parity_1231, parity_1210, xor_1165, xor_1070} : 6'h0;
+  logic [5:0] select_1237;
+  assign select_1237 = equal_584_s1_q ? {and_1236, xor_1235, parity_1229, parity_1208, xor_1163, xor_1068} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_572_s1_q ? 6'h0 : select_1239;
+  assign column_2 = or_570_s1_q ? 6'h0 : select_1237;
   // hls/stages/agreement.hpp:778
-  logic [5:0] select_1241;
-  assign select_1241 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1242;
-  assign difference_1242 = {1'b0, column_2} - {1'b0, select_1241};
-  logic [7:0] sum_1244;
-  assign sum_1244 = {difference_1242[6], difference_1242} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_1239;
+  assign select_1239 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1240;
+  assign difference_1240 = {1'b0, column_2} - {1'b0, select_1239};
+  logic [7:0] sum_1242;
+  assign sum_1242 = {difference_1240[6], difference_1240} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:221
-  logic and_1245;
-  assign and_1245 = right_codes_rdata_q[27] & not_576_s1_q;
-  logic [11:0] select_1246;
-  assign select_1246 = less_575_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
+  logic and_1243;
+  assign and_1243 = right_codes_rdata_q[27] & not_574_s1_q;
+  logic [11:0] select_1244;
+  assign select_1244 = less_573_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1250;
-  assign select_1250 = and_755 ? (and_1245 ? (~(select_757 ^ select_1246)) : 12'h0) : 12'h0;
+  logic [11:0] select_1248;
+  assign select_1248 = and_753 ? (and_1243 ? (~(select_755 ^ select_1244)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1256;
-  assign parity_1256 = ^select_1250[5:3];
-  logic parity_1259;
-  assign parity_1259 = ^select_1250[8:6];
-  logic parity_1262;
-  assign parity_1262 = ^select_1250[11:3];
+  logic parity_1254;
+  assign parity_1254 = ^select_1248[5:3];
+  logic parity_1257;
+  assign parity_1257 = ^select_1248[8:6];
+  logic parity_1260;
+  assign parity_1260 = ^select_1248[11:3];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1269;
-  assign select_1269 = and_778 ? (and_756 ? (~(select_780 ^ select_758)) : 12'h0) : 12'h0;
+  logic [11:0] select_1267;
+  assign select_1267 = and_776 ? (and_754 ? (~(select_778 ^ select_756)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1272;
-  assign parity_1272 = ^select_1269[8:6];
-  logic parity_1275;
-  assign parity_1275 = ^select_1269[11:9];
+  logic parity_1270;
+  assign parity_1270 = ^select_1267[8:6];
+  logic parity_1273;
+  assign parity_1273 = ^select_1267[11:9];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1282;
-  assign select_1282 = and_795 ? (and_779 ? (~(select_797 ^ select_781)) : 12'h0) : 12'h0;
+  logic [11:0] select_1280;
+  assign select_1280 = and_793 ? (and_777 ? (~(select_795 ^ select_779)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1288;
-  assign parity_1288 = ^select_1282[2:0];
-  logic parity_1291;
-  assign parity_1291 = ^select_1282[5:3];
-  logic parity_1294;
-  assign parity_1294 = ^select_1282[8:0];
-  logic parity_1300;
-  assign parity_1300 = ^select_1282[11:9];
-  logic parity_1303;
-  assign parity_1303 = ^select_1269[2:0];
-  logic parity_1306;
-  assign parity_1306 = ^{select_1282[11:9], select_1269[5:0]};
-  logic parity_1309;
-  assign parity_1309 = ^{select_1282, select_1269, select_1250[2:0]};
-  logic xor_1310;
-  assign xor_1310 = parity_1262 ^ parity_1309;
+  logic parity_1286;
+  assign parity_1286 = ^select_1280[2:0];
+  logic parity_1289;
+  assign parity_1289 = ^select_1280[5:3];
+  logic parity_1292;
+  assign parity_1292 = ^select_1280[8:0];
+  logic parity_1298;
+  assign parity_1298 = ^select_1280[11:9];
+  logic parity_1301;
+  assign parity_1301 = ^select_1267[2:0];
+  logic parity_1304;
+  assign parity_1304 = ^{select_1280[11:9], select_1267[5:0]};
+  logic parity_1307;
+  assign parity_1307 = ^{select_1280, select_1267, select_1248[2:0]};
+  logic xor_1308;
+  assign xor_1308 = parity_1260 ^ parity_1307;
   // hls/stages/count_bits.hpp:23
-  logic or_1314;
-  assign or_1314 = (select_1250[1:0] == 2'h3) | (select_1250[2] & (select_1250[0] | select_1250[1]));
+  logic or_1312;
+  assign or_1312 = (select_1248[1:0] == 2'h3) | (select_1248[2] & (select_1248[0] | select_1248[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1318;
-  assign or_1318 = (select_1269[7:6] == 2'h3) | (select_1269[8] & (select_1269[6] | select_1269[7]));
-  logic or_1322;
-  assign or_1322 = (select_1269[10:9] == 2'h3) | (select_1269[11] & (select_1269[9] | select_1269[10]));
+  logic or_1316;
+  assign or_1316 = (select_1267[7:6] == 2'h3) | (select_1267[8] & (select_1267[6] | select_1267[7]));
+  logic or_1320;
+  assign or_1320 = (select_1267[10:9] == 2'h3) | (select_1267[11] & (select_1267[9] | select_1267[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1330;
-  assign or_1330 = (select_1282[7:6] == 2'h3) | (select_1282[8] & (~(select_1282[7:6] == 2'h0)));
+  logic or_1328;
+  assign or_1328 = (select_1280[7:6] == 2'h3) | (select_1280[8] & (~(select_1280[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1334;
-  assign or_1334 = (select_1282[1:0] == 2'h3) | (select_1282[2] & (select_1282[0] | select_1282[1]));
-  logic or_1338;
-  assign or_1338 = (select_1282[4:3] == 2'h3) | (select_1282[5] & (select_1282[3] | select_1282[4]));
+  logic or_1332;
+  assign or_1332 = (select_1280[1:0] == 2'h3) | (select_1280[2] & (select_1280[0] | select_1280[1]));
+  logic or_1336;
+  assign or_1336 = (select_1280[4:3] == 2'h3) | (select_1280[5] & (select_1280[3] | select_1280[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1341;
-  assign parity_1341 = ^{or_1338, or_1334, or_1330};
+  logic parity_1339;
+  assign parity_1339 = ^{or_1336, or_1332, or_1328};
   // hls/stages/count_bits.hpp:23
-  logic or_1345;
-  assign or_1345 = (select_1269[4:3] == 2'h3) | (select_1269[5] & (select_1269[3] | select_1269[4]));
+  logic or_1343;
+  assign or_1343 = (select_1267[4:3] == 2'h3) | (select_1267[5] & (select_1267[3] | select_1267[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1349;
-  assign or_1349 = (select_1282[10:9] == 2'h3) | (select_1282[11] & (select_1282[9] | select_1282[10]));
-  logic or_1353;
-  assign or_1353 = (select_1269[1:0] == 2'h3) | (select_1269[2] & (select_1269[0] | select_1269[1]));
+  logic or_1347;
+  assign or_1347 = (select_1280[10:9] == 2'h3) | (select_1280[11] & (select_1280[9] | select_1280[10]));
+  logic or_1351;
+  assign or_1351 = (select_1267[1:0] == 2'h3) | (select_1267[2] & (select_1267[0] | select_1267[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1356;
-  assign parity_1356 = ^{or_1353, or_1349, or_1345};
-  logic parity_1359;
-  assign parity_1359 = ^{or_1353, or_1349, or_1345, or_1338, or_1334, or_1330, or_1322, or_1318, or_1314};
+  logic parity_1354;
+  assign parity_1354 = ^{or_1351, or_1347, or_1343};
+  logic parity_1357;
+  assign parity_1357 = ^{or_1351, or_1347, or_1343, or_1336, or_1332, or_1328, or_1320, or_1316, or_1312};
   // hls/stages/count_bits.hpp:25
-  logic and_1360;
-  assign and_1360 = parity_1262 & parity_1309;
-  logic or_1364;
-  assign or_1364 = (parity_1256 & parity_1259) | ((^select_1250[11:9]) & (parity_1256 | parity_1259));
-  logic and_1367;
-  assign and_1367 = (^{select_1269[11:6], select_1250[2:0]}) & (parity_1294 | parity_1306);
-  logic or_1368;
-  assign or_1368 = (parity_1294 & parity_1306) | and_1367;
+  logic and_1358;
+  assign and_1358 = parity_1260 & parity_1307;
+  logic or_1362;
+  assign or_1362 = (parity_1254 & parity_1257) | ((^select_1248[11:9]) & (parity_1254 | parity_1257));
+  logic and_1365;
+  assign and_1365 = (^{select_1267[11:6], select_1248[2:0]}) & (parity_1292 | parity_1304);
+  logic or_1366;
+  assign or_1366 = (parity_1292 & parity_1304) | and_1365;
   // hls/stages/count_bits.hpp:23
-  logic or_1375;
-  assign or_1375 = (select_1250[10:9] == 2'h3) | (select_1250[11] & (select_1250[9] | select_1250[10]));
+  logic or_1373;
+  assign or_1373 = (select_1248[10:9] == 2'h3) | (select_1248[11] & (select_1248[9] | select_1248[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1379;
-  assign or_1379 = (select_1250[4:3] == 2'h3) | (select_1250[5] & (select_1250[3] | select_1250[4]));
-  logic or_1383;
-  assign or_1383 = (select_1250[7:6] == 2'h3) | (select_1250[8] & (select_1250[6] | select_1250[7]));
+  logic or_1377;
+  assign or_1377 = (select_1248[4:3] == 2'h3) | (select_1248[5] & (select_1248[3] | select_1248[4]));
+  logic or_1381;
+  assign or_1381 = (select_1248[7:6] == 2'h3) | (select_1248[8] & (select_1248[6] | select_1248[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1386;
-  assign parity_1386 = ^{or_1383, or_1379, or_1375};
+  logic parity_1384;
+  assign parity_1384 = ^{or_1381, or_1377, or_1373};
   // hls/stages/count_bits.hpp:25
-  logic or_1390;
-  assign or_1390 = (parity_1272 & parity_1275) | ((^select_1250[2:0]) & (parity_1272 | parity_1275));
-  logic or_1394;
-  assign or_1394 = (parity_1288 & parity_1291) | ((^select_1282[8:6]) & (parity_1288 | parity_1291));
-  logic or_1398;
-  assign or_1398 = (parity_1300 & parity_1303) | ((^select_1269[5:3]) & (parity_1300 | parity_1303));
+  logic or_1388;
+  assign or_1388 = (parity_1270 & parity_1273) | ((^select_1248[2:0]) & (parity_1270 | parity_1273));
+  logic or_1392;
+  assign or_1392 = (parity_1286 & parity_1289) | ((^select_1280[8:6]) & (parity_1286 | parity_1289));
+  logic or_1396;
+  assign or_1396 = (parity_1298 & parity_1301) | ((^select_1267[5:3]) & (parity_1298 | parity_1301));
   // hls/stages/count_bits.hpp:24
-  logic parity_1401;
-  assign parity_1401 = ^{or_1398, or_1394, or_1390};
-  logic parity_1404;
-  assign parity_1404 = ^{or_1398, or_1394, or_1390, or_1383, or_1379, or_1375, or_1368, or_1364, and_1360};
-  logic xor_1405;
-  assign xor_1405 = parity_1359 ^ parity_1404;
+  logic parity_1399;
+  assign parity_1399 = ^{or_1396, or_1392, or_1388};
+  logic parity_1402;
+  assign parity_1402 = ^{or_1396, or_1392, or_1388, or_1381, or_1377, or_1373, or_1366, or_1362, and_1358};
+  logic xor_1403;
+  assign xor_1403 = parity_1357 ^ parity_1402;
   // hls/stages/count_bits.hpp:25
-  logic and_1406;
-  assign and_1406 = parity_1359 & parity_1404;
-  logic or_1410;
-  assign or_1410 = (parity_1341 & parity_1356) | ((^{or_1322, or_1318, or_1314}) & (parity_1341 | parity_1356));
-  logic or_1414;
-  assign or_1414 = (parity_1386 & parity_1401) | ((^{or_1368, or_1364, and_1360}) & (parity_1386 | parity_1401));
-  logic or_1421;
-  assign or_1421 = (or_1318 & or_1322) | (or_1314 & (or_1318 | or_1322));
-  logic or_1425;
-  assign or_1425 = (or_1334 & or_1338) | (or_1330 & (or_1334 | or_1338));
-  logic or_1429;
-  assign or_1429 = (or_1349 & or_1353) | (or_1345 & (or_1349 | or_1353));
+  logic and_1404;
+  assign and_1404 = parity_1357 & parity_1402;
+  logic or_1408;
+  assign or_1408 = (parity_1339 & parity_1354) | ((^{or_1320, or_1316, or_1312}) & (parity_1339 | parity_1354));
+  logic or_1412;
+  assign or_1412 = (parity_1384 & parity_1399) | ((^{or_1366, or_1362, and_1358}) & (parity_1384 | parity_1399));
+  logic or_1419;
+  assign or_1419 = (or_1316 & or_1320) | (or_1312 & (or_1316 | or_1320));
+  logic or_1423;
+  assign or_1423 = (or_1332 & or_1336) | (or_1328 & (or_1332 | or_1336));
+  logic or_1427;
+  assign or_1427 = (or_1347 & or_1351) | (or_1343 & (or_1347 | or_1351));
   // hls/stages/count_bits.hpp:24
-  logic parity_1432;
-  assign parity_1432 = ^{or_1429, or_1425, or_1421};
+  logic parity_1430;
+  assign parity_1430 = ^{or_1427, or_1423, or_1419};
   // hls/stages/count_bits.hpp:25
-  logic or_1436;
-  assign or_1436 = (or_1364 & or_1368) | (and_1360 & (or_1364 | or_1368));
-  logic or_1440;
-  assign or_1440 = (or_1379 & or_1383) | (or_1375 & (or_1379 | or_1383));
-  logic or_1444;
-  assign or_1444 = (or_1394 & or_1398) | (or_1390 & (or_1394 | or_1398));
+  logic or_1434;
+  assign or_1434 = (or_1362 & or_1366) | (and_1358 & (or_1362 | or_1366));
+  logic or_1438;
+  assign or_1438 = (or_1377 & or_1381) | (or_1373 & (or_1377 | or_1381));
+  logic or_1442;
+  assign or_1442 = (or_1392 & or_1396) | (or_1388 & (or_1392 | or_1396));
   // hls/stages/count_bits.hpp:24
-  logic parity_1447;
-  assign parity_1447 = ^{or_1444, or_1440, or_1436};
-  logic parity_1450;
-  assign parity_1450 = ^{or_1444, or_1440, or_1436, or_1429, or_1425, or_1421, or_1414, or_1410, and_1406};
+  logic parity_1445;
+  assign parity_1445 = ^{or_1442, or_1438, or_1434};
+  logic parity_1448;
+  assign parity_1448 = ^{or_1442, or_1438, or_1434, or_1427, or_1423, or_1419, or_1412, or_1408, and_1404};
   // hls/stages/count_bits.hpp:25
-  logic or_1454;
-  assign or_1454 = (parity_1432 & parity_1447) | ((^{or_1414, or_1410, and_1406}) & (parity_1432 | parity_1447));
-  logic or_1458;
-  assign or_1458 = (or_1410 & or_1414) | (and_1406 & (or_1410 | or_1414));
-  logic or_1462;
-  assign or_1462 = (or_1425 & or_1429) | (or_1421 & (or_1425 | or_1429));
-  logic or_1466;
-  assign or_1466 = (or_1440 & or_1444) | (or_1436 & (or_1440 | or_1444));
+  logic or_1452;
+  assign or_1452 = (parity_1430 & parity_1445) | ((^{or_1412, or_1408, and_1404}) & (parity_1430 | parity_1445));
+  logic or_1456;
+  assign or_1456 = (or_1408 & or_1412) | (and_1404 & (or_1408 | or_1412));
+  logic or_1460;
+  assign or_1460 = (or_1423 & or_1427) | (or_1419 & (or_1423 | or_1427));
+  logic or_1464;
+  assign or_1464 = (or_1438 & or_1442) | (or_1434 & (or_1438 | or_1442));
   // hls/stages/count_bits.hpp:24
-  logic parity_1471;
-  assign parity_1471 = ^{or_1466, or_1462, or_1458, or_1454};
+  logic parity_1469;
+  assign parity_1469 = ^{or_1464, or_1460, or_1456, or_1452};
   // hls/stages/count_bits.hpp:25
-  logic or_1475;
-  assign or_1475 = (or_1462 & or_1466) | (or_1458 & (or_1462 | or_1466));
+  logic or_1473;
+  assign or_1473 = (or_1460 & or_1464) | (or_1456 & (or_1460 | or_1464));
+  logic and_1474;
+  assign and_1474 = or_1452 & (^{or_1464, or_1460, or_1456});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1475;
+  assign xor_1475 = or_1473 ^ and_1474;
+  // hls/stages/count_bits.hpp:27
   logic and_1476;
-  assign and_1476 = or_1454 & (^{or_1466, or_1462, or_1458});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1477;
-  assign xor_1477 = or_1475 ^ and_1476;
-  // hls/stages/count_bits.hpp:27
-  logic and_1478;
-  assign and_1478 = or_1475 & and_1476;
+  assign and_1476 = or_1473 & and_1474;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1479;
-  assign select_1479 = equal_586_s1_q ? {and_1478, xor_1477, parity_1471, parity_1450, xor_1405, xor_1310} : 6'h0;
+  logic [5:0] select_1477;
+  assign select_1477 = equal_584_s1_q ? {and_1476, xor_1475, parity_1469, parity_1448, xor_1403, xor_1308} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_572_s1_q ? 6'h0 : select_1479;
+  assign column_3 = or_570_s1_q ? 6'h0 : select_1477;
   // hls/stages/agreement.hpp:778
-  logic [5:0] select_1481;
-  assign select_1481 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1482;
-  assign difference_1482 = {1'b0, column_3} - {1'b0, select_1481};
-  logic [7:0] sum_1484;
-  assign sum_1484 = {difference_1482[6], difference_1482} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_1479;
+  assign select_1479 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1480;
+  assign difference_1480 = {1'b0, column_3} - {1'b0, select_1479};
+  logic [7:0] sum_1482;
+  assign sum_1482 = {difference_1480[6], difference_1480} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1492;
-  assign select_1492 = and_755 ? (and_796 ? (~(select_757 ^ select_798)) : 12'h0) : 12'h0;
+  logic [11:0] select_1490;
+  assign select_1490 = and_753 ? (and_794 ? (~(select_755 ^ select_796)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1498;
-  assign parity_1498 = ^select_1492[5:3];
-  logic parity_1501;
-  assign parity_1501 = ^select_1492[8:6];
-  logic parity_1504;
-  assign parity_1504 = ^select_1492[11:3];
+  logic parity_1496;
+  assign parity_1496 = ^select_1490[5:3];
+  logic parity_1499;
+  assign parity_1499 = ^select_1490[8:6];
+  logic parity_1502;
+  assign parity_1502 = ^select_1490[11:3];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1511;
-  assign select_1511 = and_778 ? (and_1037 ? (~(select_780 ^ select_1038)) : 12'h0) : 12'h0;
+  logic [11:0] select_1509;
+  assign select_1509 = and_776 ? (and_1035 ? (~(select_778 ^ select_1036)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1514;
-  assign parity_1514 = ^select_1511[8:6];
-  logic parity_1517;
-  assign parity_1517 = ^select_1511[11:9];
+  logic parity_1512;
+  assign parity_1512 = ^select_1509[8:6];
+  logic parity_1515;
+  assign parity_1515 = ^select_1509[11:9];
   // hls/stages/agreement.hpp:684
-  logic [11:0] xor_1523;
-  assign xor_1523 = select_797 ^ (less_575_s1_q ? 12'h0 : right_codes_rdata_q[97:86]);
-  logic [11:0] select_1526;
-  assign select_1526 = and_795 ? ((right_codes_rdata_q[98] & not_576_s1_q) ? (~xor_1523) : 12'h0) : 12'h0;
+  logic [11:0] xor_1521;
+  assign xor_1521 = select_795 ^ (less_573_s1_q ? 12'h0 : right_codes_rdata_q[97:86]);
+  logic [11:0] select_1524;
+  assign select_1524 = and_793 ? ((right_codes_rdata_q[98] & not_574_s1_q) ? (~xor_1521) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1532;
-  assign parity_1532 = ^select_1526[2:0];
-  logic parity_1535;
-  assign parity_1535 = ^select_1526[5:3];
-  logic parity_1538;
-  assign parity_1538 = ^select_1526[8:0];
-  logic parity_1544;
-  assign parity_1544 = ^select_1526[11:9];
-  logic parity_1547;
-  assign parity_1547 = ^select_1511[2:0];
-  logic parity_1550;
-  assign parity_1550 = ^{select_1526[11:9], select_1511[5:0]};
-  logic parity_1553;
-  assign parity_1553 = ^{select_1526, select_1511, select_1492[2:0]};
-  logic xor_1554;
-  assign xor_1554 = parity_1504 ^ parity_1553;
+  logic parity_1530;
+  assign parity_1530 = ^select_1524[2:0];
+  logic parity_1533;
+  assign parity_1533 = ^select_1524[5:3];
+  logic parity_1536;
+  assign parity_1536 = ^select_1524[8:0];
+  logic parity_1542;
+  assign parity_1542 = ^select_1524[11:9];
+  logic parity_1545;
+  assign parity_1545 = ^select_1509[2:0];
+  logic parity_1548;
+  assign parity_1548 = ^{select_1524[11:9], select_1509[5:0]};
+  logic parity_1551;
+  assign parity_1551 = ^{select_1524, select_1509, select_1490[2:0]};
+  logic xor_1552;
+  assign xor_1552 = parity_1502 ^ parity_1551;
   // hls/stages/count_bits.hpp:23
-  logic or_1558;
-  assign or_1558 = (select_1492[1:0] == 2'h3) | (select_1492[2] & (select_1492[0] | select_1492[1]));
+  logic or_1556;
+  assign or_1556 = (select_1490[1:0] == 2'h3) | (select_1490[2] & (select_1490[0] | select_1490[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1562;
-  assign or_1562 = (select_1511[7:6] == 2'h3) | (select_1511[8] & (select_1511[6] | select_1511[7]));
-  logic or_1566;
-  assign or_1566 = (select_1511[10:9] == 2'h3) | (select_1511[11] & (select_1511[9] | select_1511[10]));
+  logic or_1560;
+  assign or_1560 = (select_1509[7:6] == 2'h3) | (select_1509[8] & (select_1509[6] | select_1509[7]));
+  logic or_1564;
+  assign or_1564 = (select_1509[10:9] == 2'h3) | (select_1509[11] & (select_1509[9] | select_1509[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1574;
-  assign or_1574 = (select_1526[7:6] == 2'h3) | (select_1526[8] & (~(select_1526[7:6] == 2'h0)));
+  logic or_1572;
+  assign or_1572 = (select_1524[7:6] == 2'h3) | (select_1524[8] & (~(select_1524[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1578;
-  assign or_1578 = (select_1526[1:0] == 2'h3) | (select_1526[2] & (select_1526[0] | select_1526[1]));
-  logic or_1582;
-  assign or_1582 = (select_1526[4:3] == 2'h3) | (select_1526[5] & (select_1526[3] | select_1526[4]));
+  logic or_1576;
+  assign or_1576 = (select_1524[1:0] == 2'h3) | (select_1524[2] & (select_1524[0] | select_1524[1]));
+  logic or_1580;
+  assign or_1580 = (select_1524[4:3] == 2'h3) | (select_1524[5] & (select_1524[3] | select_1524[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1585;
-  assign parity_1585 = ^{or_1582, or_1578, or_1574};
+  logic parity_1583;
+  assign parity_1583 = ^{or_1580, or_1576, or_1572};
   // hls/stages/count_bits.hpp:23
-  logic or_1589;
-  assign or_1589 = (select_1511[4:3] == 2'h3) | (select_1511[5] & (select_1511[3] | select_1511[4]));
+  logic or_1587;
+  assign or_1587 = (select_1509[4:3] == 2'h3) | (select_1509[5] & (select_1509[3] | select_1509[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1593;
-  assign or_1593 = (select_1526[10:9] == 2'h3) | (select_1526[11] & (select_1526[9] | select_1526[10]));
-  logic or_1597;
-  assign or_1597 = (select_1511[1:0] == 2'h3) | (select_1511[2] & (select_1511[0] | select_1511[1]));
+  logic or_1591;
+  assign or_1591 = (select_1524[10:9] == 2'h3) | (select_1524[11] & (select_1524[9] | select_1524[10]));
+  logic or_1595;
+  assign or_1595 = (select_1509[1:0] == 2'h3) | (select_1509[2] & (select_1509[0] | select_1509[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1600;
-  assign parity_1600 = ^{or_1597, or_1593, or_1589};
-  logic parity_1603;
-  assign parity_1603 = ^{or_1597, or_1593, or_1589, or_1582, or_1578, or_1574, or_1566, or_1562, or_1558};
+  logic parity_1598;
+  assign parity_1598 = ^{or_1595, or_1591, or_1587};
+  logic parity_1601;
+  assign parity_1601 = ^{or_1595, or_1591, or_1587, or_1580, or_1576, or_1572, or_1564, or_1560, or_1556};
   // hls/stages/count_bits.hpp:25
-  logic and_1604;
-  assign and_1604 = parity_1504 & parity_1553;
-  logic or_1608;
-  assign or_1608 = (parity_1498 & parity_1501) | ((^select_1492[11:9]) & (parity_1498 | parity_1501));
-  logic and_1611;
-  assign and_1611 = (^{select_1511[11:6], select_1492[2:0]}) & (parity_1538 | parity_1550);
-  logic or_1612;
-  assign or_1612 = (parity_1538 & parity_1550) | and_1611;
+  logic and_1602;
+  assign and_1602 = parity_1502 & parity_1551;
+  logic or_1606;
+  assign or_1606 = (parity_1496 & parity_1499) | ((^select_1490[11:9]) & (parity_1496 | parity_1499));
+  logic and_1609;
+  assign and_1609 = (^{select_1509[11:6], select_1490[2:0]}) & (parity_1536 | parity_1548);
+  logic or_1610;
+  assign or_1610 = (parity_1536 & parity_1548) | and_1609;
   // hls/stages/count_bits.hpp:23
-  logic or_1619;
-  assign or_1619 = (select_1492[10:9] == 2'h3) | (select_1492[11] & (select_1492[9] | select_1492[10]));
+  logic or_1617;
+  assign or_1617 = (select_1490[10:9] == 2'h3) | (select_1490[11] & (select_1490[9] | select_1490[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1623;
-  assign or_1623 = (select_1492[4:3] == 2'h3) | (select_1492[5] & (select_1492[3] | select_1492[4]));
-  logic or_1627;
-  assign or_1627 = (select_1492[7:6] == 2'h3) | (select_1492[8] & (select_1492[6] | select_1492[7]));
+  logic or_1621;
+  assign or_1621 = (select_1490[4:3] == 2'h3) | (select_1490[5] & (select_1490[3] | select_1490[4]));
+  logic or_1625;
+  assign or_1625 = (select_1490[7:6] == 2'h3) | (select_1490[8] & (select_1490[6] | select_1490[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1630;
-  assign parity_1630 = ^{or_1627, or_1623, or_1619};
+  logic parity_1628;
+  assign parity_1628 = ^{or_1625, or_1621, or_1617};
   // hls/stages/count_bits.hpp:25
-  logic or_1634;
-  assign or_1634 = (parity_1514 & parity_1517) | ((^select_1492[2:0]) & (parity_1514 | parity_1517));
-  logic or_1638;
-  assign or_1638 = (parity_1532 & parity_1535) | ((^select_1526[8:6]) & (parity_1532 | parity_1535));
-  logic or_1642;
-  assign or_1642 = (parity_1544 & parity_1547) | ((^select_1511[5:3]) & (parity_1544 | parity_1547));
+  logic or_1632;
+  assign or_1632 = (parity_1512 & parity_1515) | ((^select_1490[2:0]) & (parity_1512 | parity_1515));
+  logic or_1636;
+  assign or_1636 = (parity_1530 & parity_1533) | ((^select_1524[8:6]) & (parity_1530 | parity_1533));
+  logic or_1640;
+  assign or_1640 = (parity_1542 & parity_1545) | ((^select_1509[5:3]) & (parity_1542 | parity_1545));
   // hls/stages/count_bits.hpp:24
-  logic parity_1645;
-  assign parity_1645 = ^{or_1642, or_1638, or_1634};
-  logic parity_1648;
-  assign parity_1648 = ^{or_1642, or_1638, or_1634, or_1627, or_1623, or_1619, or_1612, or_1608, and_1604};
-  logic xor_1649;
-  assign xor_1649 = parity_1603 ^ parity_1648;
+  logic parity_1643;
+  assign parity_1643 = ^{or_1640, or_1636, or_1632};
+  logic parity_1646;
+  assign parity_1646 = ^{or_1640, or_1636, or_1632, or_1625, or_1621, or_1617, or_1610, or_1606, and_1602};
+  logic xor_1647;
+  assign xor_1647 = parity_1601 ^ parity_1646;
   // hls/stages/count_bits.hpp:25
-  logic and_1650;
-  assign and_1650 = parity_1603 & parity_1648;
-  logic or_1654;
-  assign or_1654 = (parity_1585 & parity_1600) | ((^{or_1566, or_1562, or_1558}) & (parity_1585 | parity_1600));
-  logic or_1658;
-  assign or_1658 = (parity_1630 & parity_1645) | ((^{or_1612, or_1608, and_1604}) & (parity_1630 | parity_1645));
-  logic or_1665;
-  assign or_1665 = (or_1562 & or_1566) | (or_1558 & (or_1562 | or_1566));
-  logic or_1669;
-  assign or_1669 = (or_1578 & or_1582) | (or_1574 & (or_1578 | or_1582));
-  logic or_1673;
-  assign or_1673 = (or_1593 & or_1597) | (or_1589 & (or_1593 | or_1597));
+  logic and_1648;
+  assign and_1648 = parity_1601 & parity_1646;
+  logic or_1652;
+  assign or_1652 = (parity_1583 & parity_1598) | ((^{or_1564, or_1560, or_1556}) & (parity_1583 | parity_1598));
+  logic or_1656;
+  assign or_1656 = (parity_1628 & parity_1643) | ((^{or_1610, or_1606, and_1602}) & (parity_1628 | parity_1643));
+  logic or_1663;
+  assign or_1663 = (or_1560 & or_1564) | (or_1556 & (or_1560 | or_1564));
+  logic or_1667;
+  assign or_1667 = (or_1576 & or_1580) | (or_1572 & (or_1576 | or_1580));
+  logic or_1671;
+  assign or_1671 = (or_1591 & or_1595) | (or_1587 & (or_1591 | or_1595));
   // hls/stages/count_bits.hpp:24
-  logic parity_1676;
-  assign parity_1676 = ^{or_1673, or_1669, or_1665};
+  logic parity_1674;
+  assign parity_1674 = ^{or_1671, or_1667, or_1663};
   // hls/stages/count_bits.hpp:25
-  logic or_1680;
-  assign or_1680 = (or_1608 & or_1612) | (and_1604 & (or_1608 | or_1612));
-  logic or_1684;
-  assign or_1684 = (or_1623 & or_1627) | (or_1619 & (or_1623 | or_1627));
-  logic or_1688;
-  assign or_1688 = (or_1638 & or_1642) | (or_1634 & (or_1638 | or_1642));
+  logic or_1678;
+  assign or_1678 = (or_1606 & or_1610) | (and_1602 & (or_1606 | or_1610));
+  logic or_1682;
+  assign or_1682 = (or_1621 & or_1625) | (or_1617 & (or_1621 | or_1625));
+  logic or_1686;
+  assign or_1686 = (or_1636 & or_1640) | (or_1632 & (or_1636 | or_1640));
   // hls/stages/count_bits.hpp:24
-  logic parity_1691;
-  assign parity_1691 = ^{or_1688, or_1684, or_1680};
-  logic parity_1694;
-  assign parity_1694 = ^{or_1688, or_1684, or_1680, or_1673, or_1669, or_1665, or_1658, or_1654, and_1650};
+  logic parity_1689;
+  assign parity_1689 = ^{or_1686, or_1682, or_1678};
+  logic parity_1692;
+  assign parity_1692 = ^{or_1686, or_1682, or_1678, or_1671, or_1667, or_1663, or_1656, or_1652, and_1648};
   // hls/stages/count_bits.hpp:25
-  logic or_1698;
-  assign or_1698 = (parity_1676 & parity_1691) | ((^{or_1658, or_1654, and_1650}) & (parity_1676 | parity_1691));
-  logic or_1702;
-  assign or_1702 = (or_1654 & or_1658) | (and_1650 & (or_1654 | or_1658));
-  logic or_1706;
-  assign or_1706 = (or_1669 & or_1673) | (or_1665 & (or_1669 | or_1673));
-  logic or_1710;
-  assign or_1710 = (or_1684 & or_1688) | (or_1680 & (or_1684 | or_1688));
+  logic or_1696;
+  assign or_1696 = (parity_1674 & parity_1689) | ((^{or_1656, or_1652, and_1648}) & (parity_1674 | parity_1689));
+  logic or_1700;
+  assign or_1700 = (or_1652 & or_1656) | (and_1648 & (or_1652 | or_1656));
+  logic or_1704;
+  assign or_1704 = (or_1667 & or_1671) | (or_1663 & (or_1667 | or_1671));
+  logic or_1708;
+  assign or_1708 = (or_1682 & or_1686) | (or_1678 & (or_1682 | or_1686));
   // hls/stages/count_bits.hpp:24
-  logic parity_1715;
-  assign parity_1715 = ^{or_1710, or_1706, or_1702, or_1698};
+  logic parity_1713;
+  assign parity_1713 = ^{or_1708, or_1704, or_1700, or_1696};
   // hls/stages/count_bits.hpp:25
-  logic or_1719;
-  assign or_1719 = (or_1706 & or_1710) | (or_1702 & (or_1706 | or_1710));
+  logic or_1717;
+  assign or_1717 = (or_1704 & or_1708) | (or_1700 & (or_1704 | or_1708));
+  logic and_1718;
+  assign and_1718 = or_1696 & (^{or_1708, or_1704, or_1700});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1719;
+  assign xor_1719 = or_1717 ^ and_1718;
+  // hls/stages/count_bits.hpp:27
   logic and_1720;
-  assign and_1720 = or_1698 & (^{or_1710, or_1706, or_1702});
-  // hls/stages/count_bits.hpp:24
-  logic xor_1721;
-  assign xor_1721 = or_1719 ^ and_1720;
-  // hls/stages/count_bits.hpp:27
-  logic and_1722;
-  assign and_1722 = or_1719 & and_1720;
+  assign and_1720 = or_1717 & and_1718;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1723;
-  assign select_1723 = equal_586_s1_q ? {and_1722, xor_1721, parity_1715, parity_1694, xor_1649, xor_1554} : 6'h0;
+  logic [5:0] select_1721;
+  assign select_1721 = equal_584_s1_q ? {and_1720, xor_1719, parity_1713, parity_1692, xor_1647, xor_1552} : 6'h0;
   logic [5:0] column_4;
-  assign column_4 = or_572_s1_q ? 6'h0 : select_1723;
+  assign column_4 = or_570_s1_q ? 6'h0 : select_1721;
   // hls/stages/agreement.hpp:778
-  logic [5:0] select_1725;
-  assign select_1725 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1726;
-  assign difference_1726 = {1'b0, column_4} - {1'b0, select_1725};
-  logic [7:0] sum_1728;
-  assign sum_1728 = {difference_1726[6], difference_1726} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_1723;
+  assign select_1723 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1724;
+  assign difference_1724 = {1'b0, column_4} - {1'b0, select_1723};
+  logic [7:0] sum_1726;
+  assign sum_1726 = {difference_1724[6], difference_1724} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:684
-  logic [11:0] not_1732;
-  assign not_1732 = ~(select_757 ^ (less_575_s1_q ? 12'h0 : right_codes_rdata_q[11:0]));
-  logic [11:0] select_1734;
-  assign select_1734 = and_755 ? ((right_codes_rdata_q[12] & not_576_s1_q) ? not_1732 : 12'h0) : 12'h0;
+  logic [11:0] not_1730;
+  assign not_1730 = ~(select_755 ^ (less_573_s1_q ? 12'h0 : right_codes_rdata_q[11:0]));
+  logic [11:0] select_1732;
+  assign select_1732 = and_753 ? ((right_codes_rdata_q[12] & not_574_s1_q) ? not_1730 : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1740;
-  assign parity_1740 = ^select_1734[5:3];
-  logic parity_1743;
-  assign parity_1743 = ^select_1734[8:6];
-  logic parity_1746;
-  assign parity_1746 = ^select_1734[11:3];
+  logic parity_1738;
+  assign parity_1738 = ^select_1732[5:3];
+  logic parity_1741;
+  assign parity_1741 = ^select_1732[8:6];
+  logic parity_1744;
+  assign parity_1744 = ^select_1732[11:3];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1753;
-  assign select_1753 = and_778 ? (and_1245 ? (~(select_780 ^ select_1246)) : 12'h0) : 12'h0;
+  logic [11:0] select_1751;
+  assign select_1751 = and_776 ? (and_1243 ? (~(select_778 ^ select_1244)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1756;
-  assign parity_1756 = ^select_1753[8:6];
-  logic parity_1759;
-  assign parity_1759 = ^select_1753[11:9];
+  logic parity_1754;
+  assign parity_1754 = ^select_1751[8:6];
+  logic parity_1757;
+  assign parity_1757 = ^select_1751[11:9];
   // hls/stages/agreement.hpp:684
-  logic [11:0] select_1766;
-  assign select_1766 = and_795 ? (and_756 ? (~(select_797 ^ select_758)) : 12'h0) : 12'h0;
+  logic [11:0] select_1764;
+  assign select_1764 = and_793 ? (and_754 ? (~(select_795 ^ select_756)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1772;
-  assign parity_1772 = ^select_1766[2:0];
-  logic parity_1775;
-  assign parity_1775 = ^select_1766[5:3];
-  logic parity_1778;
-  assign parity_1778 = ^select_1766[8:0];
-  logic parity_1784;
-  assign parity_1784 = ^select_1766[11:9];
-  logic parity_1787;
-  assign parity_1787 = ^select_1753[2:0];
-  logic parity_1790;
-  assign parity_1790 = ^{select_1766[11:9], select_1753[5:0]};
-  logic parity_1793;
-  assign parity_1793 = ^{select_1766, select_1753, select_1734[2:0]};
-  logic xor_1794;
-  assign xor_1794 = parity_1746 ^ parity_1793;
+  logic parity_1770;
+  assign parity_1770 = ^select_1764[2:0];
+  logic parity_1773;
+  assign parity_1773 = ^select_1764[5:3];
+  logic parity_1776;
+  assign parity_1776 = ^select_1764[8:0];
+  logic parity_1782;
+  assign parity_1782 = ^select_1764[11:9];
+  logic parity_1785;
+  assign parity_1785 = ^select_1751[2:0];
+  logic parity_1788;
+  assign parity_1788 = ^{select_1764[11:9], select_1751[5:0]};
+  logic parity_1791;
+  assign parity_1791 = ^{select_1764, select_1751, select_1732[2:0]};
+  logic xor_1792;
+  assign xor_1792 = parity_1744 ^ parity_1791;
   // hls/stages/count_bits.hpp:23
-  logic or_1798;
-  assign or_1798 = (select_1734[1:0] == 2'h3) | (select_1734[2] & (select_1734[0] | select_1734[1]));
+  logic or_1796;
+  assign or_1796 = (select_1732[1:0] == 2'h3) | (select_1732[2] & (select_1732[0] | select_1732[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1802;
-  assign or_1802 = (select_1753[7:6] == 2'h3) | (select_1753[8] & (select_1753[6] | select_1753[7]));
-  logic or_1806;
-  assign or_1806 = (select_1753[10:9] == 2'h3) | (select_1753[11] & (select_1753[9] | select_1753[10]));
+  logic or_1800;
+  assign or_1800 = (select_1751[7:6] == 2'h3) | (select_1751[8] & (select_1751[6] | select_1751[7]));
+  logic or_1804;
+  assign or_1804 = (select_1751[10:9] == 2'h3) | (select_1751[11] & (select_1751[9] | select_1751[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1814;
-  assign or_1814 = (select_1766[7:6] == 2'h3) | (select_1766[8] & (~(select_1766[7:6] == 2'h0)));
+  logic or_1812;
+  assign or_1812 = (select_1764[7:6] == 2'h3) | (select_1764[8] & (~(select_1764[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1818;
-  assign or_1818 = (select_1766[1:0] == 2'h3) | (select_1766[2] & (select_1766[0] | select_1766[1]));
-  logic or_1822;
-  assign or_1822 = (select_1766[4:3] == 2'h3) | (select_1766[5] & (select_1766[3] | select_1766[4]));
+  logic or_1816;
+  assign or_1816 = (select_1764[1:0] == 2'h3) | (select_1764[2] & (select_1764[0] | select_1764[1]));
+  logic or_1820;
+  assign or_1820 = (select_1764[4:3] == 2'h3) | (select_1764[5] & (select_1764[3] | select_1764[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1825;
-  assign parity_1825 = ^{or_1822, or_1818, or_1814};
+  logic parity_1823;
+  assign parity_1823 = ^{or_1820, or_1816, or_1812};
   // hls/stages/count_bits.hpp:23
-  logic or_1829;
-  assign or_1829 = (select_1753[4:3] == 2'h3) | (select_1753[5] & (select_1753[3] | select_1753[4]));
+  logic or_1827;
+  assign or_1827 = (select_1751[4:3] == 2'h3) | (select_1751[5] & (select_1751[3] | select_1751[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1833;
-  assign or_1833 = (select_1766[10:9] == 2'h3) | (select_1766[11] & (select_1766[9] | select_1766[10]));
-  logic or_1837;
-  assign or_1837 = (select_1753[1:0] == 2'h3) | (select_1753[2] & (select_1753[0] | select_1753[1]));
+  logic or_1831;
+  assign or_1831 = (select_1764[10:9] == 2'h3) | (select_1764[11] & (select_1764[9] | select_1764[10]));
+  logic or_1835;
+  assign or_1835 = (select_1751[1:0] == 2'h3) | (select_1751[2] & (select_1751[0] | select_1751[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1840;
-  assign parity_1840 = ^{or_1837, or_1833, or_1829};
-  logic parity_1843;
-  assign parity_1843 = ^{or_1837, or_1833, or_1829, or_1822, or_1818, or_1814, or_1806, or_1802, or_1798};
+  logic parity_1838;
+  assign parity_1838 = ^{or_1835, or_1831, or_1827};
+  logic parity_1841;
+  assign parity_1841 = ^{or_1835, or_1831, or_1827, or_1820, or_1816, or_1812, or_1804, or_1800, or_1796};
   // hls/stages/count_bits.hpp:25
-  logic and_1844;
-  assign and_1844 = parity_1746 & parity_1793;
-  logic or_1848;
-  assign or_1848 = (parity_1740 & parity_1743) | ((^select_1734[11:9]) & (parity_1740 | parity_1743));
-  logic and_1851;
-  assign and_1851 = (^{select_1753[11:6], select_1734[2:0]}) & (parity_1778 | parity_1790);
-  logic or_1852;
-  assign or_1852 = (parity_1778 & parity_1790) | and_1851;
+  logic and_1842;
+  assign and_1842 = parity_1744 & parity_1791;
+  logic or_1846;
+  assign or_1846 = (parity_1738 & parity_1741) | ((^select_1732[11:9]) & (parity_1738 | parity_1741));
+  logic and_1849;
+  assign and_1849 = (^{select_1751[11:6], select_1732[2:0]}) & (parity_1776 | parity_1788);
+  logic or_1850;
+  assign or_1850 = (parity_1776 & parity_1788) | and_1849;
   // hls/stages/count_bits.hpp:23
-  logic or_1859;
-  assign or_1859 = (select_1734[10:9] == 2'h3) | (select_1734[11] & (select_1734[9] | select_1734[10]));
+  logic or_1857;
+  assign or_1857 = (select_1732[10:9] == 2'h3) | (select_1732[11] & (select_1732[9] | select_1732[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1863;
-  assign or_1863 = (select_1734[4:3] == 2'h3) | (select_1734[5] & (select_1734[3] | select_1734[4]));
-  logic or_1867;
-  assign or_1867 = (select_1734[7:6] == 2'h3) | (select_1734[8] & (select_1734[6] | select_1734[7]));
+  logic or_1861;
+  assign or_1861 = (select_1732[4:3] == 2'h3) | (select_1732[5] & (select_1732[3] | select_1732[4]));
+  logic or_1865;
+  assign or_1865 = (select_1732[7:6] == 2'h3) | (select_1732[8] & (select_1732[6] | select_1732[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1870;
-  assign parity_1870 = ^{or_1867, or_1863, or_1859};
+  logic parity_1868;
+  assign parity_1868 = ^{or_1865, or_1861, or_1857};
   // hls/stages/count_bits.hpp:25
-  logic or_1874;
-  assign or_1874 = (parity_1756 & parity_1759) | ((^select_1734[2:0]) & (parity_1756 | parity_1759));
-  logic or_1878;
-  assign or_1878 = (parity_1772 & parity_1775) | ((^select_1766[8:6]) & (parity_1772 | parity_1775));
-  logic or_1882;
-  assign or_1882 = (parity_1784 & parity_1787) | ((^select_1753[5:3]) & (parity_1784 | parity_1787));
+  logic or_1872;
+  assign or_1872 = (parity_1754 & parity_1757) | ((^select_1732[2:0]) & (parity_1754 | parity_1757));
+  logic or_1876;
+  assign or_1876 = (parity_1770 & parity_1773) | ((^select_1764[8:6]) & (parity_1770 | parity_1773));
+  logic or_1880;
+  assign or_1880 = (parity_1782 & parity_1785) | ((^select_1751[5:3]) & (parity_1782 | parity_1785));
   // hls/stages/count_bits.hpp:24
-  logic parity_1885;
-  assign parity_1885 = ^{or_1882, or_1878, or_1874};
-  logic parity_1888;
-  assign parity_1888 = ^{or_1882, or_1878, or_1874, or_1867, or_1863, or_1859, or_1852, or_1848, and_1844};
-  logic xor_1889;
-  assign xor_1889 = parity_1843 ^ parity_1888;
+  logic parity_1883;
+  assign parity_1883 = ^{or_1880, or_1876, or_1872};
+  logic parity_1886;
+  assign parity_1886 = ^{or_1880, or_1876, or_1872, or_1865, or_1861, or_1857, or_1850, or_1846, and_1842};
+  logic xor_1887;
+  assign xor_1887 = parity_1841 ^ parity_1886;
   // hls/stages/count_bits.hpp:25
-  logic and_1890;
-  assign and_1890 = parity_1843 & parity_1888;
-  logic or_1894;
-  assign or_1894 = (parity_1825 & parity_1840) | ((^{or_1806, or_1802, or_1798}) & (parity_1825 | parity_1840));
-  logic or_1898;
-  assign or_1898 = (parity_1870 & parity_1885) | ((^{or_1852, or_1848, and_1844}) & (parity_1870 | parity_1885));
-  logic or_1905;
-  assign or_1905 = (or_1802 & or_1806) | (or_1798 & (or_1802 | or_1806));
-  logic or_1909;
-  assign or_1909 = (or_1818 & or_1822) | (or_1814 & (or_1818 | or_1822));
-  logic or_1913;
-  assign or_1913 = (or_1833 & or_1837) | (or_1829 & (or_1833 | or_1837));
+  logic and_1888;
+  assign and_1888 = parity_1841 & parity_1886;
+  logic or_1892;
+  assign or_1892 = (parity_1823 & parity_1838) | ((^{or_1804, or_1800, or_1796}) & (parity_1823 | parity_1838));
+  logic or_1896;
+  assign or_1896 = (parity_1868 & parity_1883) | ((^{or_1850, or_1846, and_1842}) & (parity_1868 | parity_1883));
+  logic or_1903;
+  assign or_1903 = (or_1800 & or_1804) | (or_1796 & (or_1800 | or_1804));
+  logic or_1907;
+  assign or_1907 = (or_1816 & or_1820) | (or_1812 & (or_1816 | or_1820));
+  logic or_1911;
+  assign or_1911 = (or_1831 & or_1835) | (or_1827 & (or_1831 | or_1835));
   // hls/stages/count_bits.hpp:24
-  logic parity_1916;
-  assign parity_1916 = ^{or_1913, or_1909, or_1905};
+  logic parity_1914;
+  assign parity_1914 = ^{or_1911, or_1907, or_1903};
   // hls/stages/count_bits.hpp:25
-  logic or_1920;
-  assign or_1920 = (or_1848 & or_1852) | (and_1844 & (or_1848 | or_1852));
-  logic or_1924;
-  assign or_1924 = (or_1863 & or_1867) | (or_1859 & (or_1863 | or_1867));
-  logic or_1928;
-  assign or_1928 = (or_1878 & or_1882) | (or_1874 & (or_1878 | or_1882));
+  logic or_1918;
+  assign or_1918 = (or_1846 & or_1850) | (and_1842 & (or_1846 | or_1850));
+  logic or_1922;
+  assign or_1922 = (or_1861 & or_1865) | (or_1857 & (or_1861 | or_1865));
+  logic or_1926;
+  assign or_1926 = (or_1876 & or_1880) | (or_1872 & (or_1876 | or_1880));
   // hls/stages/count_bits.hpp:24
-  logic parity_1931;
-  assign parity_1931 = ^{or_1928, or_1924, or_1920};
-  logic parity_1934;
-  assign parity_1934 = ^{or_1928, or_1924, or_1920, or_1913, or_1909, or_1905, or_1898, or_1894, and_1890};
+  logic parity_1929;
+  assign parity_1929 = ^{or_1926, or_1922, or_1918};
+  logic parity_1932;
+  assign parity_1932 = ^{or_1926, or_1922, or_1918, or_1911, or_1907, or_1903, or_1896, or_1892, and_1888};
   // hls/stages/count_bits.hpp:25
-  logic or_1938;
-  assign or_1938 = (parity_1916 & parity_1931) | ((^{or_1898, or_1894, and_1890}) & (parity_1916 | parity_1931));
-  logic or_1942;
-  assign or_1942 = (or_1894 & or_1898) | (and_1890 & (or_1894 | or_1898));
-  logic or_1946;
-  assign or_1946 = (or_1909 & or_1913) | (or_1905 & (or_1909 | or_1913));
-  logic or_1950;
-  assign or_1950 = (or_1924 & or_1928) | (or_1920 & (or_1924 | or_1928));
+  logic or_1936;
+  assign or_1936 = (parity_1914 & parity_1929) | ((^{or_1896, or_1892, and_1888}) & (parity_1914 | parity_1929));
+  logic or_1940;
+  assign or_1940 = (or_1892 & or_1896) | (and_1888 & (or_1892 | or_1896));
+  logic or_1944;
+  assign or_1944 = (or_1907 & or_1911) | (or_1903 & (or_1907 | or_1911));
+  logic or_1948;
+  assign or_1948 = (or_1922 & or_1926) | (or_1918 & (or_1922 | or_1926));
   // hls/stages/count_bits.hpp:24
-  logic parity_1955;
-  assign parity_1955 = ^{or_1950, or_1946, or_1942, or_1938};
+  logic parity_1953;
+  assign parity_1953 = ^{or_1948, or_1944, or_1940, or_1936};
   // hls/stages/count_bits.hpp:25
-  logic or_1959;
-  assign or_1959 = (or_1946 & or_1950) | (or_1942 & (or_1946 | or_1950));
-  logic and_1960;
-  assign and_1960 = or_1938 & (^{or_1950, or_1946, or_1942});
+  logic or_1957;
+  assign or_1957 = (or_1944 & or_1948) | (or_1940 & (or_1944 | or_1948));
+  logic and_1958;
+  assign and_1958 = or_1936 & (^{or_1948, or_1944, or_1940});
   // hls/stages/count_bits.hpp:24
-  logic xor_1961;
-  assign xor_1961 = or_1959 ^ and_1960;
+  logic xor_1959;
+  assign xor_1959 = or_1957 ^ and_1958;
   // hls/stages/count_bits.hpp:27
-  logic and_1962;
-  assign and_1962 = or_1959 & and_1960;
+  logic and_1960;
+  assign and_1960 = or_1957 & and_1958;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1963;
-  assign select_1963 = equal_586_s1_q ? {and_1962, xor_1961, parity_1955, parity_1934, xor_1889, xor_1794} : 6'h0;
+  logic [5:0] select_1961;
+  assign select_1961 = equal_584_s1_q ? {and_1960, xor_1959, parity_1953, parity_1932, xor_1887, xor_1792} : 6'h0;
   logic [5:0] column_5;
-  assign column_5 = or_572_s1_q ? 6'h0 : select_1963;
+  assign column_5 = or_570_s1_q ? 6'h0 : select_1961;
   // hls/stages/agreement.hpp:778
-  logic [5:0] select_1965;
-  assign select_1965 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1966;
-  assign difference_1966 = {1'b0, column_5} - {1'b0, select_1965};
-  logic [7:0] sum_1968;
-  assign sum_1968 = {difference_1966[6], difference_1966} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_1963;
+  assign select_1963 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1964;
+  assign difference_1964 = {1'b0, column_5} - {1'b0, select_1963};
+  logic [7:0] sum_1966;
+  assign sum_1966 = {difference_1964[6], difference_1964} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:788
+  logic and_2037;
+  assign and_2037 = ends_cell_s1_q & inside_v;
   logic and_2039;
-  assign and_2039 = ends_cell_s1_q & inside_v;
-  logic and_2041;
-  assign and_2041 = not_568 & (so_s1_q & and_2039);
-  logic [6:0] select_2045;
-  assign select_2045 = so_s1_q ? x_s1_q[6:0] : (or_572_s1_q ? (less_575_s1_q ? 7'h0 : select_619) : 7'h0);
+  assign and_2039 = not_566 & (so_s1_q & and_2037);
+  logic [6:0] select_2043;
+  assign select_2043 = so_s1_q ? x_s1_q[6:0] : (or_570_s1_q ? (less_573_s1_q ? 7'h0 : select_617) : 7'h0);
   // hls/stages/agreement.hpp:247
-  logic or_2049;
-  assign or_2049 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  logic or_2047;
+  assign or_2047 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
   // hls/stages/agreement.hpp:149
-  logic and_2058;
-  assign and_2058 = or_572_s1_q & (slot_s1_q[2] & not_576_s1_q);
+  logic and_2056;
+  assign and_2056 = or_570_s1_q & (slot_s1_q[2] & not_574_s1_q);
   // hls/stages/registration.hpp:218
-  logic [16:0] select_2174;
-  assign select_2174 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_2169;
+  assign select_2169 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
-  assign change = ($signed(10'h0) < $signed(select_2174[16:7])) ? 8'h7f : select_2174[7:0];
+  assign change = ($signed(10'h0) < $signed(select_2169[16:7])) ? 8'h7f : select_2169[7:0];
   // hls/stages/patches.hpp:173
   logic [7:0] pixel;
-  assign pixel = equal_2251_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
+  assign pixel = equal_2246_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
-  assign pixel_2 = equal_2251_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
+  assign pixel_2 = equal_2246_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
   // hls/stages/patches.hpp:501
-  logic less_2338;
-  assign less_2338 = 5'he < patches_along_q;
+  logic less_2333;
+  assign less_2333 = 5'he < patches_along_q;
   // hls/stages/patches.hpp:502
-  logic or_2339;
-  assign or_2339 = equal_2250_s1_q | less_2338;
+  logic or_2334;
+  assign or_2334 = equal_2245_s1_q | less_2333;
   // hls/stages/patches.hpp:505
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
-  logic select_2344;
-  assign select_2344 = equal_2250_s1_q ? patches_column_s1_q[0] : (or_2339 ? (patches_along_q == 5'h10) : (~new_row));
-  logic not_2345;
-  assign not_2345 = ~or_2339;
+  logic select_2339;
+  assign select_2339 = equal_2245_s1_q ? patches_column_s1_q[0] : (or_2334 ? (patches_along_q == 5'h10) : (~new_row));
+  logic not_2340;
+  assign not_2340 = ~or_2334;
   // hls/stages/patches.hpp:502
-  logic [4:0] sum_2346;
-  assign sum_2346 = patches_down_by_q + {1'b0, patches_match_row_q};
+  logic [4:0] sum_2341;
+  assign sum_2341 = patches_down_by_q + {1'b0, patches_match_row_q};
   // hls/stages/patches.hpp:504
-  logic [4:0] select_2349;
-  assign select_2349 = or_2339 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_2346) + 5'h1) : sum_2346;
+  logic [4:0] select_2344;
+  assign select_2344 = or_2334 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_2341) + 5'h1) : sum_2341;
   // hls/stages/patches.hpp:506
-  logic [4:0] select_2350;
-  assign select_2350 = equal_2250_s1_q ? 5'h0 : select_2349;
-  logic or_2351;
-  assign or_2351 = equal_2250_s1_q | equal_2248_s1_q;
+  logic [4:0] select_2345;
+  assign select_2345 = equal_2245_s1_q ? 5'h0 : select_2344;
+  logic or_2346;
+  assign or_2346 = equal_2245_s1_q | equal_2243_s1_q;
   // hls/stages/patches.hpp:482
-  logic equal_2353;
-  assign equal_2353 = patches_column_s1_q == 5'h1f;
+  logic equal_2348;
+  assign equal_2348 = patches_column_s1_q == 5'h1f;
   logic of_row;
   assign of_row = patches_column_s1_q == 5'h11;
-  logic equal_2355;
-  assign equal_2355 = patches_column_s1_q == 5'h18;
+  logic equal_2350;
+  assign equal_2350 = patches_column_s1_q == 5'h18;
   // hls/stages/patches.hpp:484
-  logic and_2357;
-  assign and_2357 = of_row & (~equal_2355);
+  logic and_2352;
+  assign and_2352 = of_row & (~equal_2350);
   logic [1:0] of_row_2;
-  assign of_row_2 = equal_2353 ? 2'h3 : {equal_2355, and_2357};
+  assign of_row_2 = equal_2348 ? 2'h3 : {equal_2350, and_2352};
   // hls/stages/patches.hpp:470
-  logic [8:0] sum_2360;
-  assign sum_2360 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
-  logic [8:0] sum_2361;
-  assign sum_2361 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
+  logic [8:0] sum_2355;
+  assign sum_2355 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
+  logic [8:0] sum_2356;
+  assign sum_2356 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
   logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_2360, pixel_2[0]} - {1'b0, sum_2361, patches_columns_above_rdata_q[24]};
+  assign down_2 = {1'b0, sum_2355, pixel_2[0]} - {1'b0, sum_2356, patches_columns_above_rdata_q[24]};
   // hls/stages/patches.hpp:472
-  logic [11:0] sum_2363;
-  assign sum_2363 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_2364;
-  assign sum_2364 = {{4{down_2[10]}}, down_2[10:2]} + {sum_2363[11], sum_2363};
-  logic [13:0] sum_2365;
-  assign sum_2365 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_2364, down_2[1]};
-  logic [12:0] sum_2366;
-  assign sum_2366 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2365[13:1];
-  logic [14:0] sum_2367;
-  assign sum_2367 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2366, sum_2365[0], down_2[0]};
+  logic [11:0] sum_2358;
+  assign sum_2358 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_2359;
+  assign sum_2359 = {{4{down_2[10]}}, down_2[10:2]} + {sum_2358[11], sum_2358};
+  logic [13:0] sum_2360;
+  assign sum_2360 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_2359, down_2[1]};
+  logic [12:0] sum_2361;
+  assign sum_2361 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2360[13:1];
+  logic [14:0] sum_2362;
+  assign sum_2362 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2361, sum_2360[0], down_2[0]};
   // hls/stages/patches.hpp:454
-  logic or_2374;
-  assign or_2374 = (sum_2367[8] & (~(sum_2367[7:0] == 8'h0))) | (~(sum_2367[13:9] == 5'h0));
+  logic or_2369;
+  assign or_2369 = (sum_2362[8] & (~(sum_2362[7:0] == 8'h0))) | (~(sum_2362[13:9] == 5'h0));
   // hls/stages/patches.hpp:468
-  logic [8:0] sum_2379;
-  assign sum_2379 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
-  logic [9:0] sum_2380;
-  assign sum_2380 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_2379};
-  logic [10:0] sum_2381;
-  assign sum_2381 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2380, patches_columns_above_rdata_q[25]};
-  logic [9:0] sum_2382;
-  assign sum_2382 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2381[10:1];
+  logic [8:0] sum_2374;
+  assign sum_2374 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
+  logic [9:0] sum_2375;
+  assign sum_2375 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_2374};
+  logic [10:0] sum_2376;
+  assign sum_2376 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2375, patches_columns_above_rdata_q[25]};
+  logic [9:0] sum_2377;
+  assign sum_2377 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2376[10:1];
   // hls/stages/patches.hpp:469
   logic [11:0] smooth;
-  assign smooth = {sum_2382, sum_2381[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  assign smooth = {sum_2377, sum_2376[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
   // hls/stages/patches.hpp:471
-  logic [12:0] sum_2384;
-  assign sum_2384 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
-  logic [12:0] sum_2385;
-  assign sum_2385 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_2386;
-  assign difference_2386 = {1'b0, sum_2384, smooth[0]} - {1'b0, sum_2385, patches_smooth_values_3_q[0]};
+  logic [12:0] sum_2379;
+  assign sum_2379 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
+  logic [12:0] sum_2380;
+  assign sum_2380 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_2381;
+  assign difference_2381 = {1'b0, sum_2379, smooth[0]} - {1'b0, sum_2380, patches_smooth_values_3_q[0]};
   // hls/stages/patches.hpp:454
-  logic or_2393;
-  assign or_2393 = (difference_2386[8] & (~(difference_2386[7:0] == 8'h0))) | (~(difference_2386[13:9] == 5'h0));
+  logic or_2388;
+  assign or_2388 = (difference_2381[8] & (~(difference_2381[7:0] == 8'h0))) | (~(difference_2381[13:9] == 5'h0));
   // hls/stages/patches.hpp:483
-  logic or_2401;
-  assign or_2401 = (((patches_column_s1_q == 5'ha) | of_row) | equal_2355) | equal_2353;
+  logic or_2396;
+  assign or_2396 = (((patches_column_s1_q == 5'ha) | of_row) | equal_2350) | equal_2348;
   // hls/stages/patches.hpp:478
-  logic and_2406;
-  assign and_2406 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
+  logic and_2401;
+  assign and_2401 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
   // hls/stages/patches.hpp:185
-  logic and_2410;
-  assign and_2410 = not_2249_s1_q & (or_2252_s1_q & (or_2401 & (equal_2251_s1_q & and_2406)));
+  logic and_2405;
+  assign and_2405 = not_2244_s1_q & (or_2247_s1_q & (or_2396 & (equal_2246_s1_q & and_2401)));
   // hls/stages/patches.hpp:173
-  logic and_2420;
-  assign and_2420 = (~(equal_2251_s1_q | (~and_2406))) & (~patches_column_s1_q[4]);
+  logic and_2415;
+  assign and_2415 = (~(equal_2246_s1_q | (~and_2401))) & (~patches_column_s1_q[4]);
   // hls/stages/patches.hpp:185
-  logic and_2424;
-  assign and_2424 = not_2249_s1_q & (or_2252_s1_q & (and_2420 & (patches_column_s1_q == 5'hf)));
+  logic and_2419;
+  assign and_2419 = not_2244_s1_q & (or_2247_s1_q & (and_2415 & (patches_column_s1_q == 5'hf)));
   // hls/stages/patches.hpp:547
-  logic less_2426;
-  assign less_2426 = patches_step_q[4:0] < 5'h11;
-  logic equal_2427;
-  assign equal_2427 = patches_step_q[6:5] == 2'h0;
-  logic not_2428;
-  assign not_2428 = ~equal_2427;
-  logic equal_2429;
-  assign equal_2429 = patches_step_q[6:5] == 2'h3;
-  logic not_2430;
-  assign not_2430 = ~equal_2429;
+  logic less_2421;
+  assign less_2421 = patches_step_q[4:0] < 5'h11;
+  logic equal_2422;
+  assign equal_2422 = patches_step_q[6:5] == 2'h0;
+  logic not_2423;
+  assign not_2423 = ~equal_2422;
+  logic equal_2424;
+  assign equal_2424 = patches_step_q[6:5] == 2'h3;
+  logic not_2425;
+  assign not_2425 = ~equal_2424;
   // hls/stages/patches.hpp:561
-  logic select_2433;
-  assign select_2433 = equal_2429 ? (less_2426 & (less_2426 & not_2430)) : less_2426;
+  logic select_2428;
+  assign select_2428 = equal_2424 ? (less_2421 & (less_2421 & not_2425)) : less_2421;
   // hls/stages/patches.hpp:185
-  logic and_2436;
-  assign and_2436 = equal_2246_s1_q & (less_2426 ? (not_2428 & select_2433) : select_2433);
+  logic and_2431;
+  assign and_2431 = equal_2241_s1_q & (less_2421 ? (not_2423 & select_2428) : select_2428);
   // hls/stages/division.hpp:34
-  logic [5:0] sum_2458;
-  assign sum_2458 = region_across_rest_q[8:3] + 6'h1;
+  logic [5:0] sum_2453;
+  assign sum_2453 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:456
-  logic [5:0] or_2742;
-  assign or_2742 = last_s1_2_q[5:0] | row_s1_q;
+  logic [5:0] or_2737;
+  assign or_2737 = last_s1_2_q[5:0] | row_s1_q;
   // hls/stages/agreement.hpp:460
-  logic select_3026;
-  assign select_3026 = equal_2932_s1_q ? (~({row_s1_q, 1'b0} < {sum_3023, cfg_height_i[3]})) : lower_half_q;
+  logic select_3021;
+  assign select_3021 = equal_2927_s1_q ? (~({row_s1_q, 1'b0} < {sum_3018, cfg_height_i[3]})) : lower_half_q;
   // hls/stages/agreement.hpp:520
-  logic and_3270;
-  assign and_3270 = and_542_s1_q & (equal_2932_s1_q & (row_s1_q[5:2] == 4'h0));
+  logic and_3265;
+  assign and_3265 = and_540_s1_q & (equal_2927_s1_q & (row_s1_q[5:2] == 4'h0));
   // hls/stages/registration.hpp:128
-  logic and_3271;
-  assign and_3271 = and_2933_s1_q & and_3270;
+  logic and_3266;
+  assign and_3266 = and_2928_s1_q & and_3265;
   // hls/stages/registration.hpp:127
-  logic and_3273;
-  assign and_3273 = and_2933_s1_q & (~and_3270);
+  logic and_3268;
+  assign and_3268 = and_2928_s1_q & (~and_3265);
   // hls/stages/registration.hpp:129
-  logic [15:0] select_3274;
-  assign select_3274 = and_3273 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_3269;
+  assign select_3269 = and_3268 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_3276;
-  assign select_3276 = and_3271 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3274[15]}}, select_3274});
+  logic [23:0] select_3271;
+  assign select_3271 = and_3266 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3269[15]}}, select_3269});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_3277;
-  assign select_3277 = and_3273 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_3272;
+  assign select_3272 = and_3268 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_3277[15]}}, select_3277};
+  assign both = registration_slope_change_q + {{12{select_3272[15]}}, select_3272};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_3279;
-  assign select_3279 = and_3271 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_3274;
+  assign select_3274 = and_3266 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:149
-  logic and_3280;
-  assign and_3280 = ends_cell_s1_q & so_s1_q;
+  logic and_3275;
+  assign and_3275 = ends_cell_s1_q & so_s1_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_7;
-  assign column_7 = registration_slope_q + (and_3280 ? registration_slope_change_q : 28'h0);
+  assign column_7 = registration_slope_q + (and_3275 ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:188
-  logic select_3526;
-  assign select_3526 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3520;
+  assign select_3520 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/patches.hpp:185
-  logic [11:0] select_3529;
-  assign select_3529 = equal_2248_s1_q ? patches_smooth_values_0_q : (or_2252_s1_q ? smooth : patches_smooth_values_0_q);
+  logic [11:0] select_3523;
+  assign select_3523 = equal_2243_s1_q ? patches_smooth_values_0_q : (or_2247_s1_q ? smooth : patches_smooth_values_0_q);
+  logic [11:0] select_3525;
+  assign select_3525 = or_2247_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3527;
+  assign select_3527 = equal_2241_s1_q ? patches_smooth_values_1_q : (equal_2243_s1_q ? patches_smooth_values_1_q : select_3525);
+  logic [11:0] select_3528;
+  assign select_3528 = or_2247_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3530;
+  assign select_3530 = equal_2241_s1_q ? patches_smooth_values_2_q : (equal_2243_s1_q ? patches_smooth_values_2_q : select_3528);
   logic [11:0] select_3531;
-  assign select_3531 = or_2252_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  assign select_3531 = or_2247_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
   logic [11:0] select_3533;
-  assign select_3533 = equal_2246_s1_q ? patches_smooth_values_1_q : (equal_2248_s1_q ? patches_smooth_values_1_q : select_3531);
-  logic [11:0] select_3534;
-  assign select_3534 = or_2252_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
-  logic [11:0] select_3536;
-  assign select_3536 = equal_2246_s1_q ? patches_smooth_values_2_q : (equal_2248_s1_q ? patches_smooth_values_2_q : select_3534);
-  logic [11:0] select_3537;
-  assign select_3537 = or_2252_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
-  logic [11:0] select_3539;
-  assign select_3539 = equal_2246_s1_q ? patches_smooth_values_3_q : (equal_2248_s1_q ? patches_smooth_values_3_q : select_3537);
+  assign select_3533 = equal_2241_s1_q ? patches_smooth_values_3_q : (equal_2243_s1_q ? patches_smooth_values_3_q : select_3531);
+  logic [10:0] select_3535;
+  assign select_3535 = equal_2243_s1_q ? patches_down_values_0_q : (or_2247_s1_q ? down_2 : patches_down_values_0_q);
+  logic [10:0] select_3538;
+  assign select_3538 = equal_2243_s1_q ? patches_down_values_1_q : (or_2247_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
   logic [10:0] select_3541;
-  assign select_3541 = equal_2248_s1_q ? patches_down_values_0_q : (or_2252_s1_q ? down_2 : patches_down_values_0_q);
+  assign select_3541 = equal_2243_s1_q ? patches_down_values_2_q : (or_2247_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
   logic [10:0] select_3544;
-  assign select_3544 = equal_2248_s1_q ? patches_down_values_1_q : (or_2252_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
-  logic [10:0] select_3547;
-  assign select_3547 = equal_2248_s1_q ? patches_down_values_2_q : (or_2252_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
-  logic [10:0] select_3550;
-  assign select_3550 = equal_2248_s1_q ? patches_down_values_3_q : (or_2252_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
+  assign select_3544 = equal_2243_s1_q ? patches_down_values_3_q : (or_2247_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
   // hls/stages/patches.hpp:176
-  logic and_3587;
-  assign and_3587 = patches_along_ends_q & patches_match_row_ends_q;
+  logic and_3581;
+  assign and_3581 = patches_along_ends_q & patches_match_row_ends_q;
   // hls/stages/patches.hpp:414
-  logic [4:0] select_3592;
-  assign select_3592 = or_3487_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  logic [4:0] select_3586;
+  assign select_3586 = or_3481_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:416
-  logic [3:0] select_3594;
-  assign select_3594 = and_3587 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  logic [3:0] select_3588;
+  assign select_3588 = and_3581 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/patches.hpp:185
-  logic [4:0] select_3950;
-  assign select_3950 = equal_2246_s1_q ? patches_summed_down_by_q : (equal_2248_s1_q ? patches_down_by_q : patches_summed_down_by_q);
+  logic [4:0] select_3944;
+  assign select_3944 = equal_2241_s1_q ? patches_summed_down_by_q : (equal_2243_s1_q ? patches_down_by_q : patches_summed_down_by_q);
   // hls/stages/patches.hpp:557
-  logic and_3983;
-  assign and_3983 = less_2426 & (patches_step_q[6:5] == 2'h1);
+  logic and_3977;
+  assign and_3977 = less_2421 & (patches_step_q[6:5] == 2'h1);
   // hls/stages/patches.hpp:561
-  logic select_3986;
-  assign select_3986 = equal_2429 ? (less_2426 ? (not_2430 & and_3983) : and_3983) : and_3983;
+  logic select_3980;
+  assign select_3980 = equal_2424 ? (less_2421 ? (not_2425 & and_3977) : and_3977) : and_3977;
   // hls/stages/patches.hpp:185
-  logic select_3989;
-  assign select_3989 = equal_2246_s1_q ? (less_2426 ? (not_2428 & select_3986) : select_3986) : patches_read_searches_q;
+  logic select_3983;
+  assign select_3983 = equal_2241_s1_q ? (less_2421 ? (not_2423 & select_3980) : select_3980) : patches_read_searches_q;
   // hls/stages/agreement.hpp:205
-  logic [8:0] select_4328;
-  assign select_4328 = so_s1_q ? (and_3280 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic [8:0] select_4322;
+  assign select_4322 = so_s1_q ? (and_3275 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4330;
-  assign sum_4330 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_4324;
+  assign sum_4324 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4331;
-  assign select_4331 = sum_2458[5] ? {1'b1, sum_2458[4:0], region_across_rest_q[2:0]} : sum_4330;
+  logic [8:0] select_4325;
+  assign select_4325 = sum_2453[5] ? {1'b1, sum_2453[4:0], region_across_rest_q[2:0]} : sum_4324;
   // hls/stages/agreement.hpp:460
-  logic [8:0] select_4333;
-  assign select_4333 = equal_2932_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_4336;
-  assign select_4336 = equal_2932_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  logic [8:0] select_4327;
+  assign select_4327 = equal_2927_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_4330;
+  assign select_4330 = equal_2927_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
 
-  // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:235; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:238; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [26:0] averager_memory_mem [0:319];
@@ -2239,9 +2235,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 320; i++) averager_memory_mem[i] = 27'h0;
 `endif
   logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_508_s1_q;
+  assign averager_memory_raddr = select_505_s1_q;
   logic averager_memory_re;
-  assign averager_memory_re = s1_en & and_517;
+  assign averager_memory_re = s1_en & and_514;
   logic [26:0] averager_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) averager_memory_word_q <= averager_memory_mem[averager_memory_raddr];
@@ -2252,7 +2248,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) averager_memory_read_q <= rst_ni & averager_memory_re;
   assign averager_memory_error = averager_memory_read_q & ^averager_memory_word_q;
 
-  // Memory census_memory, 80 x 78 and parity, DISTANCE 16, hls/stages/census.hpp:349; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory census_memory, 80 x 78 and parity, DISTANCE 16, hls/stages/census.hpp:352; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [78:0] census_memory_mem [0:79];
@@ -2262,7 +2258,7 @@ module horopter_agreement (
   logic [6:0] census_memory_raddr;
   assign census_memory_raddr = last_s1_2_q;
   logic census_memory_re;
-  assign census_memory_re = s1_en & and_542_s1_q;
+  assign census_memory_re = s1_en & and_540_s1_q;
   logic [78:0] census_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) census_memory_word_q <= census_memory_mem[census_memory_raddr];
@@ -2281,9 +2277,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 4800; i++) moments_memory_mem[i] = 5'h0;
 `endif
   logic [12:0] moments_memory_raddr;
-  assign moments_memory_raddr = select_566;
+  assign moments_memory_raddr = select_564;
   logic moments_memory_re;
-  assign moments_memory_re = s1_en & and_584;
+  assign moments_memory_re = s1_en & and_582;
   logic [4:0] moments_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) moments_memory_word_q <= moments_memory_mem[moments_memory_raddr];
@@ -2302,9 +2298,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_right_mem[i] = 30'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_572_s1_q ? select_619 : right_s1_q;
+  assign best_right_raddr = or_570_s1_q ? select_617 : right_s1_q;
   logic best_right_re;
-  assign best_right_re = s1_en & select_610_s1_q;
+  assign best_right_re = s1_en & select_608_s1_q;
   logic [29:0] best_right_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) best_right_word_q <= best_right_mem[best_right_raddr];
@@ -2325,7 +2321,7 @@ module horopter_agreement (
   logic [6:0] shown_right_raddr;
   assign shown_right_raddr = x_s1_q[6:0];
   logic shown_right_re;
-  assign shown_right_re = s1_en & and_2041;
+  assign shown_right_re = s1_en & and_2039;
   logic [2:0] shown_right_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) shown_right_word_q <= shown_right_mem[shown_right_raddr];
@@ -2346,7 +2342,7 @@ module horopter_agreement (
   logic [6:0] left_turns_raddr;
   assign left_turns_raddr = x_s1_q[6:0];
   logic left_turns_re;
-  assign left_turns_re = s1_en & and_2058;
+  assign left_turns_re = s1_en & and_2056;
   logic [2:0] left_turns_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) left_turns_word_q <= left_turns_mem[left_turns_raddr];
@@ -2365,9 +2361,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) right_turns_mem[i] = 3'h0;
 `endif
   logic [6:0] right_turns_raddr;
-  assign right_turns_raddr = select_619;
+  assign right_turns_raddr = select_617;
   logic right_turns_re;
-  assign right_turns_re = s1_en & and_2058;
+  assign right_turns_re = s1_en & and_2056;
   logic [2:0] right_turns_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) right_turns_word_q <= right_turns_mem[right_turns_raddr];
@@ -2386,9 +2382,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 29'h0;
 `endif
   logic [6:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = {select_2350, not_2345, select_2344};
+  assign patches_right_codes_raddr = {select_2345, not_2340, select_2339};
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s1_en & or_2351;
+  assign patches_right_codes_re = s1_en & or_2346;
   logic [28:0] patches_right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_right_codes_word_q <= patches_right_codes_mem[patches_right_codes_raddr];
@@ -2410,7 +2406,7 @@ module horopter_agreement (
   logic [3:0] patches_left_codes_raddr;
   assign patches_left_codes_raddr = patches_match_row_q;
   logic patches_left_codes_re;
-  assign patches_left_codes_re = s1_en & (not_2247_s1_q & (new_row & equal_2248_s1_q));
+  assign patches_left_codes_re = s1_en & (not_2242_s1_q & (new_row & equal_2243_s1_q));
   logic [48:0] patches_left_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_left_codes_word_q <= patches_left_codes_mem[patches_left_codes_raddr];
@@ -2432,7 +2428,7 @@ module horopter_agreement (
   logic [4:0] patches_rows_raddr;
   assign patches_rows_raddr = patches_step_q[4:0];
   logic patches_rows_re;
-  assign patches_rows_re = s1_en & and_2436;
+  assign patches_rows_re = s1_en & and_2431;
   logic [15:0] patches_rows_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_rows_word_q <= patches_rows_mem[patches_rows_raddr];
@@ -2453,7 +2449,7 @@ module horopter_agreement (
   logic [6:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s1_q[6:0];
   logic seen_columns_re;
-  assign seen_columns_re = s1_en & and_2041;
+  assign seen_columns_re = s1_en & and_2039;
   logic [18:0] seen_columns_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) seen_columns_word_q <= seen_columns_mem[seen_columns_raddr];
@@ -2468,9 +2464,9 @@ module horopter_agreement (
   logic [6:0] left_waddr;
   assign left_waddr = x_s1_q[6:0];
   logic left_we;
-  assign left_we = s1_en & and_643_s1_q;
+  assign left_we = s1_en & and_641_s1_q;
   logic [84:0] left_wdata;
-  assign left_wdata = {and_744, left_rdata_q[65:49], and_743, left_rdata_q[47:31], and_742, left_rdata_q[29:13], and_741, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+  assign left_wdata = {and_742, left_rdata_q[65:49], and_741, left_rdata_q[47:31], and_740, left_rdata_q[29:13], and_739, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (left_we) left_mem[left_waddr] <= {^left_wdata, left_wdata};
   end
@@ -2490,9 +2486,9 @@ module horopter_agreement (
   logic [6:0] right_codes_waddr;
   assign right_codes_waddr = x_s1_q[6:0];
   logic right_codes_we;
-  assign right_codes_we = s1_en & and_643_s1_q;
+  assign right_codes_we = s1_en & and_641_s1_q;
   logic [98:0] right_codes_wdata;
-  assign right_codes_wdata = {and_750, right_codes_rdata_q[84:73], and_749, right_codes_rdata_q[71:60], and_748, right_codes_rdata_q[56:43], and_747, right_codes_rdata_q[41:28], and_746, right_codes_rdata_q[26:13], and_745, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
+  assign right_codes_wdata = {and_748, right_codes_rdata_q[84:73], and_747, right_codes_rdata_q[71:60], and_746, right_codes_rdata_q[56:43], and_745, right_codes_rdata_q[41:28], and_744, right_codes_rdata_q[26:13], and_743, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (right_codes_we) right_codes_mem[right_codes_waddr] <= {^right_codes_wdata, right_codes_wdata};
   end
@@ -2512,7 +2508,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_waddr;
   assign patches_columns_above_waddr = patches_column_s1_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s1_en & and_2332_s1_q;
+  assign patches_columns_above_we = s1_en & and_2327_s1_q;
   logic [31:0] patches_columns_above_wdata;
   assign patches_columns_above_wdata = {patches_columns_above_rdata_q[23:0], pixel_2};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -2561,36 +2557,36 @@ module horopter_agreement (
       columns_begin_rest_q <= 9'h0;
       columns_begin_back_q <= 8'h0;
     end else if (s1_en) begin
-      moments_place_q <= select_565;
-      moments_taken_q <= not_568 & (not_570 & (equal_571_s1_q & inside_v));
-      moments_starts_q <= not_568 & (not_570 & (equal_571_s1_q & (inside_v & first)));
-      row_q <= and_542_s1_q ? (equal_2932_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_542_s1_q ? select_3026 : lower_half_q;
-      registration_slope_row_q <= select_3276;
-      registration_slope_change_q <= select_3279;
+      moments_place_q <= select_563;
+      moments_taken_q <= not_566 & (not_568 & (equal_569_s1_q & inside_v));
+      moments_starts_q <= not_566 & (not_568 & (equal_569_s1_q & (inside_v & first)));
+      row_q <= and_540_s1_q ? (equal_2927_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_540_s1_q ? select_3021 : lower_half_q;
+      registration_slope_row_q <= select_3271;
+      registration_slope_change_q <= select_3274;
       registration_slope_q <= so_s1_q ? column_7 : {registration_slope_row_q, 4'h0};
-      patches_along_ends_q <= not_3511_s1_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3511_s1_q & select_3526;
-      patches_smooth_values_0_q <= equal_2246_s1_q ? patches_smooth_values_0_q : select_3529;
-      patches_smooth_values_1_q <= select_3533;
-      patches_smooth_values_2_q <= select_3536;
-      patches_smooth_values_3_q <= select_3539;
-      patches_down_values_0_q <= equal_2246_s1_q ? patches_down_values_0_q : select_3541;
-      patches_down_values_1_q <= equal_2246_s1_q ? patches_down_values_1_q : select_3544;
-      patches_down_values_2_q <= equal_2246_s1_q ? patches_down_values_2_q : select_3547;
-      patches_down_values_3_q <= equal_2246_s1_q ? patches_down_values_3_q : select_3550;
-      patches_down_by_q <= or_3487_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3587});
-      patches_along_q <= select_3592;
-      patches_match_row_q <= or_3487_s1_q ? 4'h0 : select_3594;
-      patches_summed_last_q <= not_2247_s1_q & (equal_2248_s1_q & and_3587);
-      patches_summed_down_by_q <= select_3950;
-      patches_step_q <= or_3487_s1_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3989;
-      region_across_rest_q <= select_4328;
+      patches_along_ends_q <= not_3505_s1_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3505_s1_q & select_3520;
+      patches_smooth_values_0_q <= equal_2241_s1_q ? patches_smooth_values_0_q : select_3523;
+      patches_smooth_values_1_q <= select_3527;
+      patches_smooth_values_2_q <= select_3530;
+      patches_smooth_values_3_q <= select_3533;
+      patches_down_values_0_q <= equal_2241_s1_q ? patches_down_values_0_q : select_3535;
+      patches_down_values_1_q <= equal_2241_s1_q ? patches_down_values_1_q : select_3538;
+      patches_down_values_2_q <= equal_2241_s1_q ? patches_down_values_2_q : select_3541;
+      patches_down_values_3_q <= equal_2241_s1_q ? patches_down_values_3_q : select_3544;
+      patches_down_by_q <= or_3481_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3581});
+      patches_along_q <= select_3586;
+      patches_match_row_q <= or_3481_s1_q ? 4'h0 : select_3588;
+      patches_summed_last_q <= not_2242_s1_q & (equal_2243_s1_q & and_3581);
+      patches_summed_down_by_q <= select_3944;
+      patches_step_q <= or_3481_s1_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3983;
+      region_across_rest_q <= select_4322;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_4331;
-      columns_begin_rest_q <= and_542_s1_q ? select_4333 : columns_begin_rest_q;
-      columns_begin_back_q <= and_542_s1_q ? select_4336 : columns_begin_back_q;
+      region_across_next_q <= select_4325;
+      columns_begin_rest_q <= and_540_s1_q ? select_4327 : columns_begin_rest_q;
+      columns_begin_back_q <= and_540_s1_q ? select_4330 : columns_begin_back_q;
     end
   end
 
@@ -2648,7 +2644,7 @@ module horopter_agreement (
       middle_sum_columns_values_4_q <= middle_sum_columns_values_3_q;
       middle_sum_columns_values_5_q <= middle_sum_columns_values_4_q;
       middle_sum_columns_values_6_q <= middle_sum_columns_values_5_q;
-      middle_sum_sum_sums_values_0_q <= sum_1004;
+      middle_sum_sum_sums_values_0_q <= sum_1002;
       sums_0_columns_values_0_q <= column_2;
       sums_0_columns_values_1_q <= sums_0_columns_values_0_q;
       sums_0_columns_values_2_q <= sums_0_columns_values_1_q;
@@ -2656,7 +2652,7 @@ module horopter_agreement (
       sums_0_columns_values_4_q <= sums_0_columns_values_3_q;
       sums_0_columns_values_5_q <= sums_0_columns_values_4_q;
       sums_0_columns_values_6_q <= sums_0_columns_values_5_q;
-      sums_0_sum_sums_values_0_q <= sum_1244;
+      sums_0_sum_sums_values_0_q <= sum_1242;
       sums_1_columns_values_0_q <= column_3;
       sums_1_columns_values_1_q <= sums_1_columns_values_0_q;
       sums_1_columns_values_2_q <= sums_1_columns_values_1_q;
@@ -2664,7 +2660,7 @@ module horopter_agreement (
       sums_1_columns_values_4_q <= sums_1_columns_values_3_q;
       sums_1_columns_values_5_q <= sums_1_columns_values_4_q;
       sums_1_columns_values_6_q <= sums_1_columns_values_5_q;
-      sums_1_sum_sums_values_0_q <= sum_1484;
+      sums_1_sum_sums_values_0_q <= sum_1482;
       sums_2_columns_values_0_q <= column_4;
       sums_2_columns_values_1_q <= sums_2_columns_values_0_q;
       sums_2_columns_values_2_q <= sums_2_columns_values_1_q;
@@ -2672,7 +2668,7 @@ module horopter_agreement (
       sums_2_columns_values_4_q <= sums_2_columns_values_3_q;
       sums_2_columns_values_5_q <= sums_2_columns_values_4_q;
       sums_2_columns_values_6_q <= sums_2_columns_values_5_q;
-      sums_2_sum_sums_values_0_q <= sum_1728;
+      sums_2_sum_sums_values_0_q <= sum_1726;
       sums_3_columns_values_0_q <= column_5;
       sums_3_columns_values_1_q <= sums_3_columns_values_0_q;
       sums_3_columns_values_2_q <= sums_3_columns_values_1_q;
@@ -2680,7 +2676,7 @@ module horopter_agreement (
       sums_3_columns_values_4_q <= sums_3_columns_values_3_q;
       sums_3_columns_values_5_q <= sums_3_columns_values_4_q;
       sums_3_columns_values_6_q <= sums_3_columns_values_5_q;
-      sums_3_sum_sums_values_0_q <= sum_1968;
+      sums_3_sum_sums_values_0_q <= sum_1966;
     end
   end
 
@@ -2713,83 +2709,83 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s2_q;
   logic [4:0] patches_step_s2_q;
   logic patches_read_searches_s2_q;
+  logic row_starts_s2_q;
   logic [2:0] select_502_s2_q;
-  logic [6:0] select_504_s2_q;
-  logic [8:0] select_508_s2_q;
-  logic and_516_s2_q;
-  logic and_517_s2_q;
-  logic equal_522_s2_q;
+  logic [8:0] select_505_s2_q;
+  logic and_513_s2_q;
+  logic and_514_s2_q;
+  logic equal_519_s2_q;
+  logic [6:0] select_534_s2_q;
   logic [6:0] last_s2_2_q;
+  logic and_538_s2_q;
   logic and_540_s2_q;
-  logic and_542_s2_q;
-  logic equal_562_s2_q;
-  logic [12:0] select_566_s2_q;
-  logic equal_567_s2_q;
-  logic not_568_s2_q;
+  logic equal_560_s2_q;
+  logic [12:0] select_564_s2_q;
+  logic equal_565_s2_q;
+  logic not_566_s2_q;
   logic so_s2_q;
-  logic not_570_s2_q;
-  logic equal_571_s2_q;
-  logic or_572_s2_q;
-  logic less_575_s2_q;
-  logic not_576_s2_q;
+  logic not_568_s2_q;
+  logic equal_569_s2_q;
+  logic or_570_s2_q;
+  logic less_573_s2_q;
+  logic not_574_s2_q;
   logic inside_v_s2_q;
-  logic not_580_s2_q;
-  logic and_584_s2_q;
-  logic and_593_s2_q;
-  logic and_601_s2_q;
+  logic not_578_s2_q;
+  logic and_582_s2_q;
+  logic and_591_s2_q;
+  logic and_599_s2_q;
   logic [6:0] x_s2_2_q;
   logic [61:0] best_left_rdata_s2_q;
   logic [6:0] right_s2_q;
-  logic and_632_s2_q;
+  logic and_630_s2_q;
+  logic and_635_s2_q;
   logic and_637_s2_q;
-  logic and_639_s2_q;
-  logic equal_672_s2_q;
-  logic and_2028_s2_q;
-  logic equal_2029_s2_q;
+  logic equal_670_s2_q;
+  logic and_2026_s2_q;
+  logic equal_2027_s2_q;
+  logic and_2037_s2_q;
   logic and_2039_s2_q;
-  logic and_2041_s2_q;
-  logic [6:0] select_2045_s2_q;
-  logic or_2049_s2_q;
-  logic and_2142_s2_q;
-  logic and_2155_s2_q;
-  logic less_2169_s2_q;
+  logic [6:0] select_2043_s2_q;
+  logic or_2047_s2_q;
+  logic and_2150_s2_q;
+  logic less_2164_s2_q;
   logic [7:0] change_s2_q;
+  logic equal_2241_s2_q;
+  logic equal_2243_s2_q;
   logic equal_2246_s2_q;
-  logic equal_2248_s2_q;
-  logic equal_2251_s2_q;
-  logic or_2252_s2_q;
-  logic [4:0] select_2276_s2_q;
-  logic select_2282_s2_q;
-  logic [3:0] select_2322_s2_q;
-  logic less_2338_s2_q;
+  logic or_2247_s2_q;
+  logic [4:0] select_2271_s2_q;
+  logic select_2277_s2_q;
+  logic [3:0] select_2317_s2_q;
+  logic less_2333_s2_q;
   logic new_row_s2_q;
-  logic or_2351_s2_q;
+  logic or_2346_s2_q;
   logic [1:0] of_row_2_s2_q;
-  logic not_2368_s2_q;
-  logic or_2374_s2_q;
-  logic and_2378_s2_q;
-  logic and_2394_s2_q;
-  logic and_2397_s2_q;
-  logic and_2411_s2_q;
+  logic not_2363_s2_q;
+  logic or_2369_s2_q;
+  logic and_2373_s2_q;
+  logic and_2389_s2_q;
+  logic and_2392_s2_q;
+  logic and_2406_s2_q;
+  logic and_2415_s2_q;
   logic and_2420_s2_q;
-  logic and_2425_s2_q;
-  logic less_2426_s2_q;
-  logic equal_2427_s2_q;
-  logic not_2428_s2_q;
-  logic equal_2429_s2_q;
-  logic not_2430_s2_q;
-  logic sum_2458_s2_q;
-  logic and_2479_s2_q;
-  logic and_2596_s2_q;
-  logic equal_2743_s2_q;
-  logic equal_2932_s2_q;
-  logic and_3039_s2_q;
-  logic equal_3124_s2_q;
-  logic less_3563_s2_q;
-  logic equal_3906_s2_q;
-  logic equal_3990_s2_q;
-  logic less_4316_s2_q;
-  logic equal_4535_s2_q;
+  logic less_2421_s2_q;
+  logic equal_2422_s2_q;
+  logic not_2423_s2_q;
+  logic equal_2424_s2_q;
+  logic not_2425_s2_q;
+  logic sum_2453_s2_q;
+  logic and_2474_s2_q;
+  logic and_2591_s2_q;
+  logic equal_2738_s2_q;
+  logic equal_2927_s2_q;
+  logic and_3034_s2_q;
+  logic equal_3119_s2_q;
+  logic less_3557_s2_q;
+  logic equal_3900_s2_q;
+  logic equal_3984_s2_q;
+  logic less_4310_s2_q;
+  logic equal_4529_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -2821,83 +2817,83 @@ module horopter_agreement (
       patches_summed_down_by_s2_q <= patches_summed_down_by_q;
       patches_step_s2_q <= patches_step_q[4:0];
       patches_read_searches_s2_q <= patches_read_searches_q;
+      row_starts_s2_q <= row_starts_s1_q;
       select_502_s2_q <= select_502_s1_q;
-      select_504_s2_q <= select_504_s1_q;
-      select_508_s2_q <= select_508_s1_q;
-      and_516_s2_q <= and_516_s1_q;
-      and_517_s2_q <= and_517;
-      equal_522_s2_q <= equal_522_s1_q;
+      select_505_s2_q <= select_505_s1_q;
+      and_513_s2_q <= and_513_s1_q;
+      and_514_s2_q <= and_514;
+      equal_519_s2_q <= equal_519_s1_q;
+      select_534_s2_q <= select_534_s1_q;
       last_s2_2_q <= last_s1_2_q;
+      and_538_s2_q <= and_538_s1_q;
       and_540_s2_q <= and_540_s1_q;
-      and_542_s2_q <= and_542_s1_q;
-      equal_562_s2_q <= equal_562;
-      select_566_s2_q <= select_566;
-      equal_567_s2_q <= equal_567_s1_q;
-      not_568_s2_q <= not_568;
+      equal_560_s2_q <= equal_560;
+      select_564_s2_q <= select_564;
+      equal_565_s2_q <= equal_565_s1_q;
+      not_566_s2_q <= not_566;
       so_s2_q <= so_s1_q;
-      not_570_s2_q <= not_570;
-      equal_571_s2_q <= equal_571_s1_q;
-      or_572_s2_q <= or_572_s1_q;
-      less_575_s2_q <= less_575_s1_q;
-      not_576_s2_q <= not_576_s1_q;
+      not_568_s2_q <= not_568;
+      equal_569_s2_q <= equal_569_s1_q;
+      or_570_s2_q <= or_570_s1_q;
+      less_573_s2_q <= less_573_s1_q;
+      not_574_s2_q <= not_574_s1_q;
       inside_v_s2_q <= inside_v;
-      not_580_s2_q <= not_580;
-      and_584_s2_q <= and_584;
-      and_593_s2_q <= or_572_s1_q & (left_rdata_q[70] & not_576_s1_q);
-      and_601_s2_q <= (or_572_s1_q & (left_rdata_q[68] & not_576_s1_q)) & and_600;
+      not_578_s2_q <= not_578;
+      and_582_s2_q <= and_582;
+      and_591_s2_q <= or_570_s1_q & (left_rdata_q[70] & not_574_s1_q);
+      and_599_s2_q <= (or_570_s1_q & (left_rdata_q[68] & not_574_s1_q)) & and_598;
       x_s2_2_q <= x_s1_2_q;
       best_left_rdata_s2_q <= best_left_rdata_q;
       right_s2_q <= right_s1_q;
-      and_632_s2_q <= or_572_s1_q & (left_rdata_q[71] & not_576_s1_q);
-      and_637_s2_q <= or_572_s1_q & (right_codes_rdata_q[58] & not_576_s1_q);
-      and_639_s2_q <= or_572_s1_q & (right_codes_rdata_q[59] & not_576_s1_q);
-      equal_672_s2_q <= row_s1_q == 6'h0;
-      and_2028_s2_q <= and_2028_s1_q;
-      equal_2029_s2_q <= equal_2029_s1_q;
+      and_630_s2_q <= or_570_s1_q & (left_rdata_q[71] & not_574_s1_q);
+      and_635_s2_q <= or_570_s1_q & (right_codes_rdata_q[58] & not_574_s1_q);
+      and_637_s2_q <= or_570_s1_q & (right_codes_rdata_q[59] & not_574_s1_q);
+      equal_670_s2_q <= row_s1_q == 6'h0;
+      and_2026_s2_q <= and_2026_s1_q;
+      equal_2027_s2_q <= equal_2027_s1_q;
+      and_2037_s2_q <= and_2037;
       and_2039_s2_q <= and_2039;
-      and_2041_s2_q <= and_2041;
-      select_2045_s2_q <= select_2045;
-      or_2049_s2_q <= or_2049;
-      and_2142_s2_q <= and_2142_s1_q;
-      and_2155_s2_q <= and_2155_s1_q;
-      less_2169_s2_q <= 5'h4 < row_q[5:1];
+      select_2043_s2_q <= select_2043;
+      or_2047_s2_q <= or_2047;
+      and_2150_s2_q <= and_2150_s1_q;
+      less_2164_s2_q <= 5'h4 < row_q[5:1];
       change_s2_q <= change;
+      equal_2241_s2_q <= equal_2241_s1_q;
+      equal_2243_s2_q <= equal_2243_s1_q;
       equal_2246_s2_q <= equal_2246_s1_q;
-      equal_2248_s2_q <= equal_2248_s1_q;
-      equal_2251_s2_q <= equal_2251_s1_q;
-      or_2252_s2_q <= or_2252_s1_q;
-      select_2276_s2_q <= select_2276_s1_q;
-      select_2282_s2_q <= select_2282_s1_q;
-      select_2322_s2_q <= select_2322_s1_q;
-      less_2338_s2_q <= less_2338;
+      or_2247_s2_q <= or_2247_s1_q;
+      select_2271_s2_q <= select_2271_s1_q;
+      select_2277_s2_q <= select_2277_s1_q;
+      select_2317_s2_q <= select_2317_s1_q;
+      less_2333_s2_q <= less_2333;
       new_row_s2_q <= new_row;
-      or_2351_s2_q <= or_2351;
+      or_2346_s2_q <= or_2346;
       of_row_2_s2_q <= of_row_2;
-      not_2368_s2_q <= ~sum_2367[14];
-      or_2374_s2_q <= or_2374;
-      and_2378_s2_q <= sum_2367[14] & (~(sum_2367[13:8] == 6'h3f));
-      and_2394_s2_q <= (~difference_2386[14]) & or_2393;
-      and_2397_s2_q <= difference_2386[14] & (~(difference_2386[13:8] == 6'h3f));
-      and_2411_s2_q <= not_2247_s1_q & and_2410;
-      and_2420_s2_q <= and_2420;
-      and_2425_s2_q <= not_2247_s1_q & and_2424;
-      less_2426_s2_q <= less_2426;
-      equal_2427_s2_q <= equal_2427;
-      not_2428_s2_q <= not_2428;
-      equal_2429_s2_q <= equal_2429;
-      not_2430_s2_q <= not_2430;
-      sum_2458_s2_q <= sum_2458[5];
-      and_2479_s2_q <= or_572_s1_q & (left_rdata_q[69] & not_576_s1_q);
-      and_2596_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
-      equal_2743_s2_q <= {last_s1_2_q[6], or_2742} == 7'h0;
-      equal_2932_s2_q <= equal_2932_s1_q;
-      and_3039_s2_q <= or_572_s1_q & (not_576_s1_q & and_600);
-      equal_3124_s2_q <= shift == 6'h0;
-      less_3563_s2_q <= 4'he < patches_column_s1_q[4:1];
-      equal_3906_s2_q <= patches_match_row_q == 4'h0;
-      equal_3990_s2_q <= patches_step_q[6:5] == 2'h2;
-      less_4316_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_4535_s2_q <= row_s1_q[5:3] == 3'h0;
+      not_2363_s2_q <= ~sum_2362[14];
+      or_2369_s2_q <= or_2369;
+      and_2373_s2_q <= sum_2362[14] & (~(sum_2362[13:8] == 6'h3f));
+      and_2389_s2_q <= (~difference_2381[14]) & or_2388;
+      and_2392_s2_q <= difference_2381[14] & (~(difference_2381[13:8] == 6'h3f));
+      and_2406_s2_q <= not_2242_s1_q & and_2405;
+      and_2415_s2_q <= and_2415;
+      and_2420_s2_q <= not_2242_s1_q & and_2419;
+      less_2421_s2_q <= less_2421;
+      equal_2422_s2_q <= equal_2422;
+      not_2423_s2_q <= not_2423;
+      equal_2424_s2_q <= equal_2424;
+      not_2425_s2_q <= not_2425;
+      sum_2453_s2_q <= sum_2453[5];
+      and_2474_s2_q <= or_570_s1_q & (left_rdata_q[69] & not_574_s1_q);
+      and_2591_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
+      equal_2738_s2_q <= {last_s1_2_q[6], or_2737} == 7'h0;
+      equal_2927_s2_q <= equal_2927_s1_q;
+      and_3034_s2_q <= or_570_s1_q & (not_574_s1_q & and_598);
+      equal_3119_s2_q <= shift == 6'h0;
+      less_3557_s2_q <= 4'he < patches_column_s1_q[4:1];
+      equal_3900_s2_q <= patches_match_row_q == 4'h0;
+      equal_3984_s2_q <= patches_step_q[6:5] == 2'h2;
+      less_4310_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_4529_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
@@ -3064,162 +3060,162 @@ module horopter_agreement (
   logic at_cell_end_q;
   logic was_next_row_q;
   logic [12:0] seen_base_q;
-  // hls/stages/census.hpp:113
-  logic [11:0] select_520;
-  assign select_520 = select_502_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
-  // hls/stages/census.hpp:126
-  logic [11:0] sum_524;
-  assign sum_524 = select_520 + (equal_522_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
-  // hls/stages/census.hpp:113
-  logic [11:0] sum_526;
-  assign sum_526 = {4'h0, sample_pair_pixel_1_q} + (select_502_s2_q[0] ? averager_running_1_q : 12'h0);
-  // hls/stages/census.hpp:126
-  logic [11:0] sum_528;
-  assign sum_528 = sum_526 + (equal_522_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
+  // hls/stages/census.hpp:117
+  logic [11:0] select_517;
+  assign select_517 = select_502_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  // hls/stages/census.hpp:129
+  logic [11:0] sum_521;
+  assign sum_521 = select_517 + (equal_519_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
+  // hls/stages/census.hpp:117
+  logic [11:0] sum_523;
+  assign sum_523 = {4'h0, sample_pair_pixel_1_q} + (select_502_s2_q[0] ? averager_running_1_q : 12'h0);
+  // hls/stages/census.hpp:129
+  logic [11:0] sum_525;
+  assign sum_525 = sum_523 + (equal_519_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
   // hls/stages/agreement.hpp:418
   logic whole;
   assign whole = select_502_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
-  // hls/stages/census.hpp:127
-  logic and_532;
-  assign and_532 = whole & (averager_memory_rdata_q[24] | equal_522_s2_q);
+  // hls/stages/census.hpp:130
+  logic and_529;
+  assign and_529 = whole & (averager_memory_rdata_q[24] | equal_519_s2_q);
   // hls/stages/agreement.hpp:418
   logic all_of_skin;
   assign all_of_skin = select_502_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
-  // hls/stages/census.hpp:128
-  logic and_536;
-  assign and_536 = all_of_skin & (averager_memory_rdata_q[25] | equal_522_s2_q);
-  // hls/stages/census.hpp:215
+  // hls/stages/census.hpp:131
+  logic and_533;
+  assign and_533 = all_of_skin & (averager_memory_rdata_q[25] | equal_519_s2_q);
+  // hls/stages/census.hpp:218
   logic [8:0] grey;
-  assign grey = and_516_s2_q ? sum_524[11:3] : 9'h0;
-  // hls/stages/census.hpp:131
-  logic equal_545;
-  assign equal_545 = select_502_s2_q == 3'h1;
-  // hls/stages/census.hpp:216
+  assign grey = and_513_s2_q ? sum_521[11:3] : 9'h0;
+  // hls/stages/census.hpp:134
+  logic equal_543;
+  assign equal_543 = select_502_s2_q == 3'h1;
+  // hls/stages/census.hpp:219
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_545 ? 11'h0 : averager_total_0_q);
+  assign total = {2'h0, grey} + (equal_543 ? 11'h0 : averager_total_0_q);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_548;
-  assign select_548 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
-  // hls/stages/census.hpp:215
+  logic [8:0] select_546;
+  assign select_546 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
+  // hls/stages/census.hpp:218
   logic [8:0] grey_2;
-  assign grey_2 = and_516_s2_q ? sum_528[11:3] : 9'h0;
-  // hls/stages/census.hpp:216
+  assign grey_2 = and_513_s2_q ? sum_525[11:3] : 9'h0;
+  // hls/stages/census.hpp:219
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_545 ? 11'h0 : averager_total_1_q);
+  assign total_2 = {2'h0, grey_2} + (equal_543 ? 11'h0 : averager_total_1_q);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_552;
-  assign select_552 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
-  // hls/stages/census.hpp:215
-  logic and_553;
-  assign and_553 = and_516_s2_q & and_532;
-  // hls/stages/census.hpp:131
-  logic select_555;
-  assign select_555 = equal_545 ? and_553 : (averager_mask_q & and_553);
+  logic [8:0] select_550;
+  assign select_550 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
+  // hls/stages/census.hpp:218
+  logic and_551;
+  assign and_551 = and_513_s2_q & and_529;
+  // hls/stages/census.hpp:134
+  logic select_553;
+  assign select_553 = equal_543 ? and_551 : (averager_mask_q & and_551);
   // hls/stages/agreement.hpp:276
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s2_q & select_555;
-  // hls/stages/census.hpp:215
-  logic and_557;
-  assign and_557 = and_516_s2_q & and_536;
-  // hls/stages/census.hpp:131
-  logic select_559;
-  assign select_559 = equal_545 ? and_557 : (averager_of_skin_q & and_557);
+  assign whole_2 = sample_pair_whole_s2_q & select_553;
+  // hls/stages/census.hpp:218
+  logic and_555;
+  assign and_555 = and_513_s2_q & and_533;
+  // hls/stages/census.hpp:134
+  logic select_557;
+  assign select_557 = equal_543 ? and_555 : (averager_of_skin_q & and_555);
   // hls/stages/agreement.hpp:276
-  logic and_560;
-  assign and_560 = sample_pair_whole_s2_q & select_559;
+  logic and_558;
+  assign and_558 = sample_pair_whole_s2_q & select_557;
   // hls/stages/agreement.hpp:978
-  logic select_614;
-  assign select_614 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  logic select_612;
+  assign select_612 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
   // hls/stages/agreement.hpp:979
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:992
-  logic [8:0] difference_624;
-  assign difference_624 = {2'h0, chosen} - {1'b0, x_s2_q};
+  logic [8:0] difference_622;
+  assign difference_622 = {2'h0, chosen} - {1'b0, x_s2_q};
   // hls/stages/agreement.hpp:993
-  logic [9:0] sum_625;
-  assign sum_625 = {difference_624[8], difference_624} + 10'h1;
+  logic [9:0] sum_623;
+  assign sum_623 = {difference_622[8], difference_622} + 10'h1;
   // hls/stages/agreement.hpp:247
-  logic and_627;
-  assign and_627 = (and_601_s2_q & select_614) & ({{22{sum_625[9]}}, sum_625} < 32'h3);
+  logic and_625;
+  assign and_625 = (and_599_s2_q & select_612) & ({{22{sum_623[9]}}, sum_623} < 32'h3);
   // hls/stages/agreement.hpp:149
-  logic and_629;
-  assign and_629 = or_572_s2_q & (not_576_s2_q & and_627);
+  logic and_627;
+  assign and_627 = or_570_s2_q & (not_574_s2_q & and_625);
   // hls/stages/moments.hpp:77
-  logic and_630;
-  assign and_630 = and_593_s2_q & and_629;
-  // hls/stages/census.hpp:305
+  logic and_628;
+  assign and_628 = and_591_s2_q & and_627;
+  // hls/stages/census.hpp:308
+  logic less_643;
+  assign less_643 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
+  logic less_644;
+  assign less_644 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_645;
-  assign less_645 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
+  assign less_645 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_646;
-  assign less_646 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
+  assign less_646 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_647;
-  assign less_647 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_647 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_648;
-  assign less_648 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_648 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_649;
-  assign less_649 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_649 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_650;
-  assign less_650 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_650 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_651;
-  assign less_651 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_651 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_652;
-  assign less_652 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_652 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_653;
-  assign less_653 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_653 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_654;
-  assign less_654 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_654 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:309
   logic less_655;
-  assign less_655 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_655 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_656;
-  assign less_656 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:306
+  assign less_656 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_657;
-  assign less_657 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_657 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_658;
-  assign less_658 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_658 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_659;
-  assign less_659 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_659 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_660;
-  assign less_660 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_660 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_661;
-  assign less_661 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_661 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   logic less_662;
-  assign less_662 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_662 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_663;
-  assign less_663 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_663 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_664;
-  assign less_664 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_664 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_665;
-  assign less_665 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_665 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_666;
-  assign less_666 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_667;
-  assign less_667 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
-  logic less_668;
-  assign less_668 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_666 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   // hls/stages/agreement.hpp:455
-  logic equal_669;
-  assign equal_669 = last_s2_2_q == 7'h0;
-  logic [3:0] select_673;
-  assign select_673 = equal_672_s2_q ? 4'h0 : rows_passed_above_q[3:0];
+  logic equal_667;
+  assign equal_667 = last_s2_2_q == 7'h0;
+  logic [3:0] select_671;
+  assign select_671 = equal_670_s2_q ? 4'h0 : rows_passed_above_q[3:0];
   // hls/stages/agreement.hpp:456
-  logic [4:0] select_674;
-  assign select_674 = equal_669 ? {select_673, 1'b1} : rows_passed_above_q;
-  // hls/stages/census.hpp:287
-  logic [3:0] select_675;
-  assign select_675 = equal_669 ? 4'h0 : census_filled_q;
-  // hls/stages/census.hpp:310
+  logic [4:0] select_672;
+  assign select_672 = equal_667 ? {select_671, 1'b1} : rows_passed_above_q;
+  // hls/stages/census.hpp:290
+  logic [3:0] select_673;
+  assign select_673 = equal_667 ? 4'h0 : census_filled_q;
+  // hls/stages/census.hpp:313
+  logic and_674;
+  assign and_674 = select_672[4] & select_673[3];
+  // hls/stages/census.hpp:300
   logic and_676;
-  assign and_676 = select_674[4] & select_675[3];
-  // hls/stages/census.hpp:297
+  assign and_676 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
   logic and_678;
-  assign and_678 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
-  logic and_680;
-  assign and_680 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_678);
+  assign and_678 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_676);
   // hls/stages/agreement.hpp:456
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_680;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_678;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_q & whole_3;
   logic whole_5;
@@ -3258,224 +3254,224 @@ module horopter_agreement (
   assign whole_21 = census_columns_values_3_cell_3_mask_q & whole_20;
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
-  // hls/stages/census.hpp:281
-  logic [9:0] difference_703;
-  assign difference_703 = {1'b0, select_548} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [8:0] xor_704;
-  assign xor_704 = difference_703[8:0] ^ {9{difference_703[9]}};
-  logic [9:0] sum_705;
-  assign sum_705 = {9'h0, difference_703[9]} + {1'b0, xor_704};
-  logic [9:0] difference_706;
-  assign difference_706 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [8:0] xor_707;
-  assign xor_707 = difference_706[8:0] ^ {9{difference_706[9]}};
-  logic [9:0] sum_708;
-  assign sum_708 = {9'h0, difference_706[9]} + {1'b0, xor_707};
-  logic [9:0] difference_710;
-  assign difference_710 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [8:0] xor_711;
-  assign xor_711 = difference_710[8:0] ^ {9{difference_710[9]}};
-  logic [9:0] sum_712;
-  assign sum_712 = {9'h0, difference_710[9]} + {1'b0, xor_711};
-  logic [10:0] sum_713;
-  assign sum_713 = ({1'b0, sum_705} + {1'b0, sum_708}) + {1'b0, sum_712};
-  logic [9:0] difference_714;
-  assign difference_714 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [8:0] xor_715;
-  assign xor_715 = difference_714[8:0] ^ {9{difference_714[9]}};
-  logic [9:0] sum_716;
-  assign sum_716 = {9'h0, difference_714[9]} + {1'b0, xor_715};
-  logic [9:0] difference_718;
-  assign difference_718 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  logic [8:0] xor_719;
-  assign xor_719 = difference_718[8:0] ^ {9{difference_718[9]}};
+  // hls/stages/census.hpp:284
+  logic [9:0] difference_701;
+  assign difference_701 = {1'b0, select_546} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [8:0] xor_702;
+  assign xor_702 = difference_701[8:0] ^ {9{difference_701[9]}};
+  logic [9:0] sum_703;
+  assign sum_703 = {9'h0, difference_701[9]} + {1'b0, xor_702};
+  logic [9:0] difference_704;
+  assign difference_704 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [8:0] xor_705;
+  assign xor_705 = difference_704[8:0] ^ {9{difference_704[9]}};
+  logic [9:0] sum_706;
+  assign sum_706 = {9'h0, difference_704[9]} + {1'b0, xor_705};
+  logic [9:0] difference_708;
+  assign difference_708 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [8:0] xor_709;
+  assign xor_709 = difference_708[8:0] ^ {9{difference_708[9]}};
+  logic [9:0] sum_710;
+  assign sum_710 = {9'h0, difference_708[9]} + {1'b0, xor_709};
+  logic [10:0] sum_711;
+  assign sum_711 = ({1'b0, sum_703} + {1'b0, sum_706}) + {1'b0, sum_710};
+  logic [9:0] difference_712;
+  assign difference_712 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [8:0] xor_713;
+  assign xor_713 = difference_712[8:0] ^ {9{difference_712[9]}};
+  logic [9:0] sum_714;
+  assign sum_714 = {9'h0, difference_712[9]} + {1'b0, xor_713};
+  logic [9:0] difference_716;
+  assign difference_716 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [8:0] xor_717;
+  assign xor_717 = difference_716[8:0] ^ {9{difference_716[9]}};
   // hls/stages/agreement.hpp:456
-  logic and_727;
-  assign and_727 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
-  logic and_728;
-  assign and_728 = and_676 & and_727;
-  // hls/stages/census.hpp:317
+  logic and_725;
+  assign and_725 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
+  logic and_726;
+  assign and_726 = and_674 & and_725;
+  // hls/stages/census.hpp:320
   logic [9:0] half_grey_levels;
   assign half_grey_levels = {1'b0, census_columns_values_0_cell_2_left_q} - {1'b0, census_columns_values_1_cell_2_left_q};
   // hls/stages/moments.hpp:30
-  logic [6:0] sum_730;
-  assign sum_730 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
-  // hls/stages/census.hpp:317
-  logic and_732;
-  assign and_732 = and_728 & ({{5{sum_730[6]}}, sum_730, half_grey_levels[3:0]} < 16'hffe1);
-  // hls/stages/census.hpp:318
+  logic [6:0] sum_728;
+  assign sum_728 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
+  // hls/stages/census.hpp:320
+  logic and_730;
+  assign and_730 = and_726 & ({{5{sum_728[6]}}, sum_728, half_grey_levels[3:0]} < 16'hffe1);
+  // hls/stages/census.hpp:321
   logic [9:0] half_grey_levels_2;
   assign half_grey_levels_2 = {1'b0, census_columns_values_0_cell_2_right_q} - {1'b0, census_columns_values_1_cell_2_right_q};
   // hls/stages/moments.hpp:30
-  logic [6:0] sum_736;
-  assign sum_736 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
+  logic [6:0] sum_734;
+  assign sum_734 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
   // hls/stages/agreement.hpp:807
-  logic or_752;
-  assign or_752 = shift_first_s2_q | (~shift_not_right_q);
+  logic or_750;
+  assign or_750 = shift_first_s2_q | (~shift_not_right_q);
   // hls/stages/agreement.hpp:808
-  logic select_754;
-  assign select_754 = or_752 ? shift_first_s2_q : (~age_s2_q[0]);
+  logic select_752;
+  assign select_752 = or_750 ? shift_first_s2_q : (~age_s2_q[0]);
   // hls/stages/agreement.hpp:751
+  logic less_1483;
+  assign less_1483 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
+  logic [7:0] select_1484;
+  assign select_1484 = less_1483 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
   logic less_1485;
-  assign less_1485 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
+  assign less_1485 = middle_sum_sum_sums_values_0_q < select_1484;
   logic [7:0] select_1486;
-  assign select_1486 = less_1485 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic less_1487;
-  assign less_1487 = middle_sum_sum_sums_values_0_q < select_1486;
-  logic [7:0] select_1488;
-  assign select_1488 = less_1487 ? select_1486 : middle_sum_sum_sums_values_0_q;
+  assign select_1486 = less_1485 ? select_1484 : middle_sum_sum_sums_values_0_q;
+  logic less_1967;
+  assign less_1967 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
+  logic [7:0] select_1968;
+  assign select_1968 = less_1967 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
   logic less_1969;
-  assign less_1969 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
-  logic [7:0] select_1970;
-  assign select_1970 = less_1969 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
-  logic less_1971;
-  assign less_1971 = select_1488 < select_1970;
+  assign less_1969 = select_1486 < select_1968;
   // hls/stages/agreement.hpp:801
   logic [7:0] of_best;
-  assign of_best = shift_allowed_q ? (less_1971 ? select_1970 : select_1488) : 8'h0;
+  assign of_best = shift_allowed_q ? (less_1969 ? select_1968 : select_1486) : 8'h0;
   // hls/stages/agreement.hpp:808
-  logic or_1975;
-  assign or_1975 = select_754 | (best_left_rdata_s2_q[16:9] < of_best);
+  logic or_1973;
+  assign or_1973 = select_752 | (best_left_rdata_s2_q[16:9] < of_best);
   // hls/stages/agreement.hpp:813
-  logic [5:0] select_1976;
-  assign select_1976 = or_1975 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
+  logic [5:0] select_1974;
+  assign select_1974 = or_1973 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
   // hls/stages/agreement.hpp:752
-  logic or_1978;
-  assign or_1978 = less_1485 | (~less_1487);
-  logic [2:0] select_1979;
-  assign select_1979 = less_1971 ? {less_1969, 2'h0} : {1'b0, or_1978, less_1487};
+  logic or_1976;
+  assign or_1976 = less_1483 | (~less_1485);
+  logic [2:0] select_1977;
+  assign select_1977 = less_1969 ? {less_1967, 2'h0} : {1'b0, or_1976, less_1485};
   // hls/stages/agreement.hpp:813
-  logic [2:0] select_1980;
-  assign select_1980 = or_1975 ? select_1979 : best_left_rdata_s2_q[8:6];
-  logic [7:0] select_1981;
-  assign select_1981 = or_1975 ? of_best : best_left_rdata_s2_q[16:9];
+  logic [2:0] select_1978;
+  assign select_1978 = or_1973 ? select_1977 : best_left_rdata_s2_q[8:6];
+  logic [7:0] select_1979;
+  assign select_1979 = or_1973 ? of_best : best_left_rdata_s2_q[16:9];
   // hls/stages/agreement.hpp:810
-  logic equal_1982;
-  assign equal_1982 = select_1979 == 3'h1;
-  logic or_1985;
-  assign or_1985 = equal_1982 | (~(select_1979 == 3'h2));
+  logic equal_1980;
+  assign equal_1980 = select_1977 == 3'h1;
+  logic or_1983;
+  assign or_1983 = equal_1980 | (~(select_1977 == 3'h2));
+  logic [7:0] select_1985;
+  assign select_1985 = or_1983 ? middle_sum_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic [7:0] select_1986;
+  assign select_1986 = equal_1980 ? (or_1983 ? sums_2_sum_sums_values_0_q : {7'h0, shift_not_right_q}) : select_1985;
+  // hls/stages/agreement.hpp:813
   logic [7:0] select_1987;
-  assign select_1987 = or_1985 ? middle_sum_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic [7:0] select_1988;
-  assign select_1988 = equal_1982 ? (or_1985 ? sums_2_sum_sums_values_0_q : {7'h0, shift_not_right_q}) : select_1987;
-  // hls/stages/agreement.hpp:813
-  logic [7:0] select_1989;
-  assign select_1989 = or_1975 ? select_1988 : best_left_rdata_s2_q[24:17];
+  assign select_1987 = or_1973 ? select_1986 : best_left_rdata_s2_q[24:17];
   // hls/stages/agreement.hpp:810
-  logic [7:0] select_1990;
-  assign select_1990 = or_1985 ? sums_3_sum_sums_values_0_q : sums_1_sum_sums_values_0_q;
+  logic [7:0] select_1988;
+  assign select_1988 = or_1983 ? sums_3_sum_sums_values_0_q : sums_1_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:813
-  logic [7:0] select_1992;
-  assign select_1992 = or_1975 ? (equal_1982 ? select_1987 : select_1990) : best_left_rdata_s2_q[32:25];
+  logic [7:0] select_1990;
+  assign select_1990 = or_1973 ? (equal_1980 ? select_1985 : select_1988) : best_left_rdata_s2_q[32:25];
   // hls/stages/agreement.hpp:779
   logic [5:0] before_v;
   assign before_v = age_s2_q[0] ? middle_sum_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1994;
-  assign sum_1994 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
-  logic [6:0] sum_1995;
-  assign sum_1995 = {1'b0, before_v} + sum_1994;
+  logic [6:0] sum_1992;
+  assign sum_1992 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
+  logic [6:0] sum_1993;
+  assign sum_1993 = {1'b0, before_v} + sum_1992;
   // hls/stages/agreement.hpp:779
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[0] ? sums_0_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1997;
-  assign sum_1997 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
-  logic [6:0] sum_1998;
-  assign sum_1998 = {1'b0, before_v_2} + sum_1997;
+  logic [6:0] sum_1995;
+  assign sum_1995 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
+  logic [6:0] sum_1996;
+  assign sum_1996 = {1'b0, before_v_2} + sum_1995;
   // hls/stages/agreement.hpp:779
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[0] ? sums_1_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:780
-  logic [6:0] sum_2000;
-  assign sum_2000 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
-  logic [6:0] sum_2001;
-  assign sum_2001 = {1'b0, before_v_3} + sum_2000;
+  logic [6:0] sum_1998;
+  assign sum_1998 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
+  logic [6:0] sum_1999;
+  assign sum_1999 = {1'b0, before_v_3} + sum_1998;
   // hls/stages/agreement.hpp:751
+  logic [6:0] select_2001;
+  assign select_2001 = (sum_1996 < sum_1999) ? sum_1999 : sum_1996;
   logic [6:0] select_2003;
-  assign select_2003 = (sum_1998 < sum_2001) ? sum_2001 : sum_1998;
-  logic [6:0] select_2005;
-  assign select_2005 = (sum_1995 < select_2003) ? select_2003 : sum_1995;
+  assign select_2003 = (sum_1993 < select_2001) ? select_2001 : sum_1993;
   // hls/stages/agreement.hpp:779
   logic [5:0] before_v_4;
   assign before_v_4 = age_s2_q[0] ? sums_2_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:780
-  logic [6:0] sum_2007;
-  assign sum_2007 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
-  logic [6:0] sum_2008;
-  assign sum_2008 = {1'b0, before_v_4} + sum_2007;
+  logic [6:0] sum_2005;
+  assign sum_2005 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
+  logic [6:0] sum_2006;
+  assign sum_2006 = {1'b0, before_v_4} + sum_2005;
   // hls/stages/agreement.hpp:779
   logic [5:0] before_v_5;
   assign before_v_5 = age_s2_q[0] ? sums_3_columns_values_4_q : 6'h0;
   // hls/stages/agreement.hpp:780
-  logic [6:0] sum_2010;
-  assign sum_2010 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
-  logic [6:0] sum_2011;
-  assign sum_2011 = {1'b0, before_v_5} + sum_2010;
+  logic [6:0] sum_2008;
+  assign sum_2008 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
+  logic [6:0] sum_2009;
+  assign sum_2009 = {1'b0, before_v_5} + sum_2008;
   // hls/stages/agreement.hpp:751
-  logic [6:0] select_2013;
-  assign select_2013 = (sum_2008 < sum_2011) ? sum_2011 : sum_2008;
+  logic [6:0] select_2011;
+  assign select_2011 = (sum_2006 < sum_2009) ? sum_2009 : sum_2006;
   // hls/stages/agreement.hpp:802
   logic [6:0] of_near;
-  assign of_near = shift_allowed_q ? ((select_2005 < select_2013) ? select_2013 : select_2005) : 7'h0;
+  assign of_near = shift_allowed_q ? ((select_2003 < select_2011) ? select_2011 : select_2003) : 7'h0;
   // hls/stages/agreement.hpp:813
-  logic less_2017;
-  assign less_2017 = best_left_rdata_s2_q[39:33] < of_near;
+  logic less_2015;
+  assign less_2015 = best_left_rdata_s2_q[39:33] < of_near;
   // hls/stages/agreement.hpp:817
-  logic [6:0] select_2019;
-  assign select_2019 = select_754 ? of_near : (less_2017 ? of_near : best_left_rdata_s2_q[39:33]);
-  logic [5:0] select_2021;
-  assign select_2021 = select_754 ? run_shift_s2_q : (less_2017 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
-  logic [7:0] select_2024;
-  assign select_2024 = (run_shift_s2_q == 6'h3f) ? of_best : (select_754 ? 8'h0 : best_left_rdata_s2_q[53:46]);
+  logic [6:0] select_2017;
+  assign select_2017 = select_752 ? of_near : (less_2015 ? of_near : best_left_rdata_s2_q[39:33]);
+  logic [5:0] select_2019;
+  assign select_2019 = select_752 ? run_shift_s2_q : (less_2015 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
+  logic [7:0] select_2022;
+  assign select_2022 = (run_shift_s2_q == 6'h3f) ? of_best : (select_752 ? 8'h0 : best_left_rdata_s2_q[53:46]);
   // hls/stages/agreement.hpp:818
-  logic [7:0] select_2027;
-  assign select_2027 = (run_shift_s2_q == 6'h1) ? of_best : (select_754 ? 8'h0 : best_left_rdata_s2_q[61:54]);
+  logic [7:0] select_2025;
+  assign select_2025 = (run_shift_s2_q == 6'h1) ? of_best : (select_752 ? 8'h0 : best_left_rdata_s2_q[61:54]);
   // hls/stages/agreement.hpp:823
-  logic select_2030;
-  assign select_2030 = or_752 ? shift_first_s2_q : equal_2029_s2_q;
+  logic select_2028;
+  assign select_2028 = or_750 ? shift_first_s2_q : equal_2027_s2_q;
   // hls/stages/agreement.hpp:824
-  logic or_2032;
-  assign or_2032 = select_2030 | (best_right_rdata_q[7:0] < of_best);
+  logic or_2030;
+  assign or_2030 = select_2028 | (best_right_rdata_q[7:0] < of_best);
   // hls/stages/agreement.hpp:828
-  logic [7:0] select_2033;
-  assign select_2033 = or_2032 ? of_best : best_right_rdata_q[7:0];
-  logic [6:0] select_2034;
-  assign select_2034 = or_2032 ? x_s2_2_q : best_right_rdata_q[14:8];
-  logic or_2036;
-  assign or_2036 = select_2030 | (best_right_rdata_q[21:15] < of_near);
+  logic [7:0] select_2031;
+  assign select_2031 = or_2030 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_2032;
+  assign select_2032 = or_2030 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_2034;
+  assign or_2034 = select_2028 | (best_right_rdata_q[21:15] < of_near);
   // hls/stages/agreement.hpp:832
-  logic [6:0] select_2037;
-  assign select_2037 = or_2036 ? of_near : best_right_rdata_q[21:15];
-  logic [6:0] select_2038;
-  assign select_2038 = or_2036 ? x_s2_2_q : best_right_rdata_q[28:22];
+  logic [6:0] select_2035;
+  assign select_2035 = or_2034 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_2036;
+  assign select_2036 = or_2034 ? x_s2_2_q : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:149
-  logic and_2052;
-  assign and_2052 = or_572_s2_q & (not_576_s2_q & (and_627 & or_2049_s2_q));
+  logic and_2050;
+  assign and_2050 = or_570_s2_q & (not_574_s2_q & (and_625 & or_2047_s2_q));
   // hls/stages/agreement.hpp:788
-  logic and_2053;
-  assign and_2053 = not_570_s2_q & and_2052;
-  logic and_2056;
-  assign and_2056 = not_568_s2_q & (so_s2_q ? and_2039_s2_q : (equal_571_s2_q & and_629));
+  logic and_2051;
+  assign and_2051 = not_568_s2_q & and_2050;
+  logic and_2054;
+  assign and_2054 = not_566_s2_q & (so_s2_q ? and_2037_s2_q : (equal_569_s2_q & and_627));
   // hls/stages/moments.hpp:73
-  logic and_2060;
-  assign and_2060 = moments_has_before_q & moments_memory_rdata_q[0];
+  logic and_2058;
+  assign and_2058 = moments_has_before_q & moments_memory_rdata_q[0];
   // hls/stages/agreement.hpp:1003
-  logic and_2061;
-  assign and_2061 = not_580_s2_q & and_2060;
-  logic and_2064;
-  assign and_2064 = not_580_s2_q & (and_2060 & (moments_memory_rdata_q[1] ^ and_632_s2_q));
+  logic and_2059;
+  assign and_2059 = not_578_s2_q & and_2058;
+  logic and_2062;
+  assign and_2062 = not_578_s2_q & (and_2058 & (moments_memory_rdata_q[1] ^ and_630_s2_q));
   // hls/stages/moments.hpp:73
-  logic and_2069;
-  assign and_2069 = moments_has_before_q & moments_memory_rdata_q[2];
+  logic and_2067;
+  assign and_2067 = moments_has_before_q & moments_memory_rdata_q[2];
   // hls/stages/agreement.hpp:1003
-  logic and_2070;
-  assign and_2070 = not_580_s2_q & and_2069;
-  logic and_2073;
-  assign and_2073 = not_580_s2_q & (and_2069 & (moments_memory_rdata_q[3] ^ and_639_s2_q));
+  logic and_2068;
+  assign and_2068 = not_578_s2_q & and_2067;
+  logic and_2071;
+  assign and_2071 = not_578_s2_q & (and_2067 & (moments_memory_rdata_q[3] ^ and_637_s2_q));
   // hls/stages/agreement.hpp:1128
-  logic equal_2074;
-  assign equal_2074 = x_s2_q[6:4] == 3'h7;
+  logic equal_2072;
+  assign equal_2072 = x_s2_q[6:4] == 3'h7;
   // hls/stages/agreement.hpp:1178
   logic [1:0] quarter;
   assign quarter = x_s2_q[1:0] + 2'h1;
@@ -3483,621 +3479,621 @@ module horopter_agreement (
   logic all;
   assign all = x_s2_q[5:3] == 3'h4;
   // hls/stages/agreement.hpp:1129
-  logic [1:0] select_2077;
-  assign select_2077 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
+  logic [1:0] select_2075;
+  assign select_2075 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
   // hls/stages/agreement.hpp:1142
-  logic [3:0] select_2079;
-  assign select_2079 = equal_2074 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_2077});
+  logic [3:0] select_2077;
+  assign select_2077 = equal_2072 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_2075});
   // hls/stages/registration.hpp:107
-  logic [1:0] sum_2080;
-  assign sum_2080 = slot_s2_q[1:0] + 2'h3;
+  logic [1:0] sum_2078;
+  assign sum_2078 = slot_s2_q[1:0] + 2'h3;
   // hls/stages/agreement.hpp:788
-  logic [3:0] select_2081;
-  assign select_2081 = equal_567_s2_q ? select_2079 : {sum_2080, lower_half_s2_q, registration_of_right_q};
+  logic [3:0] select_2079;
+  assign select_2079 = equal_565_s2_q ? select_2077 : {sum_2078, lower_half_s2_q, registration_of_right_q};
   // hls/stages/patches.hpp:211
+  logic equal_2080;
+  assign equal_2080 = x_s2_q[5:0] == 6'h3f;
   logic equal_2082;
-  assign equal_2082 = x_s2_q[5:0] == 6'h3f;
+  assign equal_2082 = x_s2_q[5:0] == 6'h3e;
   logic equal_2084;
-  assign equal_2084 = x_s2_q[5:0] == 6'h3e;
+  assign equal_2084 = x_s2_q[5:0] == 6'h3d;
   logic equal_2086;
-  assign equal_2086 = x_s2_q[5:0] == 6'h3d;
+  assign equal_2086 = x_s2_q[5:0] == 6'h3c;
   logic equal_2088;
-  assign equal_2088 = x_s2_q[5:0] == 6'h3c;
+  assign equal_2088 = x_s2_q[5:0] == 6'h3b;
   logic equal_2090;
-  assign equal_2090 = x_s2_q[5:0] == 6'h3b;
+  assign equal_2090 = x_s2_q[5:0] == 6'h36;
   logic equal_2092;
-  assign equal_2092 = x_s2_q[5:0] == 6'h36;
+  assign equal_2092 = x_s2_q[5:0] == 6'h35;
   logic equal_2094;
-  assign equal_2094 = x_s2_q[5:0] == 6'h35;
-  logic equal_2096;
-  assign equal_2096 = x_s2_q[5:0] == 6'h34;
+  assign equal_2094 = x_s2_q[5:0] == 6'h34;
   // hls/stages/agreement.hpp:1178
-  logic and_2100;
-  assign and_2100 = (~equal_2090) & ((~equal_2092) & ((~equal_2094) & (~equal_2096)));
-  logic and_2104;
-  assign and_2104 = (~equal_2082) & ((~equal_2084) & ((~equal_2086) & ((~equal_2088) & and_2100)));
+  logic and_2098;
+  assign and_2098 = (~equal_2088) & ((~equal_2090) & ((~equal_2092) & (~equal_2094)));
+  logic and_2102;
+  assign and_2102 = (~equal_2080) & ((~equal_2082) & ((~equal_2084) & ((~equal_2086) & and_2098)));
   // hls/stages/agreement.hpp:1129
-  logic less_2105;
-  assign less_2105 = x_s2_q[5:0] < 6'h29;
+  logic less_2103;
+  assign less_2103 = x_s2_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
   logic [1:0] kind;
   assign kind = all ? {1'b0, x_s2_q[2]} : x_s2_q[2:1];
   // hls/stages/registration.hpp:160
-  logic or_2109;
-  assign or_2109 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
+  logic or_2107;
+  assign or_2107 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
   // hls/stages/agreement.hpp:1009
-  logic [5:0] sum_2114;
-  assign sum_2114 = {1'b0, last_s2_q[6:2]} + 6'h1;
+  logic [5:0] sum_2112;
+  assign sum_2112 = {1'b0, last_s2_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:262
   logic right_2;
-  assign right_2 = inside_v_s2_q & ({1'b0, sum_2114, last_s2_q[1]} < x_s2_q);
+  assign right_2 = inside_v_s2_q & ({1'b0, sum_2112, last_s2_q[1]} < x_s2_q);
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = inside_v_s2_q ? (right_2 & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:107
-  logic [4:0] sum_2120;
-  assign sum_2120 = {2'h0, slot_s2_q} + 5'h1f;
-  logic and_2122;
-  assign and_2122 = half_ends & ({{3{sum_2120[4]}}, sum_2120} < 8'h3);
+  logic [4:0] sum_2118;
+  assign sum_2118 = {2'h0, slot_s2_q} + 5'h1f;
+  logic and_2120;
+  assign and_2120 = half_ends & ({{3{sum_2118[4]}}, sum_2118} < 8'h3);
   // hls/stages/agreement.hpp:788
-  logic and_2123;
-  assign and_2123 = so_s2_q & and_2122;
-  logic select_2124;
-  assign select_2124 = equal_567_s2_q ? (x_s2_q[6] & (equal_2074 ? and_2104 : (less_2105 & (~or_2109)))) : and_2123;
+  logic and_2121;
+  assign and_2121 = so_s2_q & and_2120;
+  logic select_2122;
+  assign select_2122 = equal_565_s2_q ? (x_s2_q[6] & (equal_2072 ? and_2102 : (less_2103 & (~or_2107)))) : and_2121;
   // hls/stages/registration.hpp:258
-  logic not_2126;
-  assign not_2126 = ~lower_half_s2_q;
-  logic [3:0] select_2127;
-  assign select_2127 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_2126, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_2126};
+  logic not_2124;
+  assign not_2124 = ~lower_half_s2_q;
+  logic [3:0] select_2125;
+  assign select_2125 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_2124, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_2124};
   // hls/stages/patches.hpp:374
-  logic [1:0] select_2156;
-  assign select_2156 = and_2155_s2_q ? 2'h1 : patches_fetch_q;
-  logic [4:0] select_2157;
-  assign select_2157 = and_2155_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
+  logic [1:0] select_2151;
+  assign select_2151 = and_2150_s2_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_2152;
+  assign select_2152 = and_2150_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
   // hls/stages/agreement.hpp:276
-  logic [5:0] select_2158;
-  assign select_2158 = and_2142_s2_q ? {select_2157, select_2156[1]} : {patches_band_q, patches_fetch_q[1]};
+  logic [5:0] select_2153;
+  assign select_2153 = row_starts_s2_q ? {select_2152, select_2151[1]} : {patches_band_q, patches_fetch_q[1]};
   // hls/stages/patches.hpp:126
-  logic [1:0] select_2159;
-  assign select_2159 = and_2142_s2_q ? select_2156 : patches_fetch_q;
-  logic equal_2160;
-  assign equal_2160 = select_2159 == 2'h0;
+  logic [1:0] select_2154;
+  assign select_2154 = row_starts_s2_q ? select_2151 : patches_fetch_q;
+  logic equal_2155;
+  assign equal_2155 = select_2154 == 2'h0;
   // hls/stages/patches.hpp:103
   logic right_3;
   assign right_3 = {2'h0, last_s2_q[6:1]} < x_s2_q;
   // hls/stages/agreement.hpp:788
-  logic and_2168;
-  assign and_2168 = not_568_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
+  logic and_2163;
+  assign and_2163 = not_566_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
   // hls/stages/registration.hpp:83
-  logic equal_2170;
-  assign equal_2170 = slot_s2_q == 3'h7;
+  logic equal_2165;
+  assign equal_2165 = slot_s2_q == 3'h7;
   // hls/stages/agreement.hpp:149
   logic [5:0] b;
-  assign b = or_572_s2_q ? (less_575_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
+  assign b = or_570_s2_q ? (less_573_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
   // hls/stages/registration.hpp:89
   logic [7:0] a;
-  assign a = equal_2170 ? registration_slope_here_q : change_s2_q;
+  assign a = equal_2165 ? registration_slope_here_q : change_s2_q;
   // hls/stages/registration.hpp:211
-  logic [6:0] select_2178;
-  assign select_2178 = b[0] ? a[7:1] : 7'h0;
-  logic [7:0] select_2179;
-  assign select_2179 = b[1] ? a : 8'h0;
-  logic [8:0] sum_2180;
-  assign sum_2180 = {{2{select_2178[6]}}, select_2178} + {select_2179[7], select_2179};
+  logic [6:0] select_2173;
+  assign select_2173 = b[0] ? a[7:1] : 7'h0;
+  logic [7:0] select_2174;
+  assign select_2174 = b[1] ? a : 8'h0;
+  logic [8:0] sum_2175;
+  assign sum_2175 = {{2{select_2173[6]}}, select_2173} + {select_2174[7], select_2174};
   // hls/stages/registration.hpp:212
-  logic [7:0] select_2181;
-  assign select_2181 = b[2] ? a : 8'h0;
-  logic [7:0] select_2182;
-  assign select_2182 = b[3] ? a : 8'h0;
-  logic [8:0] sum_2183;
-  assign sum_2183 = {{2{select_2181[7]}}, select_2181[7:1]} + {select_2182[7], select_2182};
+  logic [7:0] select_2176;
+  assign select_2176 = b[2] ? a : 8'h0;
+  logic [7:0] select_2177;
+  assign select_2177 = b[3] ? a : 8'h0;
+  logic [8:0] sum_2178;
+  assign sum_2178 = {{2{select_2176[7]}}, select_2176[7:1]} + {select_2177[7], select_2177};
   // hls/stages/registration.hpp:214
-  logic [10:0] sum_2184;
-  assign sum_2184 = {{3{sum_2180[8]}}, sum_2180[8:1]} + {sum_2183[8], sum_2183, select_2181[0]};
+  logic [10:0] sum_2179;
+  assign sum_2179 = {{3{sum_2175[8]}}, sum_2175[8:1]} + {sum_2178[8], sum_2178, select_2176[0]};
   // hls/stages/registration.hpp:213
-  logic [7:0] select_2185;
-  assign select_2185 = b[4] ? a : 8'h0;
-  logic [7:0] select_2186;
-  assign select_2186 = b[5] ? a : 8'h0;
-  logic [8:0] difference_2187;
-  assign difference_2187 = {{2{select_2185[7]}}, select_2185[7:1]} - {select_2186[7], select_2186};
+  logic [7:0] select_2180;
+  assign select_2180 = b[4] ? a : 8'h0;
+  logic [7:0] select_2181;
+  assign select_2181 = b[5] ? a : 8'h0;
+  logic [8:0] difference_2182;
+  assign difference_2182 = {{2{select_2180[7]}}, select_2180[7:1]} - {select_2181[7], select_2181};
   // hls/stages/registration.hpp:214
-  logic [9:0] sum_2188;
-  assign sum_2188 = {difference_2187, select_2185[0]} + {sum_2184[10], sum_2184[10:2]};
+  logic [9:0] sum_2183;
+  assign sum_2183 = {difference_2182, select_2180[0]} + {sum_2179[10], sum_2179[10:2]};
   // hls/stages/registration.hpp:107
   logic [10:0] expected;
-  assign expected = equal_2170 ? {sum_2188, sum_2184[1]} : registration_expected_q;
+  assign expected = equal_2165 ? {sum_2183, sum_2179[1]} : registration_expected_q;
   // hls/stages/patches.hpp:98
-  logic [9:0] sum_2190;
-  assign sum_2190 = {expected[10], expected[10:2]} + 10'h5;
+  logic [9:0] sum_2185;
+  assign sum_2185 = {expected[10], expected[10:2]} + 10'h5;
   // hls/stages/agreement.hpp:262
-  logic and_2193;
-  assign and_2193 = less_2169_s2_q & (and_629 & ({{4{sum_2190[9]}}, sum_2190, expected[1:0]} < 16'h29));
+  logic and_2188;
+  assign and_2188 = less_2164_s2_q & (and_627 & ({{4{sum_2185[9]}}, sum_2185, expected[1:0]} < 16'h29));
   // hls/stages/patches.hpp:104
-  logic and_2197;
-  assign and_2197 = ({3'h0, last_s2_q[6:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
+  logic and_2192;
+  assign and_2192 = ({3'h0, last_s2_q[6:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
   // hls/stages/patches.hpp:102
-  logic [9:0] sum_2203;
-  assign sum_2203 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
+  logic [9:0] sum_2198;
+  assign sum_2198 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
   // hls/stages/patches.hpp:106
-  logic [9:0] sum_2205;
-  assign sum_2205 = {sum_2203[9], sum_2203[9:1]} + 10'h1;
+  logic [9:0] sum_2200;
+  assign sum_2200 = {sum_2198[9], sum_2198[9:1]} + 10'h1;
   // hls/stages/agreement.hpp:1018
+  logic and_2203;
+  assign and_2203 = ($signed(9'h0) < $signed(sum_2198[9:1])) & (~($signed({4'h0, last_s2_q}) < $signed({sum_2200, sum_2198[0]})));
+  logic and_2204;
+  assign and_2204 = (~(and_2192 | (equal_560_s2_q | (~(x_s2_q < {1'b0, last_s2_q}))))) & and_2203;
+  // hls/stages/agreement.hpp:788
   logic and_2208;
-  assign and_2208 = ($signed(9'h0) < $signed(sum_2203[9:1])) & (~($signed({4'h0, last_s2_q}) < $signed({sum_2205, sum_2203[0]})));
+  assign and_2208 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2188 & and_2204)));
   logic and_2209;
-  assign and_2209 = (~(and_2197 | (equal_562_s2_q | (~(x_s2_q < {1'b0, last_s2_q}))))) & and_2208;
-  // hls/stages/agreement.hpp:788
-  logic and_2213;
-  assign and_2213 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2193 & and_2209)));
-  logic and_2214;
-  assign and_2214 = not_568_s2_q & and_2213;
+  assign and_2209 = not_566_s2_q & and_2208;
   // hls/stages/patches.hpp:157
-  logic and_2216;
-  assign and_2216 = and_2214 & (~patches_fixed_q);
+  logic and_2211;
+  assign and_2211 = and_2209 & (~patches_fixed_q);
   // hls/stages/patches.hpp:345
-  logic select_2217;
-  assign select_2217 = and_2216 ? and_2214 : patches_choice_valid_q;
+  logic select_2212;
+  assign select_2212 = and_2211 ? and_2209 : patches_choice_valid_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_2220;
-  assign select_2220 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_2215;
+  assign select_2215 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:345
-  logic [7:0] select_2222;
-  assign select_2222 = and_2216 ? (equal_567_s2_q ? 8'h0 : select_2220) : patches_choice_column_q;
+  logic [7:0] select_2217;
+  assign select_2217 = and_2211 ? (equal_565_s2_q ? 8'h0 : select_2215) : patches_choice_column_q;
   // hls/stages/agreement.hpp:788
-  logic [5:0] select_2225;
-  assign select_2225 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
+  logic [5:0] select_2220;
+  assign select_2220 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
   // hls/stages/patches.hpp:345
-  logic [5:0] select_2227;
-  assign select_2227 = and_2216 ? (equal_567_s2_q ? 6'h0 : select_2225) : patches_choice_shift_q;
+  logic [5:0] select_2222;
+  assign select_2222 = and_2211 ? (equal_565_s2_q ? 6'h0 : select_2220) : patches_choice_shift_q;
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_2228;
-  assign sum_2228 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_2188[9]}}, sum_2188[9:2]};
+  logic [12:0] sum_2223;
+  assign sum_2223 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_2183[9]}}, sum_2183[9:2]};
   // hls/stages/registration.hpp:218
-  logic [7:0] select_2231;
-  assign select_2231 = ($signed(sum_2228[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2228[7:0];
+  logic [7:0] select_2226;
+  assign select_2226 = ($signed(sum_2223[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2223[7:0];
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
-  assign slope = equal_2170 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2228[12:7])) ? 8'h7f : select_2231);
+  assign slope = equal_2165 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2223[12:7])) ? 8'h7f : select_2226);
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_2236;
-  assign select_2236 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_2231;
+  assign select_2231 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:345
-  logic [7:0] select_2238;
-  assign select_2238 = and_2216 ? (equal_567_s2_q ? 8'h0 : select_2236) : patches_choice_slope_q;
+  logic [7:0] select_2233;
+  assign select_2233 = and_2211 ? (equal_565_s2_q ? 8'h0 : select_2231) : patches_choice_slope_q;
   // hls/stages/patches.hpp:113
-  logic equal_2239;
-  assign equal_2239 = x_s2_q == {1'b0, last_s2_q};
+  logic equal_2234;
+  assign equal_2234 = x_s2_q == {1'b0, last_s2_q};
   // hls/stages/agreement.hpp:788
-  logic and_2243;
-  assign and_2243 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2197 | equal_2239)));
-  logic and_2244;
-  assign and_2244 = not_568_s2_q & and_2243;
+  logic and_2238;
+  assign and_2238 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2192 | equal_2234)));
+  logic and_2239;
+  assign and_2239 = not_566_s2_q & and_2238;
   // hls/stages/patches.hpp:345
-  logic and_2245;
-  assign and_2245 = patches_chooses_s2_q & and_2244;
+  logic and_2240;
+  assign and_2240 = patches_chooses_s2_q & and_2239;
   // hls/stages/patches.hpp:126
-  logic [4:0] select_2259;
-  assign select_2259 = and_2142_s2_q ? select_2157 : patches_band_q;
+  logic [4:0] select_2254;
+  assign select_2254 = row_starts_s2_q ? select_2152 : patches_band_q;
   // hls/stages/patches.hpp:354
-  logic equal_2260;
-  assign equal_2260 = {patches_choosing_band_s2_q, and_2168} == {select_2259, select_2159[1]};
+  logic equal_2255;
+  assign equal_2255 = {patches_choosing_band_s2_q, and_2163} == {select_2254, select_2154[1]};
   // hls/stages/patches.hpp:487
-  logic [2:0] sum_2359;
-  assign sum_2359 = patches_code_row_s2_q[4:2] + 3'h7;
+  logic [2:0] sum_2354;
+  assign sum_2354 = patches_code_row_s2_q[4:2] + 3'h7;
   // hls/stages/patches.hpp:454
-  logic and_2375;
-  assign and_2375 = not_2368_s2_q & or_2374_s2_q;
+  logic and_2370;
+  assign and_2370 = not_2363_s2_q & or_2369_s2_q;
   // hls/stages/patches.hpp:491
-  logic [1:0] sum_2415;
-  assign sum_2415 = patches_code_row_s2_q[3:2] + 2'h3;
+  logic [1:0] sum_2410;
+  assign sum_2410 = patches_code_row_s2_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:205
-  logic [7:0] select_2445;
-  assign select_2445 = so_s2_q ? region_columns_q : 8'h1;
+  logic [7:0] select_2440;
+  assign select_2440 = so_s2_q ? region_columns_q : 8'h1;
   // hls/stages/agreement.hpp:1050
-  logic or_2448;
-  assign or_2448 = select_2445[7] | (~({select_2445[5], select_2445[3], select_2445[1]} == 3'h0));
+  logic or_2443;
+  assign or_2443 = select_2440[7] | (~({select_2440[5], select_2440[3], select_2440[1]} == 3'h0));
   // hls/stages/agreement.hpp:1049
-  logic or_2451;
-  assign or_2451 = select_2445[7] | (~({select_2445[6], select_2445[3:2]} == 3'h0));
+  logic or_2446;
+  assign or_2446 = select_2440[7] | (~({select_2440[6], select_2440[3:2]} == 3'h0));
   // hls/stages/agreement.hpp:1048
-  logic or_2454;
-  assign or_2454 = select_2445[7] | (~(select_2445[6:4] == 3'h0));
+  logic or_2449;
+  assign or_2449 = select_2440[7] | (~(select_2440[6:4] == 3'h0));
   // hls/stages/agreement.hpp:788
-  logic [5:0] select_2455;
-  assign select_2455 = equal_567_s2_q ? x_s2_q[5:0] : {region_row_q, or_2454, or_2451, or_2448};
+  logic [5:0] select_2450;
+  assign select_2450 = equal_565_s2_q ? x_s2_q[5:0] : {region_row_q, or_2449, or_2446, or_2443};
   // hls/stages/agreement.hpp:1128
-  logic not_2456;
-  assign not_2456 = ~equal_2074;
+  logic not_2451;
+  assign not_2451 = ~equal_2072;
   // hls/stages/agreement.hpp:1058
-  logic or_2460;
-  assign or_2460 = (~sum_2458_s2_q) | equal_2239;
+  logic or_2455;
+  assign or_2455 = (~sum_2453_s2_q) | equal_2234;
   // hls/stages/agreement.hpp:788
-  logic and_2463;
-  assign and_2463 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_2460));
+  logic and_2458;
+  assign and_2458 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_2455));
   // hls/stages/agreement.hpp:262
   logic textured;
-  assign textured = inside_v_s2_q & (or_572_s2_q & (not_576_s2_q & and_601_s2_q));
+  assign textured = inside_v_s2_q & (or_570_s2_q & (not_574_s2_q & and_599_s2_q));
   logic explained;
-  assign explained = inside_v_s2_q & and_629;
+  assign explained = inside_v_s2_q & and_627;
   // hls/stages/agreement.hpp:149
-  logic and_2481;
-  assign and_2481 = or_572_s2_q & (not_576_s2_q & and_2479_s2_q);
+  logic and_2476;
+  assign and_2476 = or_570_s2_q & (not_574_s2_q & and_2474_s2_q);
   // hls/stages/agreement.hpp:262
-  logic and_2490;
-  assign and_2490 = inside_v_s2_q & and_2481;
+  logic and_2485;
+  assign and_2485 = inside_v_s2_q & and_2476;
   // hls/stages/agreement.hpp:1014
-  logic select_2491;
-  assign select_2491 = slot_s2_q[2] ? shown_shown_q : and_629;
+  logic select_2486;
+  assign select_2486 = slot_s2_q[2] ? shown_shown_q : and_627;
   // hls/stages/agreement.hpp:262
   logic shown;
-  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2491);
+  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2486);
   // hls/stages/agreement.hpp:1014
-  logic select_2494;
-  assign select_2494 = slot_s2_q[2] ? shown_nearer_q : and_2052;
+  logic select_2489;
+  assign select_2489 = slot_s2_q[2] ? shown_nearer_q : and_2050;
   // hls/stages/agreement.hpp:262
   logic near;
-  assign near = inside_v_s2_q & (select_2491 ? select_2494 : shown_right_rdata_q[1]);
+  assign near = inside_v_s2_q & (select_2486 ? select_2489 : shown_right_rdata_q[1]);
   // hls/stages/agreement.hpp:1275
-  logic or_2497;
-  assign or_2497 = marks_first_s2_q | line_ended_q;
+  logic or_2492;
+  assign or_2492 = marks_first_s2_q | line_ended_q;
   // hls/stages/agreement.hpp:1277
-  logic [16:0] select_2499;
-  assign select_2499 = marks_first_s2_q ? 17'h1 : (or_2497 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
+  logic [16:0] select_2494;
+  assign select_2494 = marks_first_s2_q ? 17'h1 : (or_2492 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
   // hls/stages/agreement.hpp:1276
-  logic [8:0] select_2501;
-  assign select_2501 = or_2497 ? 9'h0 : columns_passed_q;
+  logic [8:0] select_2496;
+  assign select_2496 = or_2492 ? 9'h0 : columns_passed_q;
   // hls/stages/agreement.hpp:1284
-  logic select_2503;
-  assign select_2503 = cfg_compete_i ? (or_2497 & select_2499[16]) : (select_2501[8] & select_2499[9]);
+  logic select_2498;
+  assign select_2498 = cfg_compete_i ? (or_2492 & select_2494[16]) : (select_2496[8] & select_2494[9]);
   // hls/stages/agreement.hpp:436
   logic next_row;
-  assign next_row = select_2503 & (began_q & at_cell_end_q);
+  assign next_row = select_2498 & (began_q & at_cell_end_q);
   // hls/stages/agreement.hpp:1291
-  logic [6:0] select_2506;
-  assign select_2506 = next_row ? cfg_width_i[9:3] : 7'h0;
-  logic [12:0] select_2508;
-  assign select_2508 = marks_first_s2_q ? 13'h0 : (seen_base_q + {6'h0, select_2506});
+  logic [6:0] select_2501;
+  assign select_2501 = next_row ? cfg_width_i[9:3] : 7'h0;
+  logic [12:0] select_2503;
+  assign select_2503 = marks_first_s2_q ? 13'h0 : (seen_base_q + {6'h0, select_2501});
   // hls/stages/agreement.hpp:1301
-  logic equal_2509;
-  assign equal_2509 = seen_x_q == 3'h7;
-  logic [7:0] select_2511;
-  assign select_2511 = select_2503 ? 8'h0 : (seen_column_q + {7'h0, equal_2509});
+  logic equal_2504;
+  assign equal_2504 = seen_x_q == 3'h7;
+  logic [7:0] select_2506;
+  assign select_2506 = select_2498 ? 8'h0 : (seen_column_q + {7'h0, equal_2504});
   // hls/stages/agreement.hpp:1308
   logic [12:0] index;
-  assign index = select_2508 + {5'h0, select_2511};
+  assign index = select_2503 + {5'h0, select_2506};
   // hls/stages/agreement.hpp:1275
-  logic select_2514;
-  assign select_2514 = marks_first_s2_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  logic select_2509;
+  assign select_2509 = marks_first_s2_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
   // hls/stages/agreement.hpp:1261
-  logic [7:0] sum_2515;
-  assign sum_2515 = {1'b0, select_2514, 2'h0, select_2514, 1'b0, {2{select_2514}}} + {1'b0, index[12:6]};
+  logic [7:0] sum_2510;
+  assign sum_2510 = {1'b0, select_2509, 2'h0, select_2509, 1'b0, {2{select_2509}}} + {1'b0, index[12:6]};
   // hls/stages/agreement.hpp:1274
-  logic not_2516;
-  assign not_2516 = ~marks_first_s2_q;
+  logic not_2511;
+  assign not_2511 = ~marks_first_s2_q;
   // hls/stages/agreement.hpp:436
-  logic and_2518;
-  assign and_2518 = not_2516 & (began_q | select_2503);
+  logic and_2513;
+  assign and_2513 = not_2511 & (began_q | select_2498);
   // hls/stages/agreement.hpp:1302
-  logic [2:0] select_2520;
-  assign select_2520 = select_2503 ? 3'h0 : (seen_x_q + 3'h1);
+  logic [2:0] select_2515;
+  assign select_2515 = select_2498 ? 3'h0 : (seen_x_q + 3'h1);
   // hls/stages/agreement.hpp:1307
-  logic and_2522;
-  assign and_2522 = and_2518 & (select_2520 == 3'h0);
-  logic less_2523;
-  assign less_2523 = select_2511 < {1'b0, cfg_width_i[9:3]};
+  logic and_2517;
+  assign and_2517 = and_2513 & (select_2515 == 3'h0);
+  logic less_2518;
+  assign less_2518 = select_2506 < {1'b0, cfg_width_i[9:3]};
   // hls/stages/agreement.hpp:1111
-  logic [7:0] sum_2526;
-  assign sum_2526 = {2'h0, x_s2_q[7:2]} + 8'hff;
+  logic [7:0] sum_2521;
+  assign sum_2521 = {2'h0, x_s2_q[7:2]} + 8'hff;
   logic [12:0] index_2;
-  assign index_2 = {{3{sum_2526[7]}}, sum_2526, x_s2_q[1:0]} + map_row_q;
+  assign index_2 = {{3{sum_2521[7]}}, sum_2521, x_s2_q[1:0]} + map_row_q;
   // hls/stages/agreement.hpp:1261
-  logic [7:0] sum_2528;
-  assign sum_2528 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
+  logic [7:0] sum_2523;
+  assign sum_2523 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
   // hls/stages/agreement.hpp:1030
-  logic and_2529;
-  assign and_2529 = seen_columns_rdata_q[14] & inside_v_s2_q;
-  logic and_2530;
-  assign and_2530 = seen_columns_rdata_q[10] & inside_v_s2_q;
-  logic and_2531;
-  assign and_2531 = seen_columns_rdata_q[5] & inside_v_s2_q;
-  logic and_2532;
-  assign and_2532 = seen_columns_rdata_q[0] & inside_v_s2_q;
+  logic and_2524;
+  assign and_2524 = seen_columns_rdata_q[14] & inside_v_s2_q;
+  logic and_2525;
+  assign and_2525 = seen_columns_rdata_q[10] & inside_v_s2_q;
+  logic and_2526;
+  assign and_2526 = seen_columns_rdata_q[5] & inside_v_s2_q;
+  logic and_2527;
+  assign and_2527 = seen_columns_rdata_q[0] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1087
-  logic [1:0] sum_2534;
-  assign sum_2534 = {1'b0, and_2531} + ({1'b0, textured} + {1'b0, and_2532});
+  logic [1:0] sum_2529;
+  assign sum_2529 = {1'b0, and_2526} + ({1'b0, textured} + {1'b0, and_2527});
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2529} + ({2'h0, and_2530} + {1'b0, sum_2534});
+  assign textured_2 = {2'h0, and_2524} + ({2'h0, and_2525} + {1'b0, sum_2529});
   // hls/stages/agreement.hpp:1030
-  logic [7:0] select_2543;
-  assign select_2543 = inside_v_s2_q ? (sum_2458_s2_q ? select_2445 : {select_2445[6:0], 1'b0}) : select_2445;
+  logic [7:0] select_2538;
+  assign select_2538 = inside_v_s2_q ? (sum_2453_s2_q ? select_2440 : {select_2440[6:0], 1'b0}) : select_2440;
   // hls/stages/agreement.hpp:1050
-  logic or_2546;
-  assign or_2546 = select_2543[7] | (~({select_2543[5], select_2543[3], select_2543[1]} == 3'h0));
+  logic or_2541;
+  assign or_2541 = select_2538[7] | (~({select_2538[5], select_2538[3], select_2538[1]} == 3'h0));
   // hls/stages/agreement.hpp:1030
-  logic and_2563;
-  assign and_2563 = seen_columns_rdata_q[16] & inside_v_s2_q;
-  logic and_2564;
-  assign and_2564 = seen_columns_rdata_q[12] & inside_v_s2_q;
-  logic and_2565;
-  assign and_2565 = seen_columns_rdata_q[8] & inside_v_s2_q;
-  logic and_2566;
-  assign and_2566 = seen_columns_rdata_q[3] & inside_v_s2_q;
+  logic and_2558;
+  assign and_2558 = seen_columns_rdata_q[16] & inside_v_s2_q;
+  logic and_2559;
+  assign and_2559 = seen_columns_rdata_q[12] & inside_v_s2_q;
+  logic and_2560;
+  assign and_2560 = seen_columns_rdata_q[8] & inside_v_s2_q;
+  logic and_2561;
+  assign and_2561 = seen_columns_rdata_q[3] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1089
-  logic [1:0] sum_2568;
-  assign sum_2568 = {1'b0, and_2565} + ({1'b0, shown} + {1'b0, and_2566});
+  logic [1:0] sum_2563;
+  assign sum_2563 = {1'b0, and_2560} + ({1'b0, shown} + {1'b0, and_2561});
   logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2563} + ({2'h0, and_2564} + {1'b0, sum_2568});
+  assign shown_2 = {2'h0, and_2558} + ({2'h0, and_2559} + {1'b0, sum_2563});
   // hls/stages/agreement.hpp:1030
-  logic and_2579;
-  assign and_2579 = seen_columns_rdata_q[17] & inside_v_s2_q;
-  logic and_2580;
-  assign and_2580 = seen_columns_rdata_q[13] & inside_v_s2_q;
-  logic and_2581;
-  assign and_2581 = seen_columns_rdata_q[9] & inside_v_s2_q;
-  logic and_2582;
-  assign and_2582 = seen_columns_rdata_q[4] & inside_v_s2_q;
+  logic and_2574;
+  assign and_2574 = seen_columns_rdata_q[17] & inside_v_s2_q;
+  logic and_2575;
+  assign and_2575 = seen_columns_rdata_q[13] & inside_v_s2_q;
+  logic and_2576;
+  assign and_2576 = seen_columns_rdata_q[9] & inside_v_s2_q;
+  logic and_2577;
+  assign and_2577 = seen_columns_rdata_q[4] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1090
-  logic [1:0] sum_2584;
-  assign sum_2584 = {1'b0, and_2581} + ({1'b0, near} + {1'b0, and_2582});
+  logic [1:0] sum_2579;
+  assign sum_2579 = {1'b0, and_2576} + ({1'b0, near} + {1'b0, and_2577});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2579} + ({2'h0, and_2580} + {1'b0, sum_2584});
+  assign near_2 = {2'h0, and_2574} + ({2'h0, and_2575} + {1'b0, sum_2579});
   // hls/stages/agreement.hpp:788
-  logic and_2600;
-  assign and_2600 = ends_cell_s2_q & (and_2596_s2_q & (~({sum_2114, last_s2_q[1:0]} < x_s2_q)));
-  logic and_2602;
-  assign and_2602 = not_568_s2_q & (so_s2_q & and_2600);
+  logic and_2595;
+  assign and_2595 = ends_cell_s2_q & (and_2591_s2_q & (~({sum_2112, last_s2_q[1:0]} < x_s2_q)));
+  logic and_2597;
+  assign and_2597 = not_566_s2_q & (so_s2_q & and_2595);
   // hls/stages/agreement.hpp:276
-  logic [10:0] select_2634;
-  assign select_2634 = sample_pair_whole_s2_q ? (and_540_s2_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2636;
-  assign select_2636 = sample_pair_whole_s2_q ? (and_540_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2656;
-  assign select_2656 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_2658;
-  assign select_2658 = sample_pair_whole_s2_q ? (and_540_s2_q ? select_555 : averager_mask_q) : averager_mask_q;
-  logic select_2660;
-  assign select_2660 = sample_pair_whole_s2_q ? (and_540_s2_q ? select_559 : averager_of_skin_q) : averager_of_skin_q;
+  logic [10:0] select_2629;
+  assign select_2629 = sample_pair_whole_s2_q ? (and_538_s2_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2631;
+  assign select_2631 = sample_pair_whole_s2_q ? (and_538_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2651;
+  assign select_2651 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2653;
+  assign select_2653 = sample_pair_whole_s2_q ? (and_538_s2_q ? select_553 : averager_mask_q) : averager_mask_q;
+  logic select_2655;
+  assign select_2655 = sample_pair_whole_s2_q ? (and_538_s2_q ? select_557 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/agreement.hpp:520
-  logic [8:0] select_2661;
-  assign select_2661 = and_542_s2_q ? select_548 : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2656;
+  assign select_2656 = and_540_s2_q ? select_546 : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2657;
+  assign select_2657 = and_540_s2_q ? select_550 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2659;
+  assign select_2659 = and_540_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_2660;
+  assign select_2660 = and_540_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2661;
+  assign select_2661 = and_540_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
   logic [8:0] select_2662;
-  assign select_2662 = and_542_s2_q ? select_552 : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2664;
-  assign select_2664 = and_542_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2665;
-  assign select_2665 = and_542_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2666;
-  assign select_2666 = and_542_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  assign select_2662 = and_540_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2663;
+  assign select_2663 = and_540_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2664;
+  assign select_2664 = and_540_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2665;
+  assign select_2665 = and_540_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2666;
+  assign select_2666 = and_540_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_2667;
-  assign select_2667 = and_542_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2668;
-  assign select_2668 = and_542_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2669;
-  assign select_2669 = and_542_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2670;
-  assign select_2670 = and_542_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_2671;
-  assign select_2671 = and_542_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
+  assign select_2667 = and_540_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2668;
+  assign select_2668 = and_540_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2669;
+  assign select_2669 = and_540_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2670;
+  assign select_2670 = and_540_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2671;
+  assign select_2671 = and_540_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
   logic [8:0] select_2672;
-  assign select_2672 = and_542_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2673;
-  assign select_2673 = and_542_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_2674;
-  assign select_2674 = and_542_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
+  assign select_2672 = and_540_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2673;
+  assign select_2673 = and_540_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2674;
+  assign select_2674 = and_540_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
   logic [8:0] select_2675;
-  assign select_2675 = and_542_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2676;
-  assign select_2676 = and_542_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_2677;
-  assign select_2677 = and_542_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  assign select_2675 = and_540_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_2676;
+  assign select_2676 = and_540_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2677;
+  assign select_2677 = and_540_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
   logic [8:0] select_2678;
-  assign select_2678 = and_542_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_2679;
-  assign select_2679 = and_542_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic [8:0] select_2680;
-  assign select_2680 = and_542_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2681;
-  assign select_2681 = and_542_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_2682;
-  assign select_2682 = and_542_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  assign select_2678 = and_540_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2679;
+  assign select_2679 = and_540_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2680;
+  assign select_2680 = and_540_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2681;
+  assign select_2681 = and_540_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2682;
+  assign select_2682 = and_540_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_2683;
-  assign select_2683 = and_542_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2684;
-  assign select_2684 = and_542_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2685;
-  assign select_2685 = and_542_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2686;
-  assign select_2686 = and_542_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_2687;
-  assign select_2687 = and_542_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  assign select_2683 = and_540_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2684;
+  assign select_2684 = and_540_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_2685;
+  assign select_2685 = and_540_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2686;
+  assign select_2686 = and_540_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2687;
+  assign select_2687 = and_540_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
   logic [8:0] select_2688;
-  assign select_2688 = and_542_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2689;
-  assign select_2689 = and_542_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
-  logic [8:0] select_2690;
-  assign select_2690 = and_542_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  assign select_2688 = and_540_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2689;
+  assign select_2689 = and_540_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2690;
+  assign select_2690 = and_540_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
   logic [8:0] select_2691;
-  assign select_2691 = and_542_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2692;
-  assign select_2692 = and_542_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
-  logic [8:0] select_2693;
-  assign select_2693 = and_542_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  assign select_2691 = and_540_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2692;
+  assign select_2692 = and_540_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2693;
+  assign select_2693 = and_540_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
   logic [8:0] select_2694;
-  assign select_2694 = and_542_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_2695;
-  assign select_2695 = and_542_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic [8:0] select_2696;
-  assign select_2696 = and_542_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  assign select_2694 = and_540_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2695;
+  assign select_2695 = and_540_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2696;
+  assign select_2696 = and_540_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
   logic [8:0] select_2697;
-  assign select_2697 = and_542_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_2698;
-  assign select_2698 = and_542_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
-  logic [8:0] select_2699;
-  assign select_2699 = and_542_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  assign select_2697 = and_540_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2698;
+  assign select_2698 = and_540_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2699;
+  assign select_2699 = and_540_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
   logic [8:0] select_2700;
-  assign select_2700 = and_542_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_2701;
-  assign select_2701 = and_542_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic [8:0] select_2702;
-  assign select_2702 = and_542_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2703;
-  assign select_2703 = and_542_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_2704;
-  assign select_2704 = and_542_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  assign select_2700 = and_540_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2701;
+  assign select_2701 = and_540_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_2702;
+  assign select_2702 = and_540_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2703;
+  assign select_2703 = and_540_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2704;
+  assign select_2704 = and_540_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
   logic [8:0] select_2705;
-  assign select_2705 = and_542_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2706;
-  assign select_2706 = and_542_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  assign select_2705 = and_540_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2706;
+  assign select_2706 = and_540_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
   logic select_2707;
-  assign select_2707 = and_542_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2708;
-  assign select_2708 = and_542_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  assign select_2707 = and_540_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2708;
+  assign select_2708 = and_540_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
   logic [8:0] select_2709;
-  assign select_2709 = and_542_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2710;
-  assign select_2710 = and_542_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  assign select_2709 = and_540_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2710;
+  assign select_2710 = and_540_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
   logic select_2711;
-  assign select_2711 = and_542_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2712;
-  assign select_2712 = and_542_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_2713;
-  assign select_2713 = and_542_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2714;
-  assign select_2714 = and_542_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_2715;
-  assign select_2715 = and_542_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_2716;
-  assign select_2716 = and_542_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
-  // hls/stages/census.hpp:283
-  logic [9:0] difference_2718;
-  assign difference_2718 = {1'b0, select_552} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2719;
-  assign xor_2719 = difference_2718[8:0] ^ {9{difference_2718[9]}};
-  logic [9:0] sum_2720;
-  assign sum_2720 = {9'h0, difference_2718[9]} + {1'b0, xor_2719};
-  logic [9:0] difference_2721;
-  assign difference_2721 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2722;
-  assign xor_2722 = difference_2721[8:0] ^ {9{difference_2721[9]}};
-  logic [9:0] sum_2723;
-  assign sum_2723 = {9'h0, difference_2721[9]} + {1'b0, xor_2722};
-  logic [9:0] difference_2725;
-  assign difference_2725 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2726;
-  assign xor_2726 = difference_2725[8:0] ^ {9{difference_2725[9]}};
-  logic [9:0] sum_2727;
-  assign sum_2727 = {9'h0, difference_2725[9]} + {1'b0, xor_2726};
-  logic [10:0] sum_2728;
-  assign sum_2728 = ({1'b0, sum_2720} + {1'b0, sum_2723}) + {1'b0, sum_2727};
-  logic [9:0] difference_2729;
-  assign difference_2729 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2730;
-  assign xor_2730 = difference_2729[8:0] ^ {9{difference_2729[9]}};
-  logic [9:0] sum_2731;
-  assign sum_2731 = {9'h0, difference_2729[9]} + {1'b0, xor_2730};
-  logic [9:0] difference_2733;
-  assign difference_2733 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2734;
-  assign xor_2734 = difference_2733[8:0] ^ {9{difference_2733[9]}};
+  assign select_2711 = and_540_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  // hls/stages/census.hpp:286
+  logic [9:0] difference_2713;
+  assign difference_2713 = {1'b0, select_550} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2714;
+  assign xor_2714 = difference_2713[8:0] ^ {9{difference_2713[9]}};
+  logic [9:0] sum_2715;
+  assign sum_2715 = {9'h0, difference_2713[9]} + {1'b0, xor_2714};
+  logic [9:0] difference_2716;
+  assign difference_2716 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2717;
+  assign xor_2717 = difference_2716[8:0] ^ {9{difference_2716[9]}};
+  logic [9:0] sum_2718;
+  assign sum_2718 = {9'h0, difference_2716[9]} + {1'b0, xor_2717};
+  logic [9:0] difference_2720;
+  assign difference_2720 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2721;
+  assign xor_2721 = difference_2720[8:0] ^ {9{difference_2720[9]}};
+  logic [9:0] sum_2722;
+  assign sum_2722 = {9'h0, difference_2720[9]} + {1'b0, xor_2721};
+  logic [10:0] sum_2723;
+  assign sum_2723 = ({1'b0, sum_2715} + {1'b0, sum_2718}) + {1'b0, sum_2722};
+  logic [9:0] difference_2724;
+  assign difference_2724 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2725;
+  assign xor_2725 = difference_2724[8:0] ^ {9{difference_2724[9]}};
+  logic [9:0] sum_2726;
+  assign sum_2726 = {9'h0, difference_2724[9]} + {1'b0, xor_2725};
+  logic [9:0] difference_2728;
+  assign difference_2728 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2729;
+  assign xor_2729 = difference_2728[8:0] ^ {9{difference_2728[9]}};
   // hls/stages/moments.hpp:54
-  logic [13:0] sum_2755;
-  assign sum_2755 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
-  logic [13:0] sum_2757;
-  assign sum_2757 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
+  logic [13:0] sum_2750;
+  assign sum_2750 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2752;
+  assign sum_2752 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
   // hls/stages/agreement.hpp:1142
-  logic equal_2758;
-  assign equal_2758 = x_s2_q[6:0] == 7'h70;
+  logic equal_2753;
+  assign equal_2753 = x_s2_q[6:0] == 7'h70;
   // hls/stages/moments.hpp:117
-  logic [13:0] select_2759;
-  assign select_2759 = equal_2758 ? sum_2755 : moments_before_0_q;
-  logic [13:0] select_2761;
-  assign select_2761 = equal_2758 ? sum_2757 : moments_before_1_q;
+  logic [13:0] select_2754;
+  assign select_2754 = equal_2753 ? sum_2750 : moments_before_0_q;
+  logic [13:0] select_2756;
+  assign select_2756 = equal_2753 ? sum_2752 : moments_before_1_q;
   // hls/stages/agreement.hpp:788
-  logic select_2764;
-  assign select_2764 = equal_567_s2_q ? (moments_has_before_q | equal_2758) : moments_has_before_q;
-  logic [13:0] select_2767;
-  assign select_2767 = equal_567_s2_q ? ((select_2761 < select_2759) ? select_2759 : select_2761) : moments_most_before_q;
+  logic select_2759;
+  assign select_2759 = equal_565_s2_q ? (moments_has_before_q | equal_2753) : moments_has_before_q;
+  logic [13:0] select_2762;
+  assign select_2762 = equal_565_s2_q ? ((select_2756 < select_2754) ? select_2754 : select_2756) : moments_most_before_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2768;
-  assign sum_2768 = {1'b0, moments_most_before_q} + 15'h3;
+  logic [14:0] sum_2763;
+  assign sum_2763 = {1'b0, moments_most_before_q} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2771;
-  assign select_2771 = equal_567_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2768)) : moments_left_begins_q;
+  logic select_2766;
+  assign select_2766 = equal_565_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2763)) : moments_left_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2772;
-  assign sum_2772 = {1'b0, sum_2757} + 15'h3;
+  logic [14:0] sum_2767;
+  assign sum_2767 = {1'b0, sum_2752} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2775;
-  assign select_2775 = equal_567_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2772)) : moments_left_alone_q;
-  logic select_2778;
-  assign select_2778 = equal_567_s2_q ? (~({3'h0, select_2761[13:2]} < sum_2772)) : moments_left_other_stops_q;
-  logic select_2781;
-  assign select_2781 = equal_567_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2768)) : moments_right_begins_q;
+  logic select_2770;
+  assign select_2770 = equal_565_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2767)) : moments_left_alone_q;
+  logic select_2773;
+  assign select_2773 = equal_565_s2_q ? (~({3'h0, select_2756[13:2]} < sum_2767)) : moments_left_other_stops_q;
+  logic select_2776;
+  assign select_2776 = equal_565_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2763)) : moments_right_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2782;
-  assign sum_2782 = {1'b0, sum_2755} + 15'h3;
+  logic [14:0] sum_2777;
+  assign sum_2777 = {1'b0, sum_2750} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2785;
-  assign select_2785 = equal_567_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2782)) : moments_right_alone_q;
-  logic select_2788;
-  assign select_2788 = equal_567_s2_q ? (~({3'h0, select_2759[13:2]} < sum_2782)) : moments_right_other_stops_q;
+  logic select_2780;
+  assign select_2780 = equal_565_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2777)) : moments_right_alone_q;
+  logic select_2783;
+  assign select_2783 = equal_565_s2_q ? (~({3'h0, select_2754[13:2]} < sum_2777)) : moments_right_other_stops_q;
   // hls/stages/moments.hpp:51
-  logic or_2791;
-  assign or_2791 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
+  logic or_2786;
+  assign or_2786 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
   // hls/stages/agreement.hpp:788
-  logic and_2799;
-  assign and_2799 = not_568_s2_q & (not_570_s2_q & (equal_571_s2_q & (inside_v_s2_q & and_2064)));
-  logic and_2803;
-  assign and_2803 = not_568_s2_q & (not_570_s2_q & (equal_571_s2_q & (inside_v_s2_q & and_2073)));
+  logic and_2794;
+  assign and_2794 = not_566_s2_q & (not_568_s2_q & (equal_569_s2_q & (inside_v_s2_q & and_2062)));
+  logic and_2798;
+  assign and_2798 = not_566_s2_q & (not_568_s2_q & (equal_569_s2_q & (inside_v_s2_q & and_2071)));
   // hls/stages/moments.hpp:94
-  logic and_2805;
-  assign and_2805 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
-  logic select_2808;
-  assign select_2808 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2805)) : and_2805;
+  logic and_2800;
+  assign and_2800 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
+  logic select_2803;
+  assign select_2803 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2800)) : and_2800;
   // hls/stages/agreement.hpp:788
-  logic and_2812;
-  assign and_2812 = equal_567_s2_q & (equal_2758 & (cfg_prove_i & (cfg_same_table_i & select_2808)));
+  logic and_2807;
+  assign and_2807 = equal_565_s2_q & (equal_2753 & (cfg_prove_i & (cfg_same_table_i & select_2803)));
   // hls/stages/moments.hpp:95
-  logic and_2815;
-  assign and_2815 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
-  // hls/stages/census.hpp:368
-  logic [9:0] difference_2829;
-  assign difference_2829 = {1'b0, select_548} - {1'b0, sharpness_last_mean_0_q};
+  logic and_2810;
+  assign and_2810 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  // hls/stages/census.hpp:371
+  logic [9:0] difference_2824;
+  assign difference_2824 = {1'b0, select_546} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2829[9]} + (difference_2829[8:0] ^ {9{difference_2829[9]}});
-  logic [9:0] difference_2841;
-  assign difference_2841 = {1'b0, select_552} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_2824[9]} + (difference_2824[8:0] ^ {9{difference_2824[9]}});
+  logic [9:0] difference_2836;
+  assign difference_2836 = {1'b0, select_550} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2841[9]} + (difference_2841[8:0] ^ {9{difference_2841[9]}});
+  assign contrast_2 = {8'h0, difference_2836[9]} + (difference_2836[8:0] ^ {9{difference_2836[9]}});
   // hls/stages/agreement.hpp:788
-  logic not_3029;
-  assign not_3029 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_3030;
-  assign less_3030 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  logic not_3024;
+  assign not_3024 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_3025;
+  assign less_3025 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
   // hls/stages/agreement.hpp:520
-  logic and_3037;
-  assign and_3037 = and_542_s2_q & (equal_672_s2_q & equal_2932_s2_q);
+  logic and_3032;
+  assign and_3032 = and_540_s2_q & (equal_670_s2_q & equal_2927_s2_q);
   // hls/stages/agreement.hpp:788
-  logic and_3043;
-  assign and_3043 = not_568_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_3039_s2_q)));
+  logic and_3038;
+  assign and_3038 = not_566_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_3034_s2_q)));
   // hls/stages/agreement.hpp:1030
-  logic and_3063;
-  assign and_3063 = seen_columns_rdata_q[15] & inside_v_s2_q;
-  logic and_3064;
-  assign and_3064 = seen_columns_rdata_q[11] & inside_v_s2_q;
-  logic and_3065;
-  assign and_3065 = seen_columns_rdata_q[7] & inside_v_s2_q;
-  logic and_3066;
-  assign and_3066 = seen_columns_rdata_q[2] & inside_v_s2_q;
+  logic and_3058;
+  assign and_3058 = seen_columns_rdata_q[15] & inside_v_s2_q;
+  logic and_3059;
+  assign and_3059 = seen_columns_rdata_q[11] & inside_v_s2_q;
+  logic and_3060;
+  assign and_3060 = seen_columns_rdata_q[7] & inside_v_s2_q;
+  logic and_3061;
+  assign and_3061 = seen_columns_rdata_q[2] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1088
-  logic [1:0] sum_3068;
-  assign sum_3068 = {1'b0, and_3065} + ({1'b0, explained} + {1'b0, and_3066});
+  logic [1:0] sum_3063;
+  assign sum_3063 = {1'b0, and_3060} + ({1'b0, explained} + {1'b0, and_3061});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_3063} + ({2'h0, and_3064} + {1'b0, sum_3068});
+  assign explained_2 = {2'h0, and_3058} + ({2'h0, and_3059} + {1'b0, sum_3063});
   // hls/stages/agreement.hpp:788
-  logic and_3104;
-  assign and_3104 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_3039_s2_q & and_2481)));
+  logic and_3099;
+  assign and_3099 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_3034_s2_q & and_2476)));
   // hls/stages/agreement.hpp:986
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
@@ -4105,157 +4101,157 @@ module horopter_agreement (
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
   // hls/stages/agreement.hpp:988
-  logic [7:0] difference_3128;
-  assign difference_3128 = best_left_rdata_s2_q[16:9] - lower;
-  logic less_3131;
-  assign less_3131 = {2'h0, difference_3128[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
+  logic [7:0] difference_3123;
+  assign difference_3123 = best_left_rdata_s2_q[16:9] - lower;
+  logic less_3126;
+  assign less_3126 = {2'h0, difference_3123[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
   // hls/stages/agreement.hpp:247
-  logic and_3134;
-  assign and_3134 = not_576_s2_q & (((and_2479_s2_q & and_627) & equal_3124_s2_q) & (~less_3131));
+  logic and_3129;
+  assign and_3129 = not_574_s2_q & (((and_2474_s2_q & and_625) & equal_3119_s2_q) & (~less_3126));
   // hls/stages/agreement.hpp:788
+  logic and_3133;
+  assign and_3133 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_570_s2_q & and_3129)));
+  // hls/stages/agreement.hpp:149
   logic and_3138;
-  assign and_3138 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_572_s2_q & and_3134)));
-  // hls/stages/agreement.hpp:149
-  logic and_3143;
-  assign and_3143 = not_576_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
+  assign and_3138 = not_574_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
   // hls/stages/agreement.hpp:247
-  logic and_3145;
-  assign and_3145 = not_576_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
+  logic and_3140;
+  assign and_3140 = not_574_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
   // hls/stages/agreement.hpp:149
-  logic [1:0] select_3146;
-  assign select_3146 = or_572_s2_q ? {and_3145, and_3143} : 2'h0;
+  logic [1:0] select_3141;
+  assign select_3141 = or_570_s2_q ? {and_3140, and_3138} : 2'h0;
   // hls/stages/agreement.hpp:247
-  logic [1:0] select_3148;
-  assign select_3148 = less_575_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
+  logic [1:0] select_3143;
+  assign select_3143 = less_573_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
   // hls/stages/agreement.hpp:149
-  logic [1:0] select_3149;
-  assign select_3149 = or_572_s2_q ? select_3148 : 2'h0;
+  logic [1:0] select_3144;
+  assign select_3144 = or_570_s2_q ? select_3143 : 2'h0;
   // hls/stages/agreement.hpp:1027
-  logic and_3151;
-  assign and_3151 = and_629 & (select_3146[0] & select_3149[0]);
+  logic and_3146;
+  assign and_3146 = and_627 & (select_3141[0] & select_3144[0]);
   // hls/stages/agreement.hpp:788
-  logic and_3155;
-  assign and_3155 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3146[1] & and_3151)));
-  logic and_3156;
-  assign and_3156 = not_568_s2_q & and_3155;
-  logic and_3162;
-  assign and_3162 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3149[1] & and_3151)));
-  logic and_3163;
-  assign and_3163 = not_568_s2_q & and_3162;
+  logic and_3150;
+  assign and_3150 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3141[1] & and_3146)));
+  logic and_3151;
+  assign and_3151 = not_566_s2_q & and_3150;
+  logic and_3157;
+  assign and_3157 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3144[1] & and_3146)));
+  logic and_3158;
+  assign and_3158 = not_566_s2_q & and_3157;
   // hls/stages/registration.hpp:76
-  logic less_3166;
-  assign less_3166 = slot_s2_q < 3'h3;
+  logic less_3161;
+  assign less_3161 = slot_s2_q < 3'h3;
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_3168;
-  assign select_3168 = or_572_s2_q ? (less_575_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
-  logic [7:0] select_3170;
-  assign select_3170 = or_572_s2_q ? (less_575_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
-  logic [7:0] select_3172;
-  assign select_3172 = or_572_s2_q ? (less_575_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  logic [7:0] select_3163;
+  assign select_3163 = or_570_s2_q ? (less_573_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_3165;
+  assign select_3165 = or_570_s2_q ? (less_573_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_3167;
+  assign select_3167 = or_570_s2_q ? (less_573_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_3170} - {1'b0, select_3172};
+  assign rise_2 = {1'b0, select_3165} - {1'b0, select_3167};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_3174;
-  assign select_3174 = rise_2[8] ? select_3170 : select_3172;
+  logic [7:0] select_3169;
+  assign select_3169 = rise_2[8] ? select_3165 : select_3167;
   logic [8:0] fall;
-  assign fall = {1'b0, select_3168} - {1'b0, select_3174};
+  assign fall = {1'b0, select_3163} - {1'b0, select_3169};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:37
-  logic not_3177;
-  assign not_3177 = ~registration_displacement_over_q[9];
+  logic not_3172;
+  assign not_3172 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_3166 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_3177};
+  assign left = less_3161 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_3172};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_3179;
-  assign xor_3179 = rise_2[7:0] ^ {8{rise_2[8]}};
+  logic [7:0] xor_3174;
+  assign xor_3174 = rise_2[7:0] ^ {8{rise_2[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_3179};
+  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_3174};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_3185;
-  assign select_3185 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_3180;
+  assign select_3180 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_3166 ? {taken, 1'b1} : {not_3177, select_3185, not_3177};
+  assign taken_2 = less_3161 ? {taken, 1'b1} : {not_3172, select_3180, not_3172};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_3187;
-  assign sum_3187 = {left, 1'b1} + {taken_2, less_3166};
+  logic [10:0] sum_3182;
+  assign sum_3182 = {left, 1'b1} + {taken_2, less_3161};
   // hls/stages/agreement.hpp:257
-  logic [4:0] select_3189;
-  assign select_3189 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  logic [4:0] select_3184;
+  assign select_3184 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3191;
-  assign select_3191 = equal_567_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
-  logic [10:0] select_3193;
-  assign select_3193 = equal_567_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
+  logic [7:0] select_3186;
+  assign select_3186 = equal_565_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
+  logic [10:0] select_3188;
+  assign select_3188 = equal_565_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_3194;
-  assign equal_3194 = slot_s2_q == 3'h4;
+  logic equal_3189;
+  assign equal_3189 = slot_s2_q == 3'h4;
   // hls/stages/agreement.hpp:262
-  logic and_3198;
-  assign and_3198 = and_629 & less_2169_s2_q;
+  logic and_3193;
+  assign and_3193 = and_627 & less_2164_s2_q;
   // hls/stages/agreement.hpp:149
-  logic [2:0] select_3200;
-  assign select_3200 = or_572_s2_q ? (less_575_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
+  logic [2:0] select_3195;
+  assign select_3195 = or_570_s2_q ? (less_573_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_3204;
-  assign sum_3204 = select_3200[2:1] + 2'h3;
+  logic [1:0] sum_3199;
+  assign sum_3199 = select_3195[2:1] + 2'h3;
   // hls/stages/registration.hpp:102
-  logic [7:0] select_3207;
-  assign select_3207 = (select_3170 < select_3172) ? ({sum_3204, select_3200[0], 5'h0} - {3'h0, select_3189}) : {sum_3204, select_3200[0], select_3189};
-  logic [7:0] select_3208;
-  assign select_3208 = ((select_3200 == 3'h0) | (select_3200 == 3'h4)) ? {sum_3204, select_3200[0], 5'h0} : select_3207;
+  logic [7:0] select_3202;
+  assign select_3202 = (select_3165 < select_3167) ? ({sum_3199, select_3195[0], 5'h0} - {3'h0, select_3184}) : {sum_3199, select_3195[0], select_3184};
+  logic [7:0] select_3203;
+  assign select_3203 = ((select_3195 == 3'h0) | (select_3195 == 3'h4)) ? {sum_3199, select_3195[0], 5'h0} : select_3202;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_3208[7]}}, select_3208} - {sum_2188[9], sum_2188, sum_2184[1]};
+  assign value_2 = {{4{select_3203[7]}}, select_3203} - {sum_2183[9], sum_2183, sum_2179[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_3211;
-  assign select_3211 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_3206;
+  assign select_3206 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_3211[11:7])) ? 12'h7f : select_3211;
+  assign residual = ($signed(5'h0) < $signed(select_3206[11:7])) ? 12'h7f : select_3206;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_3232;
-  assign difference_3232 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_3227;
+  assign difference_3227 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_3234;
-  assign and_3234 = and_3198 & ($signed(difference_3232) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_3229;
+  assign and_3229 = and_3193 & ($signed(difference_3227) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_3247;
-  assign less_3247 = $signed(difference_3232) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic less_3242;
+  assign less_3242 = $signed(difference_3227) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/agreement.hpp:788
-  logic select_3255;
-  assign select_3255 = so_s2_q ? (equal_3194 ? right_2 : registration_of_right_q) : registration_of_right_q;
-  logic select_3258;
-  assign select_3258 = so_s2_q ? (equal_2170 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
+  logic select_3250;
+  assign select_3250 = so_s2_q ? (equal_3189 ? right_2 : registration_of_right_q) : registration_of_right_q;
+  logic select_3253;
+  assign select_3253 = so_s2_q ? (equal_2165 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_3263;
-  assign select_3263 = (sum_2080 == 2'h2) ? (registration_fresh_q & (~select_2127)) : registration_fresh_q;
+  logic [3:0] select_3258;
+  assign select_3258 = (sum_2078 == 2'h2) ? (registration_fresh_q & (~select_2125)) : registration_fresh_q;
   // hls/stages/agreement.hpp:788
-  logic [3:0] select_3265;
-  assign select_3265 = so_s2_q ? (and_2122 ? select_3263 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_3260;
+  assign select_3260 = so_s2_q ? (and_2120 ? select_3258 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_3267;
-  assign select_3267 = and_3037 ? 4'hf : (equal_567_s2_q ? registration_fresh_q : select_3265);
+  logic [3:0] select_3262;
+  assign select_3262 = and_3032 ? 4'hf : (equal_565_s2_q ? registration_fresh_q : select_3260);
   // hls/stages/agreement.hpp:1129
   logic [1:0] quarter_2;
-  assign quarter_2 = all ? x_s2_q[1:0] : select_2077;
+  assign quarter_2 = all ? x_s2_q[1:0] : select_2075;
   // hls/stages/registration.hpp:258
-  logic not_3288;
-  assign not_3288 = ~quarter_2[1];
-  logic [3:0] select_3289;
-  assign select_3289 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3288, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3288};
+  logic not_3283;
+  assign not_3283 = ~quarter_2[1];
+  logic [3:0] select_3284;
+  assign select_3284 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3283, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3283};
   // hls/stages/patches.hpp:91
-  logic parity_3423;
-  assign parity_3423 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  logic parity_3418;
+  assign parity_3418 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
   // hls/stages/agreement.hpp:460
-  logic [15:0] select_3424;
-  assign select_3424 = equal_2932_s2_q ? {patches_chance_q[14:0], parity_3423} : patches_chance_q;
+  logic [15:0] select_3419;
+  assign select_3419 = equal_2927_s2_q ? {patches_chance_q[14:0], parity_3418} : patches_chance_q;
   // hls/stages/patches.hpp:346
-  logic not_3426;
-  assign not_3426 = ~and_2244;
+  logic not_3421;
+  assign not_3421 = ~and_2239;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
@@ -4263,511 +4259,511 @@ module horopter_agreement (
   logic [5:0] further;
   assign further = last_s2_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
   // hls/stages/patches.hpp:110
-  logic [5:0] select_3429;
-  assign select_3429 = right_3 ? last_s2_q[6:1] : 6'h0;
+  logic [5:0] select_3424;
+  assign select_3424 = right_3 ? last_s2_q[6:1] : 6'h0;
   logic [6:0] from;
-  assign from = {1'b0, further} + {1'b0, select_3429};
+  assign from = {1'b0, further} + {1'b0, select_3424};
   // hls/stages/agreement.hpp:788
-  logic and_3435;
-  assign and_3435 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {1'b0, from}))));
+  logic and_3430;
+  assign and_3430 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {1'b0, from}))));
   // hls/stages/patches.hpp:157
-  logic and_3439;
-  assign and_3439 = not_3426 & (patches_fixed_q | ((not_568_s2_q & and_3435) & and_2216));
+  logic and_3434;
+  assign and_3434 = not_3421 & (patches_fixed_q | ((not_566_s2_q & and_3430) & and_2211));
   // hls/stages/patches.hpp:355
-  logic not_3452;
-  assign not_3452 = ~select_2159[1];
+  logic not_3446;
+  assign not_3446 = ~select_2154[1];
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3454;
-  assign select_3454 = sample_pair_whole_s2_q ? (equal_2160 ? select_2159 : {not_3452, 1'b0}) : patches_fetch_q;
+  logic [1:0] select_3448;
+  assign select_3448 = sample_pair_whole_s2_q ? (equal_2155 ? select_2154 : {not_3446, 1'b0}) : patches_fetch_q;
   // hls/stages/patches.hpp:523
   logic [55:0] other;
   assign other = new_row_s2_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
   // hls/stages/patches.hpp:185
-  logic [51:0] select_3553;
-  assign select_3553 = or_2252_s2_q ? {and_2397_s2_q, and_2394_s2_q, and_2378_s2_q, and_2375, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_3555;
-  assign select_3555 = equal_2246_s2_q ? patches_codes_at_q : (equal_2248_s2_q ? other[55:4] : select_3553);
+  logic [51:0] select_3547;
+  assign select_3547 = or_2247_s2_q ? {and_2392_s2_q, and_2389_s2_q, and_2373_s2_q, and_2370, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3549;
+  assign select_3549 = equal_2241_s2_q ? patches_codes_at_q : (equal_2243_s2_q ? other[55:4] : select_3547);
   // hls/stages/patches.hpp:506
   logic [27:0] word;
-  assign word = or_2351_s2_q ? patches_right_codes_rdata_q : 28'h0;
+  assign word = or_2346_s2_q ? patches_right_codes_rdata_q : 28'h0;
   // hls/stages/patches.hpp:522
-  logic [27:0] select_3558;
-  assign select_3558 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
+  logic [27:0] select_3552;
+  assign select_3552 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
   // hls/stages/patches.hpp:185
-  logic [27:0] select_3560;
-  assign select_3560 = equal_2248_s2_q ? (new_row_s2_q ? word : select_3558) : patches_codes_further_q;
+  logic [27:0] select_3554;
+  assign select_3554 = equal_2243_s2_q ? (new_row_s2_q ? word : select_3552) : patches_codes_further_q;
   // hls/stages/patches.hpp:524
-  logic [55:0] select_3562;
-  assign select_3562 = less_2338_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3556;
+  assign select_3556 = less_2333_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/patches.hpp:494
-  logic [55:0] select_3564;
-  assign select_3564 = less_3563_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3558;
+  assign select_3558 = less_3557_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/patches.hpp:185
-  logic [55:0] select_3566;
-  assign select_3566 = or_2252_s2_q ? (equal_2251_s2_q ? patches_next_codes_q : select_3564) : patches_next_codes_q;
-  logic [55:0] select_3568;
-  assign select_3568 = equal_2246_s2_q ? patches_next_codes_q : (equal_2248_s2_q ? select_3562 : select_3566);
+  logic [55:0] select_3560;
+  assign select_3560 = or_2247_s2_q ? (equal_2246_s2_q ? patches_next_codes_q : select_3558) : patches_next_codes_q;
+  logic [55:0] select_3562;
+  assign select_3562 = equal_2241_s2_q ? patches_next_codes_q : (equal_2243_s2_q ? select_3556 : select_3560);
   // hls/stages/count_bits.hpp:24
-  logic parity_3573;
-  assign parity_3573 = ^{and_2397_s2_q, and_2394_s2_q, and_2378_s2_q, and_2375};
+  logic parity_3567;
+  assign parity_3567 = ^{and_2392_s2_q, and_2389_s2_q, and_2373_s2_q, and_2370};
   // hls/stages/count_bits.hpp:25
-  logic or_3577;
-  assign or_3577 = ({and_2378_s2_q, and_2375} == 2'h3) | (and_2394_s2_q & (and_2378_s2_q | and_2375));
-  logic and_3578;
-  assign and_3578 = and_2397_s2_q & (^{and_2394_s2_q, and_2378_s2_q, and_2375});
+  logic or_3571;
+  assign or_3571 = ({and_2373_s2_q, and_2370} == 2'h3) | (and_2389_s2_q & (and_2373_s2_q | and_2370));
+  logic and_3572;
+  assign and_3572 = and_2392_s2_q & (^{and_2389_s2_q, and_2373_s2_q, and_2370});
   // hls/stages/count_bits.hpp:24
-  logic xor_3579;
-  assign xor_3579 = or_3577 ^ and_3578;
+  logic xor_3573;
+  assign xor_3573 = or_3571 ^ and_3572;
   // hls/stages/count_bits.hpp:27
-  logic and_3580;
-  assign and_3580 = or_3577 & and_3578;
+  logic and_3574;
+  assign and_3574 = or_3571 & and_3572;
   // hls/stages/patches.hpp:185
-  logic [2:0] select_3582;
-  assign select_3582 = or_2252_s2_q ? (and_2420_s2_q ? {and_3580, xor_3579, parity_3573} : 3'h0) : 3'h0;
+  logic [2:0] select_3576;
+  assign select_3576 = or_2247_s2_q ? (and_2415_s2_q ? {and_3574, xor_3573, parity_3567} : 3'h0) : 3'h0;
   // hls/stages/patches.hpp:168
-  logic [9:0] sum_3586;
-  assign sum_3586 = {7'h0, patches_set_q} + (equal_2251_s2_q ? 10'h0 : patches_size_q);
+  logic [9:0] sum_3580;
+  assign sum_3580 = {7'h0, patches_set_q} + (equal_2246_s2_q ? 10'h0 : patches_size_q);
   // hls/stages/patches.hpp:523
-  logic [47:0] select_3596;
-  assign select_3596 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  logic [47:0] select_3590;
+  assign select_3590 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
   // hls/stages/patches.hpp:185
-  logic [47:0] select_3598;
-  assign select_3598 = equal_2246_s2_q ? patches_left_row_q : (equal_2248_s2_q ? select_3596 : patches_left_row_q);
+  logic [47:0] select_3592;
+  assign select_3592 = equal_2241_s2_q ? patches_left_row_q : (equal_2243_s2_q ? select_3590 : patches_left_row_q);
   // hls/stages/patches.hpp:525
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3596;
+  assign bits = other[47:0] ^ select_3590;
   // hls/stages/count_bits.hpp:24
+  logic xor_3596;
+  assign xor_3596 = bits[17] ^ (^{select_3590[16:15], other[16:15]});
+  logic xor_3599;
+  assign xor_3599 = bits[11] ^ (^{select_3590[10:9], other[10:9]});
   logic xor_3602;
-  assign xor_3602 = bits[17] ^ (^{select_3596[16:15], other[16:15]});
+  assign xor_3602 = bits[14] ^ (^{select_3590[13:12], other[13:12]});
   logic xor_3605;
-  assign xor_3605 = bits[11] ^ (^{select_3596[10:9], other[10:9]});
+  assign xor_3605 = xor_3596 ^ (^{select_3590[14:9], other[14:9]});
   logic xor_3608;
-  assign xor_3608 = bits[14] ^ (^{select_3596[13:12], other[13:12]});
+  assign xor_3608 = bits[47] ^ (^{select_3590[46:45], other[46:45]});
   logic xor_3611;
-  assign xor_3611 = xor_3602 ^ (^{select_3596[14:9], other[14:9]});
+  assign xor_3611 = bits[8] ^ (^{select_3590[7:6], other[7:6]});
   logic xor_3614;
-  assign xor_3614 = bits[47] ^ (^{select_3596[46:45], other[46:45]});
+  assign xor_3614 = bits[2] ^ (^{select_3590[1:0], other[1:0]});
   logic xor_3617;
-  assign xor_3617 = bits[8] ^ (^{select_3596[7:6], other[7:6]});
+  assign xor_3617 = bits[5] ^ (^{select_3590[4:3], other[4:3]});
   logic xor_3620;
-  assign xor_3620 = bits[2] ^ (^{select_3596[1:0], other[1:0]});
+  assign xor_3620 = xor_3611 ^ (^{select_3590[5:0], other[5:0]});
+  logic parity_3622;
+  assign parity_3622 = ^{select_3590[47:45], select_3590[8:0], other[47:45], other[8:0]};
   logic xor_3623;
-  assign xor_3623 = bits[5] ^ (^{select_3596[4:3], other[4:3]});
+  assign xor_3623 = xor_3605 ^ parity_3622;
   logic xor_3626;
-  assign xor_3626 = xor_3617 ^ (^{select_3596[5:0], other[5:0]});
-  logic parity_3628;
-  assign parity_3628 = ^{select_3596[47:45], select_3596[8:0], other[47:45], other[8:0]};
+  assign xor_3626 = bits[44] ^ (^{select_3590[43:42], other[43:42]});
   logic xor_3629;
-  assign xor_3629 = xor_3611 ^ parity_3628;
+  assign xor_3629 = bits[38] ^ (^{select_3590[37:36], other[37:36]});
   logic xor_3632;
-  assign xor_3632 = bits[44] ^ (^{select_3596[43:42], other[43:42]});
-  logic xor_3635;
-  assign xor_3635 = bits[38] ^ (^{select_3596[37:36], other[37:36]});
+  assign xor_3632 = bits[41] ^ (^{select_3590[40:39], other[40:39]});
   logic xor_3638;
-  assign xor_3638 = bits[41] ^ (^{select_3596[40:39], other[40:39]});
+  assign xor_3638 = bits[26] ^ (^{select_3590[25:24], other[25:24]});
+  logic xor_3641;
+  assign xor_3641 = bits[20] ^ (^{select_3590[19:18], other[19:18]});
   logic xor_3644;
-  assign xor_3644 = bits[26] ^ (^{select_3596[25:24], other[25:24]});
+  assign xor_3644 = bits[23] ^ (^{select_3590[22:21], other[22:21]});
   logic xor_3647;
-  assign xor_3647 = bits[20] ^ (^{select_3596[19:18], other[19:18]});
+  assign xor_3647 = xor_3638 ^ (^{select_3590[23:18], other[23:18]});
   logic xor_3650;
-  assign xor_3650 = bits[23] ^ (^{select_3596[22:21], other[22:21]});
+  assign xor_3650 = bits[35] ^ (^{select_3590[34:33], other[34:33]});
   logic xor_3653;
-  assign xor_3653 = xor_3644 ^ (^{select_3596[23:18], other[23:18]});
+  assign xor_3653 = bits[29] ^ (^{select_3590[28:27], other[28:27]});
   logic xor_3656;
-  assign xor_3656 = bits[35] ^ (^{select_3596[34:33], other[34:33]});
+  assign xor_3656 = bits[32] ^ (^{select_3590[31:30], other[31:30]});
   logic xor_3659;
-  assign xor_3659 = bits[29] ^ (^{select_3596[28:27], other[28:27]});
-  logic xor_3662;
-  assign xor_3662 = bits[32] ^ (^{select_3596[31:30], other[31:30]});
-  logic xor_3665;
-  assign xor_3665 = xor_3656 ^ (^{select_3596[32:27], other[32:27]});
-  logic xor_3666;
-  assign xor_3666 = xor_3653 ^ xor_3665;
+  assign xor_3659 = xor_3650 ^ (^{select_3590[32:27], other[32:27]});
+  logic xor_3660;
+  assign xor_3660 = xor_3647 ^ xor_3659;
   // hls/stages/count_bits.hpp:25
-  logic or_3674;
-  assign or_3674 = (xor_3605 & xor_3608) | (xor_3602 & (xor_3605 | xor_3608));
-  logic or_3678;
-  assign or_3678 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3682;
-  assign or_3682 = (xor_3620 & xor_3623) | (xor_3617 & (xor_3620 | xor_3623));
+  logic or_3668;
+  assign or_3668 = (xor_3599 & xor_3602) | (xor_3596 & (xor_3599 | xor_3602));
+  logic or_3672;
+  assign or_3672 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+  logic or_3676;
+  assign or_3676 = (xor_3614 & xor_3617) | (xor_3611 & (xor_3614 | xor_3617));
   // hls/stages/count_bits.hpp:23
-  logic or_3689;
-  assign or_3689 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  logic or_3683;
+  assign or_3683 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
   // hls/stages/count_bits.hpp:25
-  logic or_3693;
-  assign or_3693 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-  logic or_3697;
-  assign or_3697 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+  logic or_3687;
+  assign or_3687 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  logic or_3691;
+  assign or_3691 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3700;
-  assign parity_3700 = ^{or_3697, or_3693, or_3689};
+  logic parity_3694;
+  assign parity_3694 = ^{or_3691, or_3687, or_3683};
   // hls/stages/count_bits.hpp:23
-  logic or_3704;
-  assign or_3704 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+  logic or_3698;
+  assign or_3698 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
   // hls/stages/count_bits.hpp:25
-  logic or_3708;
-  assign or_3708 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-  logic or_3712;
-  assign or_3712 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+  logic or_3702;
+  assign or_3702 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3706;
+  assign or_3706 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3715;
-  assign parity_3715 = ^{or_3712, or_3708, or_3704};
-  logic parity_3718;
-  assign parity_3718 = ^{or_3712, or_3708, or_3704, or_3697, or_3693, or_3689, or_3682, or_3678, or_3674};
+  logic parity_3709;
+  assign parity_3709 = ^{or_3706, or_3702, or_3698};
+  logic parity_3712;
+  assign parity_3712 = ^{or_3706, or_3702, or_3698, or_3691, or_3687, or_3683, or_3676, or_3672, or_3668};
   // hls/stages/count_bits.hpp:23
-  logic or_3722;
-  assign or_3722 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  logic or_3716;
+  assign or_3716 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
   // hls/stages/count_bits.hpp:25
-  logic or_3726;
-  assign or_3726 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3730;
-  assign or_3730 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+  logic or_3720;
+  assign or_3720 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3724;
+  assign or_3724 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
   // hls/stages/count_bits.hpp:23
-  logic or_3738;
-  assign or_3738 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+  logic or_3732;
+  assign or_3732 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_3742;
-  assign or_3742 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-  logic or_3746;
-  assign or_3746 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+  logic or_3736;
+  assign or_3736 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  logic or_3740;
+  assign or_3740 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3749;
-  assign parity_3749 = ^{or_3746, or_3742, or_3738};
+  logic parity_3743;
+  assign parity_3743 = ^{or_3740, or_3736, or_3732};
   // hls/stages/count_bits.hpp:23
-  logic or_3753;
-  assign or_3753 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+  logic or_3747;
+  assign or_3747 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
   // hls/stages/count_bits.hpp:25
-  logic or_3757;
-  assign or_3757 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-  logic or_3761;
-  assign or_3761 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  logic or_3751;
+  assign or_3751 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3755;
+  assign or_3755 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3764;
-  assign parity_3764 = ^{or_3761, or_3757, or_3753};
-  logic parity_3767;
-  assign parity_3767 = ^{or_3761, or_3757, or_3753, or_3746, or_3742, or_3738, or_3730, or_3726, or_3722};
+  logic parity_3758;
+  assign parity_3758 = ^{or_3755, or_3751, or_3747};
+  logic parity_3761;
+  assign parity_3761 = ^{or_3755, or_3751, or_3747, or_3740, or_3736, or_3732, or_3724, or_3720, or_3716};
   // hls/stages/count_bits.hpp:25
-  logic or_3771;
-  assign or_3771 = (xor_3635 & xor_3638) | (xor_3632 & (xor_3635 | xor_3638));
-  logic or_3775;
-  assign or_3775 = (xor_3647 & xor_3650) | (xor_3644 & (xor_3647 | xor_3650));
-  logic or_3779;
-  assign or_3779 = (xor_3659 & xor_3662) | (xor_3656 & (xor_3659 | xor_3662));
+  logic or_3765;
+  assign or_3765 = (xor_3629 & xor_3632) | (xor_3626 & (xor_3629 | xor_3632));
+  logic or_3769;
+  assign or_3769 = (xor_3641 & xor_3644) | (xor_3638 & (xor_3641 | xor_3644));
+  logic or_3773;
+  assign or_3773 = (xor_3653 & xor_3656) | (xor_3650 & (xor_3653 | xor_3656));
   // hls/stages/count_bits.hpp:24
-  logic parity_3782;
-  assign parity_3782 = ^{or_3779, or_3775, or_3771};
+  logic parity_3776;
+  assign parity_3776 = ^{or_3773, or_3769, or_3765};
   // hls/stages/count_bits.hpp:25
-  logic and_3783;
-  assign and_3783 = xor_3629 & (^{xor_3666, select_3596[44:36], other[44:36]});
-  logic or_3787;
-  assign or_3787 = (xor_3614 & xor_3626) | (xor_3611 & (xor_3614 | xor_3626));
-  logic and_3790;
-  assign and_3790 = (xor_3632 ^ (^{select_3596[41:36], other[41:36]})) & (xor_3653 | xor_3665);
-  logic or_3791;
-  assign or_3791 = (xor_3653 & xor_3665) | and_3790;
+  logic and_3777;
+  assign and_3777 = xor_3623 & (^{xor_3660, select_3590[44:36], other[44:36]});
+  logic or_3781;
+  assign or_3781 = (xor_3608 & xor_3620) | (xor_3605 & (xor_3608 | xor_3620));
+  logic and_3784;
+  assign and_3784 = (xor_3626 ^ (^{select_3590[41:36], other[41:36]})) & (xor_3647 | xor_3659);
+  logic or_3785;
+  assign or_3785 = (xor_3647 & xor_3659) | and_3784;
   // hls/stages/count_bits.hpp:24
-  logic parity_3794;
-  assign parity_3794 = ^{or_3791, or_3787, and_3783};
-  logic parity_3797;
-  assign parity_3797 = ^{or_3791, or_3787, and_3783, or_3779, or_3775, or_3771, or_3761, or_3757, or_3753, or_3746, or_3742, or_3738, or_3730, or_3726, or_3722};
-  logic parity_3799;
-  assign parity_3799 = ^{or_3791, or_3787, and_3783, or_3779, or_3775, or_3771, or_3761, or_3757, or_3753, or_3746, or_3742, or_3738, or_3730, or_3726, or_3722, or_3712, or_3708, or_3704, or_3697, or_3693, or_3689, or_3682, or_3678, or_3674};
+  logic parity_3788;
+  assign parity_3788 = ^{or_3785, or_3781, and_3777};
+  logic parity_3791;
+  assign parity_3791 = ^{or_3785, or_3781, and_3777, or_3773, or_3769, or_3765, or_3755, or_3751, or_3747, or_3740, or_3736, or_3732, or_3724, or_3720, or_3716};
+  logic parity_3793;
+  assign parity_3793 = ^{or_3785, or_3781, and_3777, or_3773, or_3769, or_3765, or_3755, or_3751, or_3747, or_3740, or_3736, or_3732, or_3724, or_3720, or_3716, or_3706, or_3702, or_3698, or_3691, or_3687, or_3683, or_3676, or_3672, or_3668};
   // hls/stages/count_bits.hpp:25
-  logic and_3800;
-  assign and_3800 = parity_3718 & parity_3797;
-  logic or_3804;
-  assign or_3804 = (parity_3700 & parity_3715) | ((^{or_3682, or_3678, or_3674}) & (parity_3700 | parity_3715));
-  logic or_3808;
-  assign or_3808 = (parity_3782 & parity_3794) | (parity_3767 & (parity_3782 | parity_3794));
-  logic or_3815;
-  assign or_3815 = (parity_3749 & parity_3764) | ((^{or_3730, or_3726, or_3722}) & (parity_3749 | parity_3764));
-  logic or_3819;
-  assign or_3819 = (or_3775 & or_3779) | (or_3771 & (or_3775 | or_3779));
-  logic or_3823;
-  assign or_3823 = (or_3787 & or_3791) | (and_3783 & (or_3787 | or_3791));
+  logic and_3794;
+  assign and_3794 = parity_3712 & parity_3791;
+  logic or_3798;
+  assign or_3798 = (parity_3694 & parity_3709) | ((^{or_3676, or_3672, or_3668}) & (parity_3694 | parity_3709));
+  logic or_3802;
+  assign or_3802 = (parity_3776 & parity_3788) | (parity_3761 & (parity_3776 | parity_3788));
+  logic or_3809;
+  assign or_3809 = (parity_3743 & parity_3758) | ((^{or_3724, or_3720, or_3716}) & (parity_3743 | parity_3758));
+  logic or_3813;
+  assign or_3813 = (or_3769 & or_3773) | (or_3765 & (or_3769 | or_3773));
+  logic or_3817;
+  assign or_3817 = (or_3781 & or_3785) | (and_3777 & (or_3781 | or_3785));
   // hls/stages/count_bits.hpp:23
-  logic or_3830;
-  assign or_3830 = (or_3726 & or_3730) | (or_3722 & (or_3726 | or_3730));
+  logic or_3824;
+  assign or_3824 = (or_3720 & or_3724) | (or_3716 & (or_3720 | or_3724));
   // hls/stages/count_bits.hpp:25
-  logic or_3834;
-  assign or_3834 = (or_3742 & or_3746) | (or_3738 & (or_3742 | or_3746));
-  logic or_3838;
-  assign or_3838 = (or_3757 & or_3761) | (or_3753 & (or_3757 | or_3761));
+  logic or_3828;
+  assign or_3828 = (or_3736 & or_3740) | (or_3732 & (or_3736 | or_3740));
+  logic or_3832;
+  assign or_3832 = (or_3751 & or_3755) | (or_3747 & (or_3751 | or_3755));
   // hls/stages/count_bits.hpp:24
-  logic parity_3841;
-  assign parity_3841 = ^{or_3838, or_3834, or_3830};
+  logic parity_3835;
+  assign parity_3835 = ^{or_3832, or_3828, or_3824};
   // hls/stages/count_bits.hpp:23
-  logic or_3845;
-  assign or_3845 = (or_3678 & or_3682) | (or_3674 & (or_3678 | or_3682));
+  logic or_3839;
+  assign or_3839 = (or_3672 & or_3676) | (or_3668 & (or_3672 | or_3676));
   // hls/stages/count_bits.hpp:25
-  logic or_3849;
-  assign or_3849 = (or_3693 & or_3697) | (or_3689 & (or_3693 | or_3697));
-  logic or_3853;
-  assign or_3853 = (or_3708 & or_3712) | (or_3704 & (or_3708 | or_3712));
+  logic or_3843;
+  assign or_3843 = (or_3687 & or_3691) | (or_3683 & (or_3687 | or_3691));
+  logic or_3847;
+  assign or_3847 = (or_3702 & or_3706) | (or_3698 & (or_3702 | or_3706));
   // hls/stages/count_bits.hpp:24
-  logic parity_3856;
-  assign parity_3856 = ^{or_3853, or_3849, or_3845};
-  logic parity_3859;
-  assign parity_3859 = ^{or_3853, or_3849, or_3845, or_3838, or_3834, or_3830, or_3823, or_3819, or_3815};
-  logic parity_3861;
-  assign parity_3861 = ^{or_3853, or_3849, or_3845, or_3838, or_3834, or_3830, or_3823, or_3819, or_3815, or_3808, or_3804, and_3800};
+  logic parity_3850;
+  assign parity_3850 = ^{or_3847, or_3843, or_3839};
+  logic parity_3853;
+  assign parity_3853 = ^{or_3847, or_3843, or_3839, or_3832, or_3828, or_3824, or_3817, or_3813, or_3809};
+  logic parity_3855;
+  assign parity_3855 = ^{or_3847, or_3843, or_3839, or_3832, or_3828, or_3824, or_3817, or_3813, or_3809, or_3802, or_3798, and_3794};
   // hls/stages/count_bits.hpp:25
-  logic or_3865;
-  assign or_3865 = (or_3819 & or_3823) | (or_3815 & (or_3819 | or_3823));
-  logic or_3869;
-  assign or_3869 = (or_3834 & or_3838) | (or_3830 & (or_3834 | or_3838));
-  logic or_3873;
-  assign or_3873 = (or_3849 & or_3853) | (or_3845 & (or_3849 | or_3853));
+  logic or_3859;
+  assign or_3859 = (or_3813 & or_3817) | (or_3809 & (or_3813 | or_3817));
+  logic or_3863;
+  assign or_3863 = (or_3828 & or_3832) | (or_3824 & (or_3828 | or_3832));
+  logic or_3867;
+  assign or_3867 = (or_3843 & or_3847) | (or_3839 & (or_3843 | or_3847));
   // hls/stages/count_bits.hpp:24
-  logic parity_3876;
-  assign parity_3876 = ^{or_3873, or_3869, or_3865};
+  logic parity_3870;
+  assign parity_3870 = ^{or_3867, or_3863, or_3859};
   // hls/stages/count_bits.hpp:25
-  logic and_3877;
-  assign and_3877 = (^{or_3808, or_3804, and_3800}) & parity_3859;
-  logic or_3881;
-  assign or_3881 = (or_3804 & or_3808) | (and_3800 & (or_3804 | or_3808));
-  logic or_3885;
-  assign or_3885 = (parity_3841 & parity_3856) | ((^{or_3823, or_3819, or_3815}) & (parity_3841 | parity_3856));
+  logic and_3871;
+  assign and_3871 = (^{or_3802, or_3798, and_3794}) & parity_3853;
+  logic or_3875;
+  assign or_3875 = (or_3798 & or_3802) | (and_3794 & (or_3798 | or_3802));
+  logic or_3879;
+  assign or_3879 = (parity_3835 & parity_3850) | ((^{or_3817, or_3813, or_3809}) & (parity_3835 | parity_3850));
   // hls/stages/count_bits.hpp:24
-  logic parity_3888;
-  assign parity_3888 = ^{or_3885, or_3881, and_3877};
+  logic parity_3882;
+  assign parity_3882 = ^{or_3879, or_3875, and_3871};
   // hls/stages/count_bits.hpp:25
-  logic and_3890;
-  assign and_3890 = parity_3876 & parity_3888;
-  logic or_3894;
-  assign or_3894 = (or_3869 & or_3873) | (or_3865 & (or_3869 | or_3873));
-  logic or_3898;
-  assign or_3898 = (or_3881 & or_3885) | (and_3877 & (or_3881 | or_3885));
+  logic and_3884;
+  assign and_3884 = parity_3870 & parity_3882;
+  logic or_3888;
+  assign or_3888 = (or_3863 & or_3867) | (or_3859 & (or_3863 | or_3867));
+  logic or_3892;
+  assign or_3892 = (or_3875 & or_3879) | (and_3871 & (or_3875 | or_3879));
   // hls/stages/patches.hpp:185
-  logic [4:0] select_3943;
-  assign select_3943 = equal_2248_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
-  logic select_3946;
-  assign select_3946 = equal_2246_s2_q ? patches_summed_first_q : (equal_2248_s2_q ? new_row_s2_q : patches_summed_first_q);
+  logic [4:0] select_3937;
+  assign select_3937 = equal_2243_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
+  logic select_3940;
+  assign select_3940 = equal_2241_s2_q ? patches_summed_first_q : (equal_2243_s2_q ? new_row_s2_q : patches_summed_first_q);
   // hls/stages/patches.hpp:557
-  logic [9:0] select_3953;
-  assign select_3953 = less_2426_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
+  logic [9:0] select_3947;
+  assign select_3947 = less_2421_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
   // hls/stages/patches.hpp:561
-  logic [9:0] select_3956;
-  assign select_3956 = equal_2429_s2_q ? (less_2426_s2_q ? (equal_2429_s2_q ? 10'h0 : select_3953) : 10'h0) : select_3953;
-  logic [9:0] select_3958;
-  assign select_3958 = less_2426_s2_q ? (equal_2427_s2_q ? 10'h0 : select_3956) : select_3956;
+  logic [9:0] select_3950;
+  assign select_3950 = equal_2424_s2_q ? (less_2421_s2_q ? (equal_2424_s2_q ? 10'h0 : select_3947) : 10'h0) : select_3947;
+  logic [9:0] select_3952;
+  assign select_3952 = less_2421_s2_q ? (equal_2422_s2_q ? 10'h0 : select_3950) : select_3950;
   // hls/stages/patches.hpp:557
-  logic [4:0] select_3960;
-  assign select_3960 = less_2426_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
+  logic [4:0] select_3954;
+  assign select_3954 = less_2421_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
   // hls/stages/patches.hpp:561
-  logic [4:0] select_3963;
-  assign select_3963 = equal_2429_s2_q ? (less_2426_s2_q ? (equal_2429_s2_q ? 5'h0 : select_3960) : 5'h0) : select_3960;
-  logic [4:0] select_3965;
-  assign select_3965 = less_2426_s2_q ? (equal_2427_s2_q ? 5'h0 : select_3963) : select_3963;
+  logic [4:0] select_3957;
+  assign select_3957 = equal_2424_s2_q ? (less_2421_s2_q ? (equal_2424_s2_q ? 5'h0 : select_3954) : 5'h0) : select_3954;
+  logic [4:0] select_3959;
+  assign select_3959 = less_2421_s2_q ? (equal_2422_s2_q ? 5'h0 : select_3957) : select_3957;
   // hls/stages/patches.hpp:557
-  logic [4:0] select_3967;
-  assign select_3967 = less_2426_s2_q ? patches_step_s2_q : 5'h0;
+  logic [4:0] select_3961;
+  assign select_3961 = less_2421_s2_q ? patches_step_s2_q : 5'h0;
   // hls/stages/patches.hpp:561
-  logic [4:0] select_3970;
-  assign select_3970 = equal_2429_s2_q ? (less_2426_s2_q ? (equal_2429_s2_q ? 5'h0 : select_3967) : 5'h0) : select_3967;
-  logic [4:0] select_3972;
-  assign select_3972 = less_2426_s2_q ? (equal_2427_s2_q ? 5'h0 : select_3970) : select_3970;
+  logic [4:0] select_3964;
+  assign select_3964 = equal_2424_s2_q ? (less_2421_s2_q ? (equal_2424_s2_q ? 5'h0 : select_3961) : 5'h0) : select_3961;
+  logic [4:0] select_3966;
+  assign select_3966 = less_2421_s2_q ? (equal_2422_s2_q ? 5'h0 : select_3964) : select_3964;
   // hls/stages/patches.hpp:557
-  logic and_3975;
-  assign and_3975 = less_2426_s2_q & (patches_step_s2_q == 5'h0);
+  logic and_3969;
+  assign and_3969 = less_2421_s2_q & (patches_step_s2_q == 5'h0);
   // hls/stages/patches.hpp:561
-  logic select_3978;
-  assign select_3978 = equal_2429_s2_q ? (less_2426_s2_q ? (not_2430_s2_q & and_3975) : and_3975) : and_3975;
+  logic select_3972;
+  assign select_3972 = equal_2424_s2_q ? (less_2421_s2_q ? (not_2425_s2_q & and_3969) : and_3969) : and_3969;
   // hls/stages/patches.hpp:185
-  logic select_3981;
-  assign select_3981 = equal_2246_s2_q ? (less_2426_s2_q ? (not_2428_s2_q & select_3978) : select_3978) : patches_read_first_q;
+  logic select_3975;
+  assign select_3975 = equal_2241_s2_q ? (less_2421_s2_q ? (not_2423_s2_q & select_3972) : select_3972) : patches_read_first_q;
   // hls/stages/patches.hpp:179
-  logic or_3992;
-  assign or_3992 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3993;
-  assign and_3993 = patches_read_searches_s2_q & or_3992;
+  logic or_3986;
+  assign or_3986 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3987;
+  assign and_3987 = patches_read_searches_s2_q & or_3986;
   // hls/stages/patches.hpp:541
-  logic [4:0] select_3994;
-  assign select_3994 = and_3993 ? patches_read_at_q : patches_peak_row_q;
+  logic [4:0] select_3988;
+  assign select_3988 = and_3987 ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:548
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3994};
+  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3988};
   // hls/stages/patches.hpp:557
-  logic and_3998;
-  assign and_3998 = less_2426_s2_q & (equal_3990_s2_q & (away == 6'h3f));
+  logic and_3992;
+  assign and_3992 = less_2421_s2_q & (equal_3984_s2_q & (away == 6'h3f));
   // hls/stages/patches.hpp:561
-  logic select_4001;
-  assign select_4001 = equal_2429_s2_q ? (less_2426_s2_q ? (not_2430_s2_q & and_3998) : and_3998) : and_3998;
+  logic select_3995;
+  assign select_3995 = equal_2424_s2_q ? (less_2421_s2_q ? (not_2425_s2_q & and_3992) : and_3992) : and_3992;
   // hls/stages/patches.hpp:185
+  logic select_3998;
+  assign select_3998 = equal_2241_s2_q ? (less_2421_s2_q ? (not_2423_s2_q & select_3995) : select_3995) : patches_read_above_q;
+  // hls/stages/patches.hpp:557
+  logic and_4001;
+  assign and_4001 = less_2421_s2_q & (equal_3984_s2_q & (away == 6'h1));
+  // hls/stages/patches.hpp:561
   logic select_4004;
-  assign select_4004 = equal_2246_s2_q ? (less_2426_s2_q ? (not_2428_s2_q & select_4001) : select_4001) : patches_read_above_q;
-  // hls/stages/patches.hpp:557
-  logic and_4007;
-  assign and_4007 = less_2426_s2_q & (equal_3990_s2_q & (away == 6'h1));
-  // hls/stages/patches.hpp:561
-  logic select_4010;
-  assign select_4010 = equal_2429_s2_q ? (less_2426_s2_q ? (not_2430_s2_q & and_4007) : and_4007) : and_4007;
+  assign select_4004 = equal_2424_s2_q ? (less_2421_s2_q ? (not_2425_s2_q & and_4001) : and_4001) : and_4001;
   // hls/stages/patches.hpp:185
-  logic select_4013;
-  assign select_4013 = equal_2246_s2_q ? (less_2426_s2_q ? (not_2428_s2_q & select_4010) : select_4010) : patches_read_below_q;
+  logic select_4007;
+  assign select_4007 = equal_2241_s2_q ? (less_2421_s2_q ? (not_2423_s2_q & select_4004) : select_4004) : patches_read_below_q;
   // hls/stages/patches.hpp:554
-  logic [6:0] sum_4014;
-  assign sum_4014 = {away[5], away} + 7'h7d;
+  logic [6:0] sum_4008;
+  assign sum_4008 = {away[5], away} + 7'h7d;
   // hls/stages/patches.hpp:555
-  logic [9:0] select_4017;
-  assign select_4017 = (equal_3990_s2_q & ({sum_4014[6], sum_4014} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  logic [9:0] select_4011;
+  assign select_4011 = (equal_3984_s2_q & ({sum_4008[6], sum_4008} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
   // hls/stages/patches.hpp:557
-  logic [9:0] select_4018;
-  assign select_4018 = less_2426_s2_q ? select_4017 : 10'h3ff;
+  logic [9:0] select_4012;
+  assign select_4012 = less_2421_s2_q ? select_4011 : 10'h3ff;
   // hls/stages/patches.hpp:558
-  logic [9:0] select_4020;
-  assign select_4020 = less_2426_s2_q ? (equal_2429_s2_q ? 10'h3ff : select_4018) : 10'h3ff;
+  logic [9:0] select_4014;
+  assign select_4014 = less_2421_s2_q ? (equal_2424_s2_q ? 10'h3ff : select_4012) : 10'h3ff;
   // hls/stages/patches.hpp:561
-  logic [9:0] select_4021;
-  assign select_4021 = equal_2429_s2_q ? select_4020 : select_4018;
-  logic [9:0] select_4023;
-  assign select_4023 = less_2426_s2_q ? (equal_2427_s2_q ? 10'h3ff : select_4021) : select_4021;
+  logic [9:0] select_4015;
+  assign select_4015 = equal_2424_s2_q ? select_4014 : select_4012;
+  logic [9:0] select_4017;
+  assign select_4017 = less_2421_s2_q ? (equal_2422_s2_q ? 10'h3ff : select_4015) : select_4015;
   // hls/stages/patches.hpp:540
-  logic [14:0] select_4025;
-  assign select_4025 = and_3993 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  logic [14:0] select_4019;
+  assign select_4019 = and_3987 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/patches.hpp:185
-  logic [9:0] select_4026;
-  assign select_4026 = equal_2246_s2_q ? select_4025[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_4027;
-  assign select_4027 = equal_2246_s2_q ? select_4025[14:10] : patches_peak_best_column_q;
+  logic [9:0] select_4020;
+  assign select_4020 = equal_2241_s2_q ? select_4019[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_4021;
+  assign select_4021 = equal_2241_s2_q ? select_4019[14:10] : patches_peak_best_column_q;
   // hls/stages/patches.hpp:542
-  logic [9:0] select_4029;
-  assign select_4029 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
+  logic [9:0] select_4023;
+  assign select_4023 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
   // hls/stages/patches.hpp:543
-  logic [9:0] select_4031;
-  assign select_4031 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  logic [9:0] select_4025;
+  assign select_4025 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
   // hls/stages/patches.hpp:544
-  logic [9:0] select_4034;
-  assign select_4034 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
-  logic [9:0] select_4035;
-  assign select_4035 = patches_read_first_q ? patches_read_far_q : select_4034;
+  logic [9:0] select_4028;
+  assign select_4028 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
+  logic [9:0] select_4029;
+  assign select_4029 = patches_read_first_q ? patches_read_far_q : select_4028;
   // hls/stages/patches.hpp:595
-  logic [9:0] difference_4038;
-  assign difference_4038 = select_4035 - select_4025[9:0];
+  logic [9:0] difference_4032;
+  assign difference_4032 = select_4029 - select_4019[9:0];
   // hls/stages/patches.hpp:580
-  logic less_4068;
-  assign less_4068 = select_4029 < select_4031;
+  logic less_4062;
+  assign less_4062 = select_4023 < select_4025;
   // hls/stages/patches.hpp:586
-  logic [1:0] sum_4069;
-  assign sum_4069 = select_3994[4:3] + 2'h3;
+  logic [1:0] sum_4063;
+  assign sum_4063 = select_3988[4:3] + 2'h3;
   // hls/stages/patches.hpp:581
   logic [9:0] high;
-  assign high = less_4068 ? select_4031 : select_4029;
+  assign high = less_4062 ? select_4025 : select_4023;
   logic [9:0] low;
-  assign low = (select_4031 < select_4029) ? select_4031 : select_4029;
+  assign low = (select_4025 < select_4023) ? select_4025 : select_4023;
   // hls/stages/patches.hpp:582
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall_2;
-  assign fall_2 = high - select_4025[9:0];
+  assign fall_2 = high - select_4019[9:0];
   // hls/stages/patches.hpp:584
-  logic not_4076;
-  assign not_4076 = ~({eight, 3'h0} < {3'h0, fall_2});
-  logic [10:0] sum_4077;
-  assign sum_4077 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
-  logic not_4079;
-  assign not_4079 = ~({eight, 3'h0} < {1'b0, sum_4077, fall_2[0]});
-  logic [1:0] sum_4080;
-  assign sum_4080 = {1'b0, not_4076} + {1'b0, not_4079};
+  logic not_4070;
+  assign not_4070 = ~({eight, 3'h0} < {3'h0, fall_2});
+  logic [10:0] sum_4071;
+  assign sum_4071 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
+  logic not_4073;
+  assign not_4073 = ~({eight, 3'h0} < {1'b0, sum_4071, fall_2[0]});
+  logic [1:0] sum_4074;
+  assign sum_4074 = {1'b0, not_4070} + {1'b0, not_4073};
   // hls/stages/patches.hpp:585
-  logic [10:0] sum_4081;
-  assign sum_4081 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
-  logic not_4083;
-  assign not_4083 = ~({eight, 3'h0} < {sum_4081, fall_2[1:0]});
-  logic not_4086;
-  assign not_4086 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
-  logic [1:0] sum_4087;
-  assign sum_4087 = {1'b0, not_4083} + {1'b0, not_4086};
+  logic [10:0] sum_4075;
+  assign sum_4075 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
+  logic not_4077;
+  assign not_4077 = ~({eight, 3'h0} < {sum_4075, fall_2[1:0]});
+  logic not_4080;
+  assign not_4080 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
+  logic [1:0] sum_4081;
+  assign sum_4081 = {1'b0, not_4077} + {1'b0, not_4080};
   // hls/stages/patches.hpp:584
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_4080} + {1'b0, sum_4087};
+  assign fraction = {1'b0, sum_4074} + {1'b0, sum_4081};
   // hls/stages/patches.hpp:587
-  logic [7:0] select_4090;
-  assign select_4090 = less_4068 ? ({sum_4069, select_3994[2:0], 3'h0} - {5'h0, fraction}) : {sum_4069, select_3994[2:0], fraction};
+  logic [7:0] select_4084;
+  assign select_4084 = less_4062 ? ({sum_4063, select_3988[2:0], 3'h0} - {5'h0, fraction}) : {sum_4063, select_3988[2:0], fraction};
   // hls/stages/agreement.hpp:788
-  logic select_4313;
-  assign select_4313 = equal_567_s2_q ? shown_shown_q : (so_s2_q ? select_2491 : shown_shown_q);
-  logic select_4315;
-  assign select_4315 = equal_567_s2_q ? shown_nearer_q : (so_s2_q ? select_2494 : shown_nearer_q);
+  logic select_4307;
+  assign select_4307 = equal_565_s2_q ? shown_shown_q : (so_s2_q ? select_2486 : shown_shown_q);
+  logic select_4309;
+  assign select_4309 = equal_565_s2_q ? shown_nearer_q : (so_s2_q ? select_2489 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_4317;
-  assign sum_4317 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_4311;
+  assign sum_4311 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:460
-  logic [2:0] select_4319;
-  assign select_4319 = less_4316_s2_q ? (sum_4317[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_4321;
-  assign select_4321 = equal_2932_s2_q ? (equal_672_s2_q ? 3'h0 : select_4319) : region_row_q;
+  logic [2:0] select_4313;
+  assign select_4313 = less_4310_s2_q ? (sum_4311[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_4315;
+  assign select_4315 = equal_2927_s2_q ? (equal_670_s2_q ? 3'h0 : select_4313) : region_row_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_4326;
-  assign select_4326 = equal_567_s2_q ? select_2445 : (so_s2_q ? (ends_cell_s2_q ? select_2543 : select_2445) : 8'h1);
+  logic [7:0] select_4320;
+  assign select_4320 = equal_565_s2_q ? select_2440 : (so_s2_q ? (ends_cell_s2_q ? select_2538 : select_2440) : 8'h1);
   // hls/stages/agreement.hpp:460
-  logic [8:0] select_4340;
-  assign select_4340 = equal_672_s2_q ? {{2{difference_4338[6]}}, difference_4338} : (less_4316_s2_q ? region_down_next_q : region_down_rest_q);
+  logic [8:0] select_4334;
+  assign select_4334 = equal_670_s2_q ? {{2{difference_4332[6]}}, difference_4332} : (less_4310_s2_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:520
-  logic [8:0] select_4342;
-  assign select_4342 = and_542_s2_q ? (equal_2932_s2_q ? select_4340 : region_down_rest_q) : region_down_rest_q;
+  logic [8:0] select_4336;
+  assign select_4336 = and_540_s2_q ? (equal_2927_s2_q ? select_4334 : region_down_rest_q) : region_down_rest_q;
   // hls/stages/agreement.hpp:460
-  logic [6:0] select_4344;
-  assign select_4344 = equal_672_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  logic [6:0] select_4338;
+  assign select_4338 = equal_670_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_4346;
-  assign select_4346 = and_542_s2_q ? (equal_2932_s2_q ? select_4344 : region_down_back_q) : region_down_back_q;
+  logic [6:0] select_4340;
+  assign select_4340 = and_540_s2_q ? (equal_2927_s2_q ? select_4338 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4347;
-  assign sum_4347 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_4341;
+  assign sum_4341 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4348;
-  assign select_4348 = sum_4317[7] ? {1'b1, sum_4317[6:0], region_down_rest_q[0]} : sum_4347;
+  logic [8:0] select_4342;
+  assign select_4342 = sum_4311[7] ? {1'b1, sum_4311[6:0], region_down_rest_q[0]} : sum_4341;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_4317[7];
+  assign next = ~sum_4311[7];
   // hls/stages/agreement.hpp:460
-  logic select_4352;
-  assign select_4352 = equal_2932_s2_q ? (equal_672_s2_q | (less_4316_s2_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_4346;
+  assign select_4346 = equal_2927_s2_q ? (equal_670_s2_q | (less_4310_s2_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:205
-  logic or_4357;
-  assign or_4357 = segment_starts_q | not_570_s2_q;
+  logic or_4351;
+  assign or_4351 = segment_starts_q | not_568_s2_q;
   // hls/stages/agreement.hpp:1030
-  logic select_4360;
-  assign select_4360 = inside_v_s2_q ? (sum_2458_s2_q ? (equal_2239 & or_2460) : or_2460) : or_4357;
+  logic select_4354;
+  assign select_4354 = inside_v_s2_q ? (sum_2453_s2_q ? (equal_2234 & or_2455) : or_2455) : or_4351;
   // hls/stages/agreement.hpp:788
-  logic select_4363;
-  assign select_4363 = equal_567_s2_q ? or_4357 : (so_s2_q ? (ends_cell_s2_q ? select_4360 : or_4357) : or_4357);
+  logic select_4357;
+  assign select_4357 = equal_565_s2_q ? or_4351 : (so_s2_q ? (ends_cell_s2_q ? select_4354 : or_4351) : or_4351);
   // hls/stages/agreement.hpp:1147
-  logic equal_4387;
-  assign equal_4387 = x_s2_q[6:0] == 7'h7f;
+  logic equal_4381;
+  assign equal_4381 = x_s2_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:788
+  logic select_4517;
+  assign select_4517 = so_s2_q ? (ends_cell_s2_q ? and_2526 : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_4520;
+  assign select_4520 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4522;
+  assign select_4522 = equal_565_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4520 : centres_values_0_of_skin_q);
   logic select_4523;
-  assign select_4523 = so_s2_q ? (ends_cell_s2_q ? and_2531 : centres_values_0_textured_q) : centres_values_0_textured_q;
+  assign select_4523 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4525;
+  assign select_4525 = equal_565_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4523 : centres_values_1_textured_q);
   logic select_4526;
-  assign select_4526 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  assign select_4526 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
   logic select_4528;
-  assign select_4528 = equal_567_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4526 : centres_values_0_of_skin_q);
-  logic select_4529;
-  assign select_4529 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_4531;
-  assign select_4531 = equal_567_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4529 : centres_values_1_textured_q);
-  logic select_4532;
-  assign select_4532 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_4534;
-  assign select_4534 = equal_567_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4532 : centres_values_1_of_skin_q);
+  assign select_4528 = equal_565_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4526 : centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:460
-  logic [12:0] select_4538;
-  assign select_4538 = equal_2932_s2_q ? (equal_4535_s2_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  logic [12:0] select_4532;
+  assign select_4532 = equal_2927_s2_q ? (equal_4529_s2_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_4541;
-  assign select_4541 = and_542_s2_q ? (equal_2932_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
+  logic [6:0] select_4535;
+  assign select_4535 = and_540_s2_q ? (equal_2927_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
   // hls/stages/agreement.hpp:1300
-  logic [2:0] select_4552;
-  assign select_4552 = select_2503 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
+  logic [2:0] select_4546;
+  assign select_4546 = select_2498 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:436
-  logic [7:0] select_4558;
-  assign select_4558 = marks_first_s2_q ? (less_4554 ? {sum_4555, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic [7:0] select_4552;
+  assign select_4552 = marks_first_s2_q ? (less_4548 ? {sum_4549, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/registration.hpp:258
-  logic not_4628;
-  assign not_4628 = ~quarter[1];
-  logic [3:0] select_4629;
-  assign select_4629 = quarter[0] ? {quarter[1], 1'b0, not_4628, 1'b0} : {1'b0, quarter[1], 1'b0, not_4628};
+  logic not_4622;
+  assign not_4622 = ~quarter[1];
+  logic [3:0] select_4623;
+  assign select_4623 = quarter[0] ? {quarter[1], 1'b0, not_4622, 1'b0} : {1'b0, quarter[1], 1'b0, not_4622};
 
   // Memory registration_sums, 12 x 32 and parity, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4778,9 +4774,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 33'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_2081;
+  assign registration_sums_raddr = select_2079;
   logic registration_sums_re;
-  assign registration_sums_re = s2_en & select_2124;
+  assign registration_sums_re = s2_en & select_2122;
   logic [32:0] registration_sums_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) registration_sums_word_q <= registration_sums_mem[registration_sums_raddr];
@@ -4800,9 +4796,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 24'h0;
 `endif
   logic [5:0] patches_choices_raddr;
-  assign patches_choices_raddr = select_2158;
+  assign patches_choices_raddr = select_2153;
   logic patches_choices_re;
-  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_2160));
+  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_2155));
   logic [23:0] patches_choices_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_choices_word_q <= patches_choices_mem[patches_choices_raddr];
@@ -4822,9 +4818,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 31'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_2455;
+  assign regions_raddr = select_2450;
   logic regions_re;
-  assign regions_re = s2_en & (equal_567_s2_q ? (x_s2_q[6] & not_2456) : and_2463);
+  assign regions_re = s2_en & (equal_565_s2_q ? (x_s2_q[6] & not_2451) : and_2458);
   logic [30:0] regions_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) regions_word_q <= regions_mem[regions_raddr];
@@ -4843,9 +4839,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 9600; i++) map_mem[i] = 3'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_2515, index[5:0]};
+  assign map_raddr = {sum_2510, index[5:0]};
   logic map_re;
-  assign map_re = s2_en & (and_2522 & less_2523);
+  assign map_re = s2_en & (and_2517 & less_2518);
   logic [2:0] map_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) map_word_q <= map_mem[map_raddr];
@@ -4858,11 +4854,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_508_s2_q;
+  assign averager_memory_waddr = select_505_s2_q;
   logic averager_memory_we;
-  assign averager_memory_we = s2_en & and_517_s2_q;
+  assign averager_memory_we = s2_en & and_514_s2_q;
   logic [25:0] averager_memory_wdata;
-  assign averager_memory_wdata = {and_536, and_532, sum_528, sum_524};
+  assign averager_memory_wdata = {and_533, and_529, sum_525, sum_521};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {^averager_memory_wdata, averager_memory_wdata};
   end
@@ -4882,9 +4878,9 @@ module horopter_agreement (
   logic [6:0] census_memory_waddr;
   assign census_memory_waddr = last_s2_2_q;
   logic census_memory_we;
-  assign census_memory_we = s2_en & and_542_s2_q;
+  assign census_memory_we = s2_en & and_540_s2_q;
   logic [77:0] census_memory_wdata;
-  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_560, whole_2, select_552, select_548};
+  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_558, whole_2, select_550, select_546};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (census_memory_we) census_memory_mem[census_memory_waddr] <= {^census_memory_wdata, census_memory_wdata};
   end
@@ -4902,11 +4898,11 @@ module horopter_agreement (
 
   // Memory moments_memory, write
   logic [12:0] moments_memory_waddr;
-  assign moments_memory_waddr = select_566_s2_q;
+  assign moments_memory_waddr = select_564_s2_q;
   logic moments_memory_we;
-  assign moments_memory_we = s2_en & and_584_s2_q;
+  assign moments_memory_we = s2_en & and_582_s2_q;
   logic [3:0] moments_memory_wdata;
-  assign moments_memory_wdata = {and_639_s2_q, and_637_s2_q, and_632_s2_q, and_630};
+  assign moments_memory_wdata = {and_637_s2_q, and_635_s2_q, and_630_s2_q, and_628};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {^moments_memory_wdata, moments_memory_wdata};
   end
@@ -4926,9 +4922,9 @@ module horopter_agreement (
   logic [6:0] best_left_waddr;
   assign best_left_waddr = x_s2_2_q;
   logic best_left_we;
-  assign best_left_we = s2_en & and_2028_s2_q;
+  assign best_left_we = s2_en & and_2026_s2_q;
   logic [61:0] best_left_wdata;
-  assign best_left_wdata = {select_2027, select_2024, select_2021, select_2019, select_1992, select_1989, select_1981, select_1980, select_1976};
+  assign best_left_wdata = {select_2025, select_2022, select_2019, select_2017, select_1990, select_1987, select_1979, select_1978, select_1974};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_left_we) best_left_mem[best_left_waddr] <= {^best_left_wdata, best_left_wdata};
   end
@@ -4961,9 +4957,9 @@ module horopter_agreement (
   logic [6:0] best_right_waddr;
   assign best_right_waddr = right_s2_q;
   logic best_right_we;
-  assign best_right_we = s2_en & and_2028_s2_q;
+  assign best_right_we = s2_en & and_2026_s2_q;
   logic [28:0] best_right_wdata;
-  assign best_right_wdata = {select_2038, select_2037, select_2034, select_2033};
+  assign best_right_wdata = {select_2036, select_2035, select_2032, select_2031};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_right_we) best_right_mem[best_right_waddr] <= {^best_right_wdata, best_right_wdata};
   end
@@ -4981,11 +4977,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_2045_s2_q;
+  assign shown_right_waddr = select_2043_s2_q;
   logic shown_right_we;
-  assign shown_right_we = s2_en & and_2056;
+  assign shown_right_we = s2_en & and_2054;
   logic [1:0] shown_right_wdata;
-  assign shown_right_wdata = {and_2053, not_570_s2_q};
+  assign shown_right_wdata = {and_2051, not_568_s2_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (shown_right_we) shown_right_mem[shown_right_waddr] <= {^shown_right_wdata, shown_right_wdata};
   end
@@ -5007,7 +5003,7 @@ module horopter_agreement (
   logic left_turns_we;
   assign left_turns_we = s2_en & moments_taken_q;
   logic [1:0] left_turns_wdata;
-  assign left_turns_wdata = {and_2064, and_2061};
+  assign left_turns_wdata = {and_2062, and_2059};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (left_turns_we) left_turns_mem[left_turns_waddr] <= {^left_turns_wdata, left_turns_wdata};
   end
@@ -5029,7 +5025,7 @@ module horopter_agreement (
   logic right_turns_we;
   assign right_turns_we = s2_en & moments_taken_q;
   logic [1:0] right_turns_wdata;
-  assign right_turns_wdata = {and_2073, and_2070};
+  assign right_turns_wdata = {and_2071, and_2068};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (right_turns_we) right_turns_mem[right_turns_waddr] <= {^right_turns_wdata, right_turns_wdata};
   end
@@ -5047,11 +5043,11 @@ module horopter_agreement (
 
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_2359, patches_code_row_s2_q[1:0], of_row_2_s2_q};
+  assign patches_right_codes_waddr = {sum_2354, patches_code_row_s2_q[1:0], of_row_2_s2_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s2_en & and_2411_s2_q;
+  assign patches_right_codes_we = s2_en & and_2406_s2_q;
   logic [27:0] patches_right_codes_wdata;
-  assign patches_right_codes_wdata = {and_2397_s2_q, and_2394_s2_q, and_2378_s2_q, and_2375, patches_codes_at_q[51:28]};
+  assign patches_right_codes_wdata = {and_2392_s2_q, and_2389_s2_q, and_2373_s2_q, and_2370, patches_codes_at_q[51:28]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {^patches_right_codes_wdata, patches_right_codes_wdata};
   end
@@ -5069,11 +5065,11 @@ module horopter_agreement (
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_2415, patches_code_row_s2_q[1:0]};
+  assign patches_left_codes_waddr = {sum_2410, patches_code_row_s2_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s2_en & and_2425_s2_q;
+  assign patches_left_codes_we = s2_en & and_2420_s2_q;
   logic [47:0] patches_left_codes_wdata;
-  assign patches_left_codes_wdata = {and_2397_s2_q, and_2394_s2_q, and_2378_s2_q, and_2375, patches_codes_at_q[51:8]};
+  assign patches_left_codes_wdata = {and_2392_s2_q, and_2389_s2_q, and_2373_s2_q, and_2370, patches_codes_at_q[51:8]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {^patches_left_codes_wdata, patches_left_codes_wdata};
   end
@@ -5093,9 +5089,9 @@ module horopter_agreement (
   logic [6:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s2_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s2_en & and_2041_s2_q;
+  assign seen_columns_we = s2_en & and_2039_s2_q;
   logic [17:0] seen_columns_wdata;
-  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2490, textured};
+  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2485, textured};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {^seen_columns_wdata, seen_columns_wdata};
   end
@@ -5218,102 +5214,102 @@ module horopter_agreement (
       sample_pair_pixel_1_q <= pixel_1_s2_q;
       sample_of_skin_q <= mask_s2_q;
       averager_running_mask_q <= sample_pair_whole_s2_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2656;
-      averager_mask_q <= select_2658;
-      averager_of_skin_q <= select_2660;
-      census_filled_q <= and_542_s2_q ? {select_675[2:0], 1'b1} : census_filled_q;
-      moments_turned_0_q <= sum_2755;
-      moments_turned_1_q <= sum_2757;
-      moments_before_0_q <= equal_567_s2_q ? select_2759 : moments_before_0_q;
-      moments_before_1_q <= equal_567_s2_q ? select_2761 : moments_before_1_q;
-      moments_has_before_q <= select_2764;
-      moments_most_before_q <= select_2767;
-      moments_left_begins_q <= select_2771;
-      moments_left_alone_q <= select_2775;
-      moments_left_other_stops_q <= select_2778;
-      moments_right_begins_q <= select_2781;
-      moments_right_alone_q <= select_2785;
-      moments_right_other_stops_q <= select_2788;
-      moments_out_of_step_q <= or_2791;
-      moments_turns_0_q <= and_2799;
-      moments_turns_1_q <= and_2803;
-      moments_begins_alone_q <= and_2812;
-      moments_ends_q <= equal_567_s2_q & (equal_2758 & (not_2813 | and_2815));
-      rows_passed_above_q <= and_542_s2_q ? select_674 : rows_passed_above_q;
-      shift_allowed_q <= not_3029 & (~less_3030);
+      averager_running_of_skin_q <= select_2651;
+      averager_mask_q <= select_2653;
+      averager_of_skin_q <= select_2655;
+      census_filled_q <= and_540_s2_q ? {select_673[2:0], 1'b1} : census_filled_q;
+      moments_turned_0_q <= sum_2750;
+      moments_turned_1_q <= sum_2752;
+      moments_before_0_q <= equal_565_s2_q ? select_2754 : moments_before_0_q;
+      moments_before_1_q <= equal_565_s2_q ? select_2756 : moments_before_1_q;
+      moments_has_before_q <= select_2759;
+      moments_most_before_q <= select_2762;
+      moments_left_begins_q <= select_2766;
+      moments_left_alone_q <= select_2770;
+      moments_left_other_stops_q <= select_2773;
+      moments_right_begins_q <= select_2776;
+      moments_right_alone_q <= select_2780;
+      moments_right_other_stops_q <= select_2783;
+      moments_out_of_step_q <= or_2786;
+      moments_turns_0_q <= and_2794;
+      moments_turns_1_q <= and_2798;
+      moments_begins_alone_q <= and_2807;
+      moments_ends_q <= equal_565_s2_q & (equal_2753 & (not_2808 | and_2810));
+      rows_passed_above_q <= and_540_s2_q ? select_672 : rows_passed_above_q;
+      shift_allowed_q <= not_3024 & (~less_3025);
       shift_not_right_q <= $signed(run_shift_s2_q) < $signed(6'h1);
-      counts_turned_left_q <= and_3037 ? 14'h0 : (counts_turned_left_q + {13'h0, and_3156});
-      counts_turned_right_q <= and_3037 ? 14'h0 : (counts_turned_right_q + {13'h0, and_3163});
-      registration_displacement_over_q <= so_s2_q ? sum_3187[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_3189;
-      registration_slope_here_q <= select_3191;
-      registration_expected_q <= select_3193;
-      registration_of_right_q <= equal_567_s2_q ? registration_of_right_q : select_3255;
-      registration_was_inside_q <= equal_567_s2_q ? registration_was_inside_q : select_3258;
-      registration_fresh_q <= select_3267;
-      patches_chance_q <= and_542_s2_q ? select_3424 : patches_chance_q;
-      patches_fixed_q <= and_3439;
-      patches_choice_valid_q <= and_2244 ? (select_2217 & not_3426) : select_2217;
-      patches_choice_column_q <= select_2222;
-      patches_choice_shift_q <= select_2227;
-      patches_choice_slope_q <= select_2238;
-      patches_band_q <= sample_pair_whole_s2_q ? select_2259 : patches_band_q;
-      patches_fetch_q <= select_3454;
-      patches_codes_at_q <= select_3555;
-      patches_codes_further_q <= equal_2246_s2_q ? patches_codes_further_q : select_3560;
-      patches_next_codes_q <= select_3568;
-      patches_set_q <= equal_2246_s2_q ? 3'h0 : (equal_2248_s2_q ? 3'h0 : select_3582);
-      patches_size_q <= sum_3586;
-      patches_left_row_q <= select_3598;
-      patches_summed_row_column_q <= equal_2246_s2_q ? patches_summed_row_column_q : select_3943;
-      patches_summed_first_q <= select_3946;
-      patches_read_row_differing_q <= equal_2246_s2_q ? select_3958 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_2246_s2_q ? select_3965 : patches_read_row_column_q;
-      patches_read_at_q <= equal_2246_s2_q ? select_3972 : patches_read_at_q;
-      patches_read_first_q <= select_3981;
-      patches_read_above_q <= select_4004;
-      patches_read_below_q <= select_4013;
-      patches_read_far_q <= equal_2246_s2_q ? select_4023 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_4026;
-      patches_peak_best_column_q <= select_4027;
-      patches_peak_row_q <= equal_2246_s2_q ? select_3994 : patches_peak_row_q;
-      patches_peak_above_q <= equal_2246_s2_q ? select_4029 : patches_peak_above_q;
-      patches_peak_below_q <= equal_2246_s2_q ? select_4031 : patches_peak_below_q;
-      patches_peak_far_q <= equal_2246_s2_q ? select_4035 : patches_peak_far_q;
-      patches_frame_ended_q <= equal_567_s2_q & equal_2758;
-      shown_shown_q <= select_4313;
-      shown_nearer_q <= select_4315;
-      region_row_q <= and_542_s2_q ? select_4321 : region_row_q;
+      counts_turned_left_q <= and_3032 ? 14'h0 : (counts_turned_left_q + {13'h0, and_3151});
+      counts_turned_right_q <= and_3032 ? 14'h0 : (counts_turned_right_q + {13'h0, and_3158});
+      registration_displacement_over_q <= so_s2_q ? sum_3182[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_3184;
+      registration_slope_here_q <= select_3186;
+      registration_expected_q <= select_3188;
+      registration_of_right_q <= equal_565_s2_q ? registration_of_right_q : select_3250;
+      registration_was_inside_q <= equal_565_s2_q ? registration_was_inside_q : select_3253;
+      registration_fresh_q <= select_3262;
+      patches_chance_q <= and_540_s2_q ? select_3419 : patches_chance_q;
+      patches_fixed_q <= and_3434;
+      patches_choice_valid_q <= and_2239 ? (select_2212 & not_3421) : select_2212;
+      patches_choice_column_q <= select_2217;
+      patches_choice_shift_q <= select_2222;
+      patches_choice_slope_q <= select_2233;
+      patches_band_q <= sample_pair_whole_s2_q ? select_2254 : patches_band_q;
+      patches_fetch_q <= select_3448;
+      patches_codes_at_q <= select_3549;
+      patches_codes_further_q <= equal_2241_s2_q ? patches_codes_further_q : select_3554;
+      patches_next_codes_q <= select_3562;
+      patches_set_q <= equal_2241_s2_q ? 3'h0 : (equal_2243_s2_q ? 3'h0 : select_3576);
+      patches_size_q <= sum_3580;
+      patches_left_row_q <= select_3592;
+      patches_summed_row_column_q <= equal_2241_s2_q ? patches_summed_row_column_q : select_3937;
+      patches_summed_first_q <= select_3940;
+      patches_read_row_differing_q <= equal_2241_s2_q ? select_3952 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_2241_s2_q ? select_3959 : patches_read_row_column_q;
+      patches_read_at_q <= equal_2241_s2_q ? select_3966 : patches_read_at_q;
+      patches_read_first_q <= select_3975;
+      patches_read_above_q <= select_3998;
+      patches_read_below_q <= select_4007;
+      patches_read_far_q <= equal_2241_s2_q ? select_4017 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_4020;
+      patches_peak_best_column_q <= select_4021;
+      patches_peak_row_q <= equal_2241_s2_q ? select_3988 : patches_peak_row_q;
+      patches_peak_above_q <= equal_2241_s2_q ? select_4023 : patches_peak_above_q;
+      patches_peak_below_q <= equal_2241_s2_q ? select_4025 : patches_peak_below_q;
+      patches_peak_far_q <= equal_2241_s2_q ? select_4029 : patches_peak_far_q;
+      patches_frame_ended_q <= equal_565_s2_q & equal_2753;
+      shown_shown_q <= select_4307;
+      shown_nearer_q <= select_4309;
+      region_row_q <= and_540_s2_q ? select_4315 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_4326;
-      region_down_rest_q <= select_4342;
-      region_down_back_q <= select_4346;
-      region_down_next_q <= select_4348;
-      region_fresh_q <= and_542_s2_q ? select_4352 : region_fresh_q;
-      segment_starts_q <= select_4363;
-      centres_values_0_textured_q <= equal_567_s2_q ? centres_values_0_textured_q : select_4523;
-      centres_values_0_of_skin_q <= select_4528;
-      centres_values_1_textured_q <= select_4531;
-      centres_values_1_of_skin_q <= select_4534;
-      map_row_q <= and_542_s2_q ? select_4538 : map_row_q;
-      map_width_q <= select_4541;
+      region_columns_q <= select_4320;
+      region_down_rest_q <= select_4336;
+      region_down_back_q <= select_4340;
+      region_down_next_q <= select_4342;
+      region_fresh_q <= and_540_s2_q ? select_4346 : region_fresh_q;
+      segment_starts_q <= select_4357;
+      centres_values_0_textured_q <= equal_565_s2_q ? centres_values_0_textured_q : select_4517;
+      centres_values_0_of_skin_q <= select_4522;
+      centres_values_1_textured_q <= select_4525;
+      centres_values_1_of_skin_q <= select_4528;
+      map_row_q <= and_540_s2_q ? select_4532 : map_row_q;
+      map_width_q <= select_4535;
       write_half_q <= marks_first_s2_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_2514;
-      done_q <= not_2516 & ((~drew_q) & (done_q | said_q));
+      read_half_q <= select_2509;
+      done_q <= not_2511 & ((~drew_q) & (done_q | said_q));
       proven_q <= marks_first_s2_q ? done_q : proven_q;
       drew_q <= so_s2_q;
-      said_q <= equal_567_s2_q & equal_4387;
-      rows_passed_q <= select_2499;
-      columns_passed_q <= {select_2501[7:0], or_2497};
+      said_q <= equal_565_s2_q & equal_4381;
+      rows_passed_q <= select_2494;
+      columns_passed_q <= {select_2496[7:0], or_2492};
       line_ended_q <= marks_last_s2_q;
-      began_q <= and_2518;
-      seen_x_q <= select_2520;
-      seen_y_q <= marks_first_s2_q ? 3'h0 : select_4552;
-      seen_column_q <= select_2511;
-      seen_rows_left_q <= select_4558;
+      began_q <= and_2513;
+      seen_x_q <= select_2515;
+      seen_y_q <= marks_first_s2_q ? 3'h0 : select_4546;
+      seen_column_q <= select_2506;
+      seen_rows_left_q <= select_4552;
       at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= select_2508;
+      seen_base_q <= select_2503;
     end
   end
 
@@ -5386,68 +5382,68 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      averager_running_0_q <= sample_pair_whole_s2_q ? select_520 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s2_q ? sum_526 : averager_running_1_q;
-      averager_total_0_q <= select_2634;
-      averager_total_1_q <= select_2636;
-      census_columns_values_0_cell_0_left_q <= select_2661;
-      census_columns_values_0_cell_0_right_q <= select_2662;
-      census_columns_values_0_cell_0_mask_q <= and_542_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2664;
-      census_columns_values_0_cell_1_right_q <= select_2665;
-      census_columns_values_0_cell_1_mask_q <= select_2666;
-      census_columns_values_0_cell_2_left_q <= select_2667;
-      census_columns_values_0_cell_2_right_q <= select_2668;
-      census_columns_values_0_cell_2_mask_q <= select_2669;
-      census_columns_values_0_cell_2_of_skin_q <= select_2670;
-      census_columns_values_0_cell_3_left_q <= select_2671;
-      census_columns_values_0_cell_3_right_q <= select_2672;
-      census_columns_values_0_cell_3_mask_q <= select_2673;
-      census_columns_values_0_cell_4_left_q <= select_2674;
-      census_columns_values_0_cell_4_right_q <= select_2675;
-      census_columns_values_0_cell_4_mask_q <= select_2676;
-      census_columns_values_1_cell_0_left_q <= select_2677;
-      census_columns_values_1_cell_0_right_q <= select_2678;
-      census_columns_values_1_cell_0_mask_q <= select_2679;
-      census_columns_values_1_cell_1_left_q <= select_2680;
-      census_columns_values_1_cell_1_right_q <= select_2681;
-      census_columns_values_1_cell_1_mask_q <= select_2682;
-      census_columns_values_1_cell_2_left_q <= select_2683;
-      census_columns_values_1_cell_2_right_q <= select_2684;
-      census_columns_values_1_cell_2_mask_q <= select_2685;
-      census_columns_values_1_cell_2_of_skin_q <= select_2686;
-      census_columns_values_1_cell_3_left_q <= select_2687;
-      census_columns_values_1_cell_3_right_q <= select_2688;
-      census_columns_values_1_cell_3_mask_q <= select_2689;
-      census_columns_values_1_cell_4_left_q <= select_2690;
-      census_columns_values_1_cell_4_right_q <= select_2691;
-      census_columns_values_1_cell_4_mask_q <= select_2692;
-      census_columns_values_2_cell_0_left_q <= select_2693;
-      census_columns_values_2_cell_0_right_q <= select_2694;
-      census_columns_values_2_cell_0_mask_q <= select_2695;
-      census_columns_values_2_cell_1_left_q <= select_2696;
-      census_columns_values_2_cell_1_right_q <= select_2697;
-      census_columns_values_2_cell_1_mask_q <= select_2698;
-      census_columns_values_2_cell_2_left_q <= select_2699;
-      census_columns_values_2_cell_2_right_q <= select_2700;
-      census_columns_values_2_cell_2_mask_q <= select_2701;
-      census_columns_values_2_cell_3_left_q <= select_2702;
-      census_columns_values_2_cell_3_right_q <= select_2703;
-      census_columns_values_2_cell_3_mask_q <= select_2704;
-      census_columns_values_2_cell_4_left_q <= select_2705;
-      census_columns_values_2_cell_4_right_q <= select_2706;
-      census_columns_values_2_cell_4_mask_q <= select_2707;
-      census_columns_values_3_cell_0_mask_q <= select_2708;
-      census_columns_values_3_cell_1_left_q <= select_2709;
-      census_columns_values_3_cell_1_right_q <= select_2710;
-      census_columns_values_3_cell_1_mask_q <= select_2711;
-      census_columns_values_3_cell_2_mask_q <= select_2712;
-      census_columns_values_3_cell_3_left_q <= select_2713;
-      census_columns_values_3_cell_3_right_q <= select_2714;
-      census_columns_values_3_cell_3_mask_q <= select_2715;
-      census_columns_values_3_cell_4_mask_q <= select_2716;
-      sharpness_last_mean_0_q <= and_542_s2_q ? select_548 : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_542_s2_q ? select_552 : sharpness_last_mean_1_q;
+      averager_running_0_q <= sample_pair_whole_s2_q ? select_517 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s2_q ? sum_523 : averager_running_1_q;
+      averager_total_0_q <= select_2629;
+      averager_total_1_q <= select_2631;
+      census_columns_values_0_cell_0_left_q <= select_2656;
+      census_columns_values_0_cell_0_right_q <= select_2657;
+      census_columns_values_0_cell_0_mask_q <= and_540_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
+      census_columns_values_0_cell_1_left_q <= select_2659;
+      census_columns_values_0_cell_1_right_q <= select_2660;
+      census_columns_values_0_cell_1_mask_q <= select_2661;
+      census_columns_values_0_cell_2_left_q <= select_2662;
+      census_columns_values_0_cell_2_right_q <= select_2663;
+      census_columns_values_0_cell_2_mask_q <= select_2664;
+      census_columns_values_0_cell_2_of_skin_q <= select_2665;
+      census_columns_values_0_cell_3_left_q <= select_2666;
+      census_columns_values_0_cell_3_right_q <= select_2667;
+      census_columns_values_0_cell_3_mask_q <= select_2668;
+      census_columns_values_0_cell_4_left_q <= select_2669;
+      census_columns_values_0_cell_4_right_q <= select_2670;
+      census_columns_values_0_cell_4_mask_q <= select_2671;
+      census_columns_values_1_cell_0_left_q <= select_2672;
+      census_columns_values_1_cell_0_right_q <= select_2673;
+      census_columns_values_1_cell_0_mask_q <= select_2674;
+      census_columns_values_1_cell_1_left_q <= select_2675;
+      census_columns_values_1_cell_1_right_q <= select_2676;
+      census_columns_values_1_cell_1_mask_q <= select_2677;
+      census_columns_values_1_cell_2_left_q <= select_2678;
+      census_columns_values_1_cell_2_right_q <= select_2679;
+      census_columns_values_1_cell_2_mask_q <= select_2680;
+      census_columns_values_1_cell_2_of_skin_q <= select_2681;
+      census_columns_values_1_cell_3_left_q <= select_2682;
+      census_columns_values_1_cell_3_right_q <= select_2683;
+      census_columns_values_1_cell_3_mask_q <= select_2684;
+      census_columns_values_1_cell_4_left_q <= select_2685;
+      census_columns_values_1_cell_4_right_q <= select_2686;
+      census_columns_values_1_cell_4_mask_q <= select_2687;
+      census_columns_values_2_cell_0_left_q <= select_2688;
+      census_columns_values_2_cell_0_right_q <= select_2689;
+      census_columns_values_2_cell_0_mask_q <= select_2690;
+      census_columns_values_2_cell_1_left_q <= select_2691;
+      census_columns_values_2_cell_1_right_q <= select_2692;
+      census_columns_values_2_cell_1_mask_q <= select_2693;
+      census_columns_values_2_cell_2_left_q <= select_2694;
+      census_columns_values_2_cell_2_right_q <= select_2695;
+      census_columns_values_2_cell_2_mask_q <= select_2696;
+      census_columns_values_2_cell_3_left_q <= select_2697;
+      census_columns_values_2_cell_3_right_q <= select_2698;
+      census_columns_values_2_cell_3_mask_q <= select_2699;
+      census_columns_values_2_cell_4_left_q <= select_2700;
+      census_columns_values_2_cell_4_right_q <= select_2701;
+      census_columns_values_2_cell_4_mask_q <= select_2702;
+      census_columns_values_3_cell_0_mask_q <= select_2703;
+      census_columns_values_3_cell_1_left_q <= select_2704;
+      census_columns_values_3_cell_1_right_q <= select_2705;
+      census_columns_values_3_cell_1_mask_q <= select_2706;
+      census_columns_values_3_cell_2_mask_q <= select_2707;
+      census_columns_values_3_cell_3_left_q <= select_2708;
+      census_columns_values_3_cell_3_right_q <= select_2709;
+      census_columns_values_3_cell_3_mask_q <= select_2710;
+      census_columns_values_3_cell_4_mask_q <= select_2711;
+      sharpness_last_mean_0_q <= and_540_s2_q ? select_546 : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_540_s2_q ? select_550 : sharpness_last_mean_1_q;
     end
   end
 
@@ -5476,18 +5472,21 @@ module horopter_agreement (
   logic region_fresh_s3_q;
   logic centres_values_1_textured_s3_q;
   logic centres_values_1_of_skin_s3_q;
+  logic row_starts_s3_q;
   logic [2:0] select_502_s3_q;
-  logic [6:0] select_504_s3_q;
+  logic [6:0] select_534_s3_q;
   logic [6:0] last_s3_q;
+  logic and_538_s3_q;
   logic and_540_s3_q;
-  logic and_542_s3_q;
   logic [8:0] grey_s3_q;
-  logic equal_545_s3_q;
+  logic equal_543_s3_q;
   logic [8:0] grey_2_s3_q;
   logic whole_2_s3_q;
-  logic equal_562_s3_q;
-  logic equal_567_s3_q;
-  logic not_568_s3_q;
+  logic equal_560_s3_q;
+  logic equal_565_s3_q;
+  logic not_566_s3_q;
+  logic less_643_s3_q;
+  logic less_644_s3_q;
   logic less_645_s3_q;
   logic less_646_s3_q;
   logic less_647_s3_q;
@@ -5510,21 +5509,20 @@ module horopter_agreement (
   logic less_664_s3_q;
   logic less_665_s3_q;
   logic less_666_s3_q;
-  logic less_667_s3_q;
-  logic less_668_s3_q;
-  logic and_676_s3_q;
-  logic and_701_s3_q;
-  logic and_702_s3_q;
-  logic [11:0] sum_717_s3_q;
-  logic [9:0] sum_720_s3_q;
-  logic and_728_s3_q;
-  logic and_732_s3_q;
-  logic less_733_s3_q;
+  logic and_674_s3_q;
+  logic and_699_s3_q;
+  logic and_700_s3_q;
+  logic [11:0] sum_715_s3_q;
+  logic [9:0] sum_718_s3_q;
+  logic and_726_s3_q;
+  logic and_730_s3_q;
+  logic less_731_s3_q;
+  logic less_735_s3_q;
   logic less_737_s3_q;
-  logic less_739_s3_q;
-  logic equal_2074_s3_q;
+  logic equal_2072_s3_q;
   logic all_s3_q;
-  logic [1:0] sum_2080_s3_q;
+  logic [1:0] sum_2078_s3_q;
+  logic equal_2080_s3_q;
   logic equal_2082_s3_q;
   logic equal_2084_s3_q;
   logic equal_2086_s3_q;
@@ -5532,80 +5530,78 @@ module horopter_agreement (
   logic equal_2090_s3_q;
   logic equal_2092_s3_q;
   logic equal_2094_s3_q;
-  logic equal_2096_s3_q;
-  logic less_2105_s3_q;
-  logic or_2109_s3_q;
-  logic equal_2129_s3_q;
-  logic and_2139_s3_q;
-  logic and_2142_s3_q;
-  logic select_2159_s3_q;
-  logic equal_2160_s3_q;
-  logic and_2168_s3_q;
-  logic equal_2170_s3_q;
-  logic select_2217_s3_q;
-  logic and_2245_s3_q;
-  logic equal_2246_s3_q;
-  logic equal_2248_s3_q;
-  logic and_2261_s3_q;
-  logic [4:0] select_2276_s3_q;
-  logic select_2282_s3_q;
-  logic [3:0] select_2322_s3_q;
-  logic less_2426_s3_q;
-  logic equal_2427_s3_q;
-  logic not_2428_s3_q;
-  logic equal_2429_s3_q;
-  logic or_2448_s3_q;
-  logic or_2451_s3_q;
-  logic or_2454_s3_q;
-  logic not_2456_s3_q;
+  logic less_2103_s3_q;
+  logic or_2107_s3_q;
+  logic equal_2127_s3_q;
+  logic and_2137_s3_q;
+  logic select_2154_s3_q;
+  logic equal_2155_s3_q;
+  logic and_2163_s3_q;
+  logic equal_2165_s3_q;
+  logic select_2212_s3_q;
+  logic and_2240_s3_q;
+  logic equal_2241_s3_q;
+  logic equal_2243_s3_q;
+  logic and_2256_s3_q;
+  logic [4:0] select_2271_s3_q;
+  logic select_2277_s3_q;
+  logic [3:0] select_2317_s3_q;
+  logic less_2421_s3_q;
+  logic equal_2422_s3_q;
+  logic not_2423_s3_q;
+  logic equal_2424_s3_q;
+  logic or_2443_s3_q;
+  logic or_2446_s3_q;
+  logic or_2449_s3_q;
+  logic not_2451_s3_q;
   logic textured_s3_q;
   logic explained_s3_q;
+  logic and_2478_s3_q;
   logic and_2483_s3_q;
-  logic and_2488_s3_q;
-  logic and_2522_s3_q;
-  logic less_2523_s3_q;
+  logic and_2517_s3_q;
+  logic less_2518_s3_q;
   logic [5:0] index_2_s3_q;
-  logic [7:0] sum_2528_s3_q;
+  logic [7:0] sum_2523_s3_q;
   logic [2:0] textured_2_s3_q;
-  logic or_2546_s3_q;
-  logic or_2549_s3_q;
-  logic or_2552_s3_q;
+  logic or_2541_s3_q;
+  logic or_2544_s3_q;
+  logic or_2547_s3_q;
   logic [2:0] shown_2_s3_q;
   logic [2:0] near_2_s3_q;
-  logic and_2602_s3_q;
-  logic [11:0] sum_2732_s3_q;
-  logic [9:0] sum_2735_s3_q;
-  logic equal_2743_s3_q;
+  logic and_2597_s3_q;
+  logic [11:0] sum_2727_s3_q;
+  logic [9:0] sum_2730_s3_q;
+  logic equal_2738_s3_q;
   logic [8:0] contrast_s3_q;
   logic [8:0] contrast_2_s3_q;
-  logic and_3037_s3_q;
-  logic and_3043_s3_q;
+  logic and_3032_s3_q;
+  logic and_3038_s3_q;
   logic [2:0] explained_2_s3_q;
-  logic and_3105_s3_q;
-  logic and_3139_s3_q;
-  logic and_3197_s3_q;
-  logic and_3198_s3_q;
+  logic and_3100_s3_q;
+  logic and_3134_s3_q;
+  logic and_3192_s3_q;
+  logic and_3193_s3_q;
   logic [7:0] residual_s3_q;
-  logic and_3234_s3_q;
-  logic and_3248_s3_q;
-  logic equal_3291_s3_q;
-  logic parity_3670_s3_q;
-  logic parity_3799_s3_q;
-  logic parity_3861_s3_q;
-  logic xor_3889_s3_q;
-  logic parity_3901_s3_q;
-  logic or_3905_s3_q;
-  logic equal_3906_s3_q;
-  logic [4:0] select_4025_s3_q;
-  logic equal_4037_s3_q;
-  logic less_4039_s3_q;
-  logic less_4040_s3_q;
-  logic or_4045_s3_q;
-  logic [7:0] select_4090_s3_q;
-  logic equal_4387_s3_q;
-  logic and_4564_s3_q;
-  logic not_4578_s3_q;
-  logic equal_4631_s3_q;
+  logic and_3229_s3_q;
+  logic and_3243_s3_q;
+  logic equal_3286_s3_q;
+  logic parity_3664_s3_q;
+  logic parity_3793_s3_q;
+  logic parity_3855_s3_q;
+  logic xor_3883_s3_q;
+  logic parity_3895_s3_q;
+  logic or_3899_s3_q;
+  logic equal_3900_s3_q;
+  logic [4:0] select_4019_s3_q;
+  logic equal_4031_s3_q;
+  logic less_4033_s3_q;
+  logic less_4034_s3_q;
+  logic or_4039_s3_q;
+  logic [7:0] select_4084_s3_q;
+  logic equal_4381_s3_q;
+  logic and_4558_s3_q;
+  logic not_4572_s3_q;
+  logic equal_4625_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       saturated_s3_q <= saturated_s2_q;
@@ -5633,18 +5629,21 @@ module horopter_agreement (
       region_fresh_s3_q <= region_fresh_q;
       centres_values_1_textured_s3_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s3_q <= centres_values_1_of_skin_q;
+      row_starts_s3_q <= row_starts_s2_q;
       select_502_s3_q <= select_502_s2_q;
-      select_504_s3_q <= select_504_s2_q;
+      select_534_s3_q <= select_534_s2_q;
       last_s3_q <= last_s2_2_q;
+      and_538_s3_q <= and_538_s2_q;
       and_540_s3_q <= and_540_s2_q;
-      and_542_s3_q <= and_542_s2_q;
       grey_s3_q <= grey;
-      equal_545_s3_q <= equal_545;
+      equal_543_s3_q <= equal_543;
       grey_2_s3_q <= grey_2;
       whole_2_s3_q <= whole_2;
-      equal_562_s3_q <= equal_562_s2_q;
-      equal_567_s3_q <= equal_567_s2_q;
-      not_568_s3_q <= not_568_s2_q;
+      equal_560_s3_q <= equal_560_s2_q;
+      equal_565_s3_q <= equal_565_s2_q;
+      not_566_s3_q <= not_566_s2_q;
+      less_643_s3_q <= less_643;
+      less_644_s3_q <= less_644;
       less_645_s3_q <= less_645;
       less_646_s3_q <= less_646;
       less_647_s3_q <= less_647;
@@ -5667,21 +5666,20 @@ module horopter_agreement (
       less_664_s3_q <= less_664;
       less_665_s3_q <= less_665;
       less_666_s3_q <= less_666;
-      less_667_s3_q <= less_667;
-      less_668_s3_q <= less_668;
-      and_676_s3_q <= and_676;
-      and_701_s3_q <= whole_22 & and_676;
-      and_702_s3_q <= census_columns_values_1_cell_2_mask_q & and_676;
-      sum_717_s3_q <= {1'b0, sum_713} + {2'h0, sum_716};
-      sum_720_s3_q <= {9'h0, difference_718[9]} + {1'b0, xor_719};
-      and_728_s3_q <= and_728;
-      and_732_s3_q <= and_732;
-      less_733_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
-      less_737_s3_q <= {{5{sum_736[6]}}, sum_736, half_grey_levels_2[3:0]} < 16'hffe1;
-      less_739_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
-      equal_2074_s3_q <= equal_2074;
+      and_674_s3_q <= and_674;
+      and_699_s3_q <= whole_22 & and_674;
+      and_700_s3_q <= census_columns_values_1_cell_2_mask_q & and_674;
+      sum_715_s3_q <= {1'b0, sum_711} + {2'h0, sum_714};
+      sum_718_s3_q <= {9'h0, difference_716[9]} + {1'b0, xor_717};
+      and_726_s3_q <= and_726;
+      and_730_s3_q <= and_730;
+      less_731_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
+      less_735_s3_q <= {{5{sum_734[6]}}, sum_734, half_grey_levels_2[3:0]} < 16'hffe1;
+      less_737_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
+      equal_2072_s3_q <= equal_2072;
       all_s3_q <= all;
-      sum_2080_s3_q <= sum_2080;
+      sum_2078_s3_q <= sum_2078;
+      equal_2080_s3_q <= equal_2080;
       equal_2082_s3_q <= equal_2082;
       equal_2084_s3_q <= equal_2084;
       equal_2086_s3_q <= equal_2086;
@@ -5689,80 +5687,78 @@ module horopter_agreement (
       equal_2090_s3_q <= equal_2090;
       equal_2092_s3_q <= equal_2092;
       equal_2094_s3_q <= equal_2094;
-      equal_2096_s3_q <= equal_2096;
-      less_2105_s3_q <= less_2105;
-      or_2109_s3_q <= or_2109;
-      equal_2129_s3_q <= (registration_fresh_q & select_2127) == 4'h0;
-      and_2139_s3_q <= not_568_s2_q & and_2123;
-      and_2142_s3_q <= and_2142_s2_q;
-      select_2159_s3_q <= select_2159[1];
-      equal_2160_s3_q <= equal_2160;
-      and_2168_s3_q <= and_2168;
-      equal_2170_s3_q <= equal_2170;
-      select_2217_s3_q <= select_2217;
-      and_2245_s3_q <= and_2245;
-      equal_2246_s3_q <= equal_2246_s2_q;
-      equal_2248_s3_q <= equal_2248_s2_q;
-      and_2261_s3_q <= and_2245 & equal_2260;
-      select_2276_s3_q <= select_2276_s2_q;
-      select_2282_s3_q <= select_2282_s2_q;
-      select_2322_s3_q <= select_2322_s2_q;
-      less_2426_s3_q <= less_2426_s2_q;
-      equal_2427_s3_q <= equal_2427_s2_q;
-      not_2428_s3_q <= not_2428_s2_q;
-      equal_2429_s3_q <= equal_2429_s2_q;
-      or_2448_s3_q <= or_2448;
-      or_2451_s3_q <= or_2451;
-      or_2454_s3_q <= or_2454;
-      not_2456_s3_q <= not_2456;
+      less_2103_s3_q <= less_2103;
+      or_2107_s3_q <= or_2107;
+      equal_2127_s3_q <= (registration_fresh_q & select_2125) == 4'h0;
+      and_2137_s3_q <= not_566_s2_q & and_2121;
+      select_2154_s3_q <= select_2154[1];
+      equal_2155_s3_q <= equal_2155;
+      and_2163_s3_q <= and_2163;
+      equal_2165_s3_q <= equal_2165;
+      select_2212_s3_q <= select_2212;
+      and_2240_s3_q <= and_2240;
+      equal_2241_s3_q <= equal_2241_s2_q;
+      equal_2243_s3_q <= equal_2243_s2_q;
+      and_2256_s3_q <= and_2240 & equal_2255;
+      select_2271_s3_q <= select_2271_s2_q;
+      select_2277_s3_q <= select_2277_s2_q;
+      select_2317_s3_q <= select_2317_s2_q;
+      less_2421_s3_q <= less_2421_s2_q;
+      equal_2422_s3_q <= equal_2422_s2_q;
+      not_2423_s3_q <= not_2423_s2_q;
+      equal_2424_s3_q <= equal_2424_s2_q;
+      or_2443_s3_q <= or_2443;
+      or_2446_s3_q <= or_2446;
+      or_2449_s3_q <= or_2449;
+      not_2451_s3_q <= not_2451;
       textured_s3_q <= textured;
       explained_s3_q <= explained;
-      and_2483_s3_q <= inside_v_s2_q & (and_2481 & and_2052);
-      and_2488_s3_q <= not_568_s2_q & and_2463;
-      and_2522_s3_q <= and_2522;
-      less_2523_s3_q <= less_2523;
+      and_2478_s3_q <= inside_v_s2_q & (and_2476 & and_2050);
+      and_2483_s3_q <= not_566_s2_q & and_2458;
+      and_2517_s3_q <= and_2517;
+      less_2518_s3_q <= less_2518;
       index_2_s3_q <= index_2[5:0];
-      sum_2528_s3_q <= sum_2528;
+      sum_2523_s3_q <= sum_2523;
       textured_2_s3_q <= textured_2;
-      or_2546_s3_q <= or_2546;
-      or_2549_s3_q <= select_2543[7] | (~({select_2543[6], select_2543[3:2]} == 3'h0));
-      or_2552_s3_q <= select_2543[7] | (~(select_2543[6:4] == 3'h0));
+      or_2541_s3_q <= or_2541;
+      or_2544_s3_q <= select_2538[7] | (~({select_2538[6], select_2538[3:2]} == 3'h0));
+      or_2547_s3_q <= select_2538[7] | (~(select_2538[6:4] == 3'h0));
       shown_2_s3_q <= shown_2;
       near_2_s3_q <= near_2;
-      and_2602_s3_q <= and_2602;
-      sum_2732_s3_q <= {1'b0, sum_2728} + {2'h0, sum_2731};
-      sum_2735_s3_q <= {9'h0, difference_2733[9]} + {1'b0, xor_2734};
-      equal_2743_s3_q <= equal_2743_s2_q;
+      and_2597_s3_q <= and_2597;
+      sum_2727_s3_q <= {1'b0, sum_2723} + {2'h0, sum_2726};
+      sum_2730_s3_q <= {9'h0, difference_2728[9]} + {1'b0, xor_2729};
+      equal_2738_s3_q <= equal_2738_s2_q;
       contrast_s3_q <= contrast;
       contrast_2_s3_q <= contrast_2;
-      and_3037_s3_q <= and_3037;
-      and_3043_s3_q <= and_3043;
+      and_3032_s3_q <= and_3032;
+      and_3038_s3_q <= and_3038;
       explained_2_s3_q <= explained_2;
-      and_3105_s3_q <= not_568_s2_q & and_3104;
-      and_3139_s3_q <= not_568_s2_q & and_3138;
-      and_3197_s3_q <= not_568_s2_q & (so_s2_q & (half_ends & equal_3194));
-      and_3198_s3_q <= and_3198;
+      and_3100_s3_q <= not_566_s2_q & and_3099;
+      and_3134_s3_q <= not_566_s2_q & and_3133;
+      and_3192_s3_q <= not_566_s2_q & (so_s2_q & (half_ends & equal_3189));
+      and_3193_s3_q <= and_3193;
       residual_s3_q <= residual[7:0];
-      and_3234_s3_q <= and_3234;
-      and_3248_s3_q <= and_3198 & less_3247;
-      equal_3291_s3_q <= (registration_fresh_q & select_3289) == 4'h0;
-      parity_3670_s3_q <= ^{xor_3666, xor_3629, select_3596[44:36], other[44:36]};
-      parity_3799_s3_q <= parity_3799;
-      parity_3861_s3_q <= parity_3861;
-      xor_3889_s3_q <= parity_3876 ^ parity_3888;
-      parity_3901_s3_q <= ^{or_3898, or_3894, and_3890};
-      or_3905_s3_q <= (or_3894 & or_3898) | (and_3890 & (or_3894 | or_3898));
-      equal_3906_s3_q <= equal_3906_s2_q;
-      select_4025_s3_q <= select_4025[14:10];
-      equal_4037_s3_q <= select_3994[3:0] == 4'h0;
-      less_4039_s3_q <= {difference_4038, 3'h0} < {3'h0, sum_3586};
-      less_4040_s3_q <= select_4035 < select_4025[9:0];
-      or_4045_s3_q <= (sum_3586 < 10'h39) | ({1'b0, sum_3586[9:1]} < select_4025[9:0]);
-      select_4090_s3_q <= select_4090;
-      equal_4387_s3_q <= equal_4387;
-      and_4564_s3_q <= and_2602 & ({sum_2528, index_2[5:0]} == {sum_2515, index[5:0]});
-      not_4578_s3_q <= ~proven_q;
-      equal_4631_s3_q <= (registration_fresh_q & select_4629) == 4'h0;
+      and_3229_s3_q <= and_3229;
+      and_3243_s3_q <= and_3193 & less_3242;
+      equal_3286_s3_q <= (registration_fresh_q & select_3284) == 4'h0;
+      parity_3664_s3_q <= ^{xor_3660, xor_3623, select_3590[44:36], other[44:36]};
+      parity_3793_s3_q <= parity_3793;
+      parity_3855_s3_q <= parity_3855;
+      xor_3883_s3_q <= parity_3870 ^ parity_3882;
+      parity_3895_s3_q <= ^{or_3892, or_3888, and_3884};
+      or_3899_s3_q <= (or_3888 & or_3892) | (and_3884 & (or_3888 | or_3892));
+      equal_3900_s3_q <= equal_3900_s2_q;
+      select_4019_s3_q <= select_4019[14:10];
+      equal_4031_s3_q <= select_3988[3:0] == 4'h0;
+      less_4033_s3_q <= {difference_4032, 3'h0} < {3'h0, sum_3580};
+      less_4034_s3_q <= select_4029 < select_4019[9:0];
+      or_4039_s3_q <= (sum_3580 < 10'h39) | ({1'b0, sum_3580[9:1]} < select_4019[9:0]);
+      select_4084_s3_q <= select_4084;
+      equal_4381_s3_q <= equal_4381;
+      and_4558_s3_q <= and_2597 & ({sum_2523, index_2[5:0]} == {sum_2510, index[5:0]});
+      not_4572_s3_q <= ~proven_q;
+      equal_4625_s3_q <= (registration_fresh_q & select_4623) == 4'h0;
     end
   end
 
@@ -5940,1265 +5936,1265 @@ module horopter_agreement (
   logic [4:0] box_nearer_sum_sums_values_0_q;
   logic seen_q;
   logic nearer_q;
-  // hls/stages/census.hpp:281
+  // hls/stages/census.hpp:284
   logic [11:0] texture;
-  assign texture = sum_717_s3_q + {2'h0, sum_720_s3_q};
-  // hls/stages/census.hpp:292
-  logic [12:0] sum_722;
-  assign sum_722 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-  logic [13:0] sum_724;
-  assign sum_724 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_722});
-  // hls/stages/census.hpp:314
-  logic less_725;
-  assign less_725 = 9'h4 < sum_724[13:5];
-  logic and_726;
-  assign and_726 = and_676_s3_q & less_725;
+  assign texture = sum_715_s3_q + {2'h0, sum_718_s3_q};
+  // hls/stages/census.hpp:295
+  logic [12:0] sum_720;
+  assign sum_720 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+  logic [13:0] sum_722;
+  assign sum_722 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_720});
+  // hls/stages/census.hpp:317
+  logic less_723;
+  assign less_723 = 9'h4 < sum_722[13:5];
+  logic and_724;
+  assign and_724 = and_674_s3_q & less_723;
   // hls/stages/moments.hpp:30
-  logic and_738;
-  assign and_738 = (and_701_s3_q & and_728_s3_q) & less_737_s3_q;
+  logic and_736;
+  assign and_736 = (and_699_s3_q & and_726_s3_q) & less_735_s3_q;
   // hls/stages/registration.hpp:265
-  logic equal_2131;
-  assign equal_2131 = sum_2080_s3_q == 2'h0;
+  logic equal_2129;
+  assign equal_2129 = sum_2078_s3_q == 2'h0;
   // hls/stages/registration.hpp:263
   logic [6:0] down;
-  assign down = sum_2080_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_2078_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:265
-  logic [13:0] select_2133;
-  assign select_2133 = equal_2131 ? registration_half_across_q : {{7{down[6]}}, down};
-  logic [19:0] sum_2134;
-  assign sum_2134 = (equal_2129_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_2133[13]}}, select_2133};
+  logic [13:0] select_2131;
+  assign select_2131 = equal_2129 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_2132;
+  assign sum_2132 = (equal_2127_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_2131[13]}}, select_2131};
   // hls/stages/registration.hpp:264
   logic [6:0] up;
-  assign up = sum_2080_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_2078_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:266
-  logic [6:0] select_2137;
-  assign select_2137 = equal_2131 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_2138;
-  assign sum_2138 = (equal_2129_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_2137[6]}}, select_2137};
+  logic [6:0] select_2135;
+  assign select_2135 = equal_2129 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_2136;
+  assign sum_2136 = (equal_2127_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_2135[6]}}, select_2135};
   // hls/stages/patches.hpp:354
-  logic [22:0] select_2262;
-  assign select_2262 = and_2261_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2217_s3_q} : patches_choices_rdata_q;
+  logic [22:0] select_2257;
+  assign select_2257 = and_2256_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2212_s3_q} : patches_choices_rdata_q;
   // hls/stages/patches.hpp:127
-  logic select_2264;
-  assign select_2264 = equal_2160_s3_q ? patches_place_0_valid_q : (select_2159_s3_q ? patches_place_0_valid_q : select_2262[0]);
+  logic select_2259;
+  assign select_2259 = equal_2155_s3_q ? patches_place_0_valid_q : (select_2154_s3_q ? patches_place_0_valid_q : select_2257[0]);
   // hls/stages/patches.hpp:132
-  logic [8:0] sum_2265;
-  assign sum_2265 = {1'b0, select_504_s3_q, select_502_s3_q[2]} + 9'h3;
+  logic [8:0] sum_2260;
+  assign sum_2260 = {1'b0, select_534_s3_q, select_502_s3_q[2]} + 9'h3;
   // hls/stages/patches.hpp:355
-  logic [21:0] select_2266;
-  assign select_2266 = select_2159_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2262[22:1];
+  logic [21:0] select_2261;
+  assign select_2261 = select_2154_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2257[22:1];
   // hls/stages/patches.hpp:127
-  logic [7:0] select_2267;
-  assign select_2267 = equal_2160_s3_q ? patches_place_0_column_q : select_2266[7:0];
-  logic [5:0] select_2268;
-  assign select_2268 = equal_2160_s3_q ? patches_place_0_shift_q : select_2266[13:8];
+  logic [7:0] select_2262;
+  assign select_2262 = equal_2155_s3_q ? patches_place_0_column_q : select_2261[7:0];
+  logic [5:0] select_2263;
+  assign select_2263 = equal_2155_s3_q ? patches_place_0_shift_q : select_2261[13:8];
   // hls/stages/patches.hpp:324
-  logic [8:0] sum_2269;
-  assign sum_2269 = {1'b0, select_2267} + {{3{select_2268[5]}}, select_2268};
+  logic [8:0] sum_2264;
+  assign sum_2264 = {1'b0, select_2262} + {{3{select_2263[5]}}, select_2263};
   // hls/stages/patches.hpp:132
-  logic equal_2270;
-  assign equal_2270 = {sum_2269, sum_2265[0], select_502_s3_q[1:0]} == {1'b0, sum_2265[8:1], 3'h0};
+  logic equal_2265;
+  assign equal_2265 = {sum_2264, sum_2260[0], select_502_s3_q[1:0]} == {1'b0, sum_2260[8:1], 3'h0};
   // hls/stages/patches.hpp:134
-  logic or_2272;
-  assign or_2272 = and_2142_s3_q | (select_2264 & equal_2270);
+  logic or_2267;
+  assign or_2267 = row_starts_s3_q | (select_2259 & equal_2265);
   // hls/stages/agreement.hpp:276
-  logic [4:0] select_2273;
-  assign select_2273 = or_2272 ? 5'h0 : patches_right_next_0_q[4:0];
+  logic [4:0] select_2268;
+  assign select_2268 = or_2267 ? 5'h0 : patches_right_next_0_q[4:0];
   // hls/stages/patches.hpp:134
-  logic [5:0] select_2283;
-  assign select_2283 = or_2272 ? {and_2142_s3_q, 5'h0} : patches_right_next_0_q;
+  logic [5:0] select_2278;
+  assign select_2278 = or_2267 ? {row_starts_s3_q, 5'h0} : patches_right_next_0_q;
   // hls/stages/patches.hpp:138
-  logic and_2285;
-  assign and_2285 = select_2282_s3_q & (~select_2283[5]);
+  logic and_2280;
+  assign and_2280 = select_2277_s3_q & (~select_2278[5]);
   // hls/stages/patches.hpp:127
-  logic select_2293;
-  assign select_2293 = equal_2160_s3_q ? patches_place_1_valid_q : (select_2159_s3_q ? select_2262[0] : patches_place_1_valid_q);
+  logic select_2288;
+  assign select_2288 = equal_2155_s3_q ? patches_place_1_valid_q : (select_2154_s3_q ? select_2257[0] : patches_place_1_valid_q);
   // hls/stages/patches.hpp:355
-  logic [21:0] select_2294;
-  assign select_2294 = select_2159_s3_q ? select_2262[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  logic [21:0] select_2289;
+  assign select_2289 = select_2154_s3_q ? select_2257[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:127
-  logic [7:0] select_2295;
-  assign select_2295 = equal_2160_s3_q ? patches_place_1_column_q : select_2294[7:0];
-  logic [5:0] select_2296;
-  assign select_2296 = equal_2160_s3_q ? patches_place_1_shift_q : select_2294[13:8];
+  logic [7:0] select_2290;
+  assign select_2290 = equal_2155_s3_q ? patches_place_1_column_q : select_2289[7:0];
+  logic [5:0] select_2291;
+  assign select_2291 = equal_2155_s3_q ? patches_place_1_shift_q : select_2289[13:8];
   // hls/stages/patches.hpp:324
-  logic [8:0] sum_2297;
-  assign sum_2297 = {1'b0, select_2295} + {{3{select_2296[5]}}, select_2296};
+  logic [8:0] sum_2292;
+  assign sum_2292 = {1'b0, select_2290} + {{3{select_2291[5]}}, select_2291};
   // hls/stages/patches.hpp:132
-  logic equal_2298;
-  assign equal_2298 = {sum_2297[8], sum_2265, select_502_s3_q[1:0]} == {1'b0, sum_2297[7:0], 3'h0};
+  logic equal_2293;
+  assign equal_2293 = {sum_2292[8], sum_2260, select_502_s3_q[1:0]} == {1'b0, sum_2292[7:0], 3'h0};
   // hls/stages/patches.hpp:134
-  logic or_2300;
-  assign or_2300 = and_2142_s3_q | (select_2293 & equal_2298);
+  logic or_2295;
+  assign or_2295 = row_starts_s3_q | (select_2288 & equal_2293);
   // hls/stages/agreement.hpp:276
-  logic [4:0] select_2301;
-  assign select_2301 = or_2300 ? 5'h0 : patches_right_next_1_q[4:0];
+  logic [4:0] select_2296;
+  assign select_2296 = or_2295 ? 5'h0 : patches_right_next_1_q[4:0];
   // hls/stages/patches.hpp:134
-  logic [5:0] select_2302;
-  assign select_2302 = or_2300 ? {and_2142_s3_q, 5'h0} : patches_right_next_1_q;
+  logic [5:0] select_2297;
+  assign select_2297 = or_2295 ? {row_starts_s3_q, 5'h0} : patches_right_next_1_q;
   // hls/stages/patches.hpp:138
-  logic and_2304;
-  assign and_2304 = select_2282_s3_q & (~select_2302[5]);
+  logic and_2299;
+  assign and_2299 = select_2277_s3_q & (~select_2297[5]);
+  // hls/stages/patches.hpp:320
+  logic [7:0] sum_2306;
+  assign sum_2306 = select_2262 + 8'hff;
+  // hls/stages/patches.hpp:133
+  logic equal_2307;
+  assign equal_2307 = {sum_2306[7], select_534_s3_q, select_502_s3_q} == {1'b0, sum_2306[6:0], 3'h4};
+  // hls/stages/patches.hpp:135
+  logic or_2309;
+  assign or_2309 = row_starts_s3_q | (select_2259 & equal_2307);
+  logic [4:0] select_2310;
+  assign select_2310 = or_2309 ? {row_starts_s3_q, 4'h0} : patches_left_next_0_q;
   // hls/stages/patches.hpp:320
   logic [7:0] sum_2311;
-  assign sum_2311 = select_2267 + 8'hff;
+  assign sum_2311 = select_2290 + 8'hff;
   // hls/stages/patches.hpp:133
   logic equal_2312;
-  assign equal_2312 = {sum_2311[7], select_504_s3_q, select_502_s3_q} == {1'b0, sum_2311[6:0], 3'h4};
+  assign equal_2312 = {sum_2311[7], select_534_s3_q, select_502_s3_q} == {1'b0, sum_2311[6:0], 3'h4};
   // hls/stages/patches.hpp:135
-  logic or_2314;
-  assign or_2314 = and_2142_s3_q | (select_2264 & equal_2312);
   logic [4:0] select_2315;
-  assign select_2315 = or_2314 ? {and_2142_s3_q, 4'h0} : patches_left_next_0_q;
-  // hls/stages/patches.hpp:320
-  logic [7:0] sum_2316;
-  assign sum_2316 = select_2295 + 8'hff;
-  // hls/stages/patches.hpp:133
-  logic equal_2317;
-  assign equal_2317 = {sum_2316[7], select_504_s3_q, select_502_s3_q} == {1'b0, sum_2316[6:0], 3'h4};
-  // hls/stages/patches.hpp:135
-  logic [4:0] select_2320;
-  assign select_2320 = (and_2142_s3_q | (select_2293 & equal_2317)) ? {and_2142_s3_q, 4'h0} : patches_left_next_1_q;
+  assign select_2315 = (row_starts_s3_q | (select_2288 & equal_2312)) ? {row_starts_s3_q, 4'h0} : patches_left_next_1_q;
   // hls/stages/patches.hpp:143
   logic [3:0] column_6;
-  assign column_6 = select_2315[4] ? select_2320[3:0] : select_2315[3:0];
+  assign column_6 = select_2310[4] ? select_2315[3:0] : select_2310[3:0];
   // hls/stages/agreement.hpp:276
-  logic select_2323;
-  assign select_2323 = or_2314 ? and_2142_s3_q : patches_left_next_0_q[4];
+  logic select_2318;
+  assign select_2318 = or_2309 ? row_starts_s3_q : patches_left_next_0_q[4];
   // hls/stages/patches.hpp:143
-  logic and_2329;
-  assign and_2329 = (select_2282_s3_q & (select_2276_s3_q[3] ^ select_2276_s3_q[4])) & ((~select_2315[4]) | (~select_2320[4]));
+  logic and_2324;
+  assign and_2324 = (select_2277_s3_q & (select_2271_s3_q[3] ^ select_2271_s3_q[4])) & ((~select_2310[4]) | (~select_2315[4]));
   // hls/stages/patches.hpp:185
-  logic less_2438;
-  assign less_2438 = patches_sums_values_0_q < patches_best_differing_q;
+  logic less_2433;
+  assign less_2433 = patches_sums_values_0_q < patches_best_differing_q;
   // hls/stages/patches.hpp:186
-  logic not_2439;
-  assign not_2439 = ~less_2438;
-  logic [1:0] select_2440;
-  assign select_2440 = patches_summed_first_s3_q ? 2'h2 : {less_2438, not_2439};
-  logic [12:0] select_2442;
-  assign select_2442 = select_2440[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
-  logic [14:0] select_2443;
-  assign select_2443 = select_2440[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
-  logic [14:0] select_2444;
-  assign select_2444 = (select_2440 == 2'h2) ? {select_2442[12:8], patches_sums_values_0_q[9:8], select_2442[7:0]} : select_2443;
+  logic not_2434;
+  assign not_2434 = ~less_2433;
+  logic [1:0] select_2435;
+  assign select_2435 = patches_summed_first_s3_q ? 2'h2 : {less_2433, not_2434};
+  logic [12:0] select_2437;
+  assign select_2437 = select_2435[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
+  logic [14:0] select_2438;
+  assign select_2438 = select_2435[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
+  logic [14:0] select_2439;
+  assign select_2439 = (select_2435 == 2'h2) ? {select_2437[12:8], patches_sums_values_0_q[9:8], select_2437[7:0]} : select_2438;
+  // hls/stages/agreement.hpp:900
+  logic [6:0] select_2464;
+  assign select_2464 = segment_started_q ? segment_textured_q : 7'h0;
+  // hls/stages/agreement.hpp:901
+  logic [6:0] sum_2465;
+  assign sum_2465 = {6'h0, textured_s3_q} + select_2464;
+  // hls/stages/agreement.hpp:1061
+  logic [9:0] sum_2467;
+  assign sum_2467 = {3'h0, sum_2465} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
   // hls/stages/agreement.hpp:900
   logic [6:0] select_2469;
-  assign select_2469 = segment_started_q ? segment_textured_q : 7'h0;
+  assign select_2469 = segment_started_q ? segment_explained_q : 7'h0;
   // hls/stages/agreement.hpp:901
   logic [6:0] sum_2470;
-  assign sum_2470 = {6'h0, textured_s3_q} + select_2469;
-  // hls/stages/agreement.hpp:1061
-  logic [9:0] sum_2472;
-  assign sum_2472 = {3'h0, sum_2470} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
-  // hls/stages/agreement.hpp:900
-  logic [6:0] select_2474;
-  assign select_2474 = segment_started_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:901
-  logic [6:0] sum_2475;
-  assign sum_2475 = {6'h0, explained_s3_q} + select_2474;
+  assign sum_2470 = {6'h0, explained_s3_q} + select_2469;
   // hls/stages/agreement.hpp:1062
-  logic [9:0] sum_2477;
-  assign sum_2477 = {3'h0, sum_2475} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
+  logic [9:0] sum_2472;
+  assign sum_2472 = {3'h0, sum_2470} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
   // hls/stages/agreement.hpp:900
-  logic [6:0] select_2484;
-  assign select_2484 = segment_started_q ? segment_nearer_q : 7'h0;
+  logic [6:0] select_2479;
+  assign select_2479 = segment_started_q ? segment_nearer_q : 7'h0;
   // hls/stages/agreement.hpp:902
-  logic [6:0] sum_2485;
-  assign sum_2485 = {6'h0, and_2483_s3_q} + select_2484;
+  logic [6:0] sum_2480;
+  assign sum_2480 = {6'h0, and_2478_s3_q} + select_2479;
   // hls/stages/agreement.hpp:1063
-  logic [9:0] sum_2487;
-  assign sum_2487 = {3'h0, sum_2485} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
+  logic [9:0] sum_2482;
+  assign sum_2482 = {3'h0, sum_2480} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
   // hls/stages/agreement.hpp:1094
-  logic [2:0] select_2537;
-  assign select_2537 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2538;
-  assign difference_2538 = {1'b0, textured_2_s3_q} - {1'b0, select_2537};
+  logic [2:0] select_2532;
+  assign select_2532 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2533;
+  assign difference_2533 = {1'b0, textured_2_s3_q} - {1'b0, select_2532};
   logic [4:0] t;
-  assign t = {difference_2538[3], difference_2538} + (equal_562_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  assign t = {difference_2533[3], difference_2533} + (equal_560_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1100
-  logic equal_2541;
-  assign equal_2541 = t[4:1] == 4'h0;
+  logic equal_2536;
+  assign equal_2536 = t[4:1] == 4'h0;
   // hls/stages/agreement.hpp:1101
-  logic not_2553;
-  assign not_2553 = ~region_row_s3_q[2];
-  logic [2:0] select_2554;
-  assign select_2554 = region_row_s3_q[1] ? {1'b0, not_2553, 1'b0} : {region_row_s3_q[2], 1'b0, not_2553};
-  logic [5:0] select_2555;
-  assign select_2555 = region_row_s3_q[0] ? {select_2554[2], 1'b0, select_2554[1], 1'b0, select_2554[0], 1'b0} : {1'b0, select_2554[2], 1'b0, select_2554[1], 1'b0, select_2554[0]};
-  logic [11:0] select_2556;
-  assign select_2556 = or_2552_s3_q ? {select_2555[5], 1'b0, select_2555[4], 1'b0, select_2555[3], 1'b0, select_2555[2], 1'b0, select_2555[1], 1'b0, select_2555[0], 1'b0} : {1'b0, select_2555[5], 1'b0, select_2555[4], 1'b0, select_2555[3], 1'b0, select_2555[2], 1'b0, select_2555[1], 1'b0, select_2555[0]};
-  logic [23:0] select_2557;
-  assign select_2557 = or_2549_s3_q ? {select_2556[11], 1'b0, select_2556[10], 1'b0, select_2556[9], 1'b0, select_2556[8], 1'b0, select_2556[7], 1'b0, select_2556[6], 1'b0, select_2556[5], 1'b0, select_2556[4], 1'b0, select_2556[3], 1'b0, select_2556[2], 1'b0, select_2556[1], 1'b0, select_2556[0], 1'b0} : {1'b0, select_2556[11], 1'b0, select_2556[10], 1'b0, select_2556[9], 1'b0, select_2556[8], 1'b0, select_2556[7], 1'b0, select_2556[6], 1'b0, select_2556[5], 1'b0, select_2556[4], 1'b0, select_2556[3], 1'b0, select_2556[2], 1'b0, select_2556[1], 1'b0, select_2556[0]};
-  logic [47:0] select_2558;
-  assign select_2558 = or_2546_s3_q ? {select_2557[23], 1'b0, select_2557[22], 1'b0, select_2557[21], 1'b0, select_2557[20], 1'b0, select_2557[19], 1'b0, select_2557[18], 1'b0, select_2557[17], 1'b0, select_2557[16], 1'b0, select_2557[15], 1'b0, select_2557[14], 1'b0, select_2557[13], 1'b0, select_2557[12], 1'b0, select_2557[11], 1'b0, select_2557[10], 1'b0, select_2557[9], 1'b0, select_2557[8], 1'b0, select_2557[7], 1'b0, select_2557[6], 1'b0, select_2557[5], 1'b0, select_2557[4], 1'b0, select_2557[3], 1'b0, select_2557[2], 1'b0, select_2557[1], 1'b0, select_2557[0], 1'b0} : {1'b0, select_2557[23], 1'b0, select_2557[22], 1'b0, select_2557[21], 1'b0, select_2557[20], 1'b0, select_2557[19], 1'b0, select_2557[18], 1'b0, select_2557[17], 1'b0, select_2557[16], 1'b0, select_2557[15], 1'b0, select_2557[14], 1'b0, select_2557[13], 1'b0, select_2557[12], 1'b0, select_2557[11], 1'b0, select_2557[10], 1'b0, select_2557[9], 1'b0, select_2557[8], 1'b0, select_2557[7], 1'b0, select_2557[6], 1'b0, select_2557[5], 1'b0, select_2557[4], 1'b0, select_2557[3], 1'b0, select_2557[2], 1'b0, select_2557[1], 1'b0, select_2557[0]};
+  logic not_2548;
+  assign not_2548 = ~region_row_s3_q[2];
+  logic [2:0] select_2549;
+  assign select_2549 = region_row_s3_q[1] ? {1'b0, not_2548, 1'b0} : {region_row_s3_q[2], 1'b0, not_2548};
+  logic [5:0] select_2550;
+  assign select_2550 = region_row_s3_q[0] ? {select_2549[2], 1'b0, select_2549[1], 1'b0, select_2549[0], 1'b0} : {1'b0, select_2549[2], 1'b0, select_2549[1], 1'b0, select_2549[0]};
+  logic [11:0] select_2551;
+  assign select_2551 = or_2547_s3_q ? {select_2550[5], 1'b0, select_2550[4], 1'b0, select_2550[3], 1'b0, select_2550[2], 1'b0, select_2550[1], 1'b0, select_2550[0], 1'b0} : {1'b0, select_2550[5], 1'b0, select_2550[4], 1'b0, select_2550[3], 1'b0, select_2550[2], 1'b0, select_2550[1], 1'b0, select_2550[0]};
+  logic [23:0] select_2552;
+  assign select_2552 = or_2544_s3_q ? {select_2551[11], 1'b0, select_2551[10], 1'b0, select_2551[9], 1'b0, select_2551[8], 1'b0, select_2551[7], 1'b0, select_2551[6], 1'b0, select_2551[5], 1'b0, select_2551[4], 1'b0, select_2551[3], 1'b0, select_2551[2], 1'b0, select_2551[1], 1'b0, select_2551[0], 1'b0} : {1'b0, select_2551[11], 1'b0, select_2551[10], 1'b0, select_2551[9], 1'b0, select_2551[8], 1'b0, select_2551[7], 1'b0, select_2551[6], 1'b0, select_2551[5], 1'b0, select_2551[4], 1'b0, select_2551[3], 1'b0, select_2551[2], 1'b0, select_2551[1], 1'b0, select_2551[0]};
+  logic [47:0] select_2553;
+  assign select_2553 = or_2541_s3_q ? {select_2552[23], 1'b0, select_2552[22], 1'b0, select_2552[21], 1'b0, select_2552[20], 1'b0, select_2552[19], 1'b0, select_2552[18], 1'b0, select_2552[17], 1'b0, select_2552[16], 1'b0, select_2552[15], 1'b0, select_2552[14], 1'b0, select_2552[13], 1'b0, select_2552[12], 1'b0, select_2552[11], 1'b0, select_2552[10], 1'b0, select_2552[9], 1'b0, select_2552[8], 1'b0, select_2552[7], 1'b0, select_2552[6], 1'b0, select_2552[5], 1'b0, select_2552[4], 1'b0, select_2552[3], 1'b0, select_2552[2], 1'b0, select_2552[1], 1'b0, select_2552[0], 1'b0} : {1'b0, select_2552[23], 1'b0, select_2552[22], 1'b0, select_2552[21], 1'b0, select_2552[20], 1'b0, select_2552[19], 1'b0, select_2552[18], 1'b0, select_2552[17], 1'b0, select_2552[16], 1'b0, select_2552[15], 1'b0, select_2552[14], 1'b0, select_2552[13], 1'b0, select_2552[12], 1'b0, select_2552[11], 1'b0, select_2552[10], 1'b0, select_2552[9], 1'b0, select_2552[8], 1'b0, select_2552[7], 1'b0, select_2552[6], 1'b0, select_2552[5], 1'b0, select_2552[4], 1'b0, select_2552[3], 1'b0, select_2552[2], 1'b0, select_2552[1], 1'b0, select_2552[0]};
   // hls/stages/agreement.hpp:1030
-  logic and_2562;
-  assign and_2562 = good_known_q & (~((good_q & select_2558) == 48'h0));
+  logic and_2557;
+  assign and_2557 = good_known_q & (~((good_q & select_2553) == 48'h0));
   // hls/stages/agreement.hpp:1096
-  logic [2:0] select_2571;
-  assign select_2571 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2572;
-  assign difference_2572 = {1'b0, shown_2_s3_q} - {1'b0, select_2571};
+  logic [2:0] select_2566;
+  assign select_2566 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2567;
+  assign difference_2567 = {1'b0, shown_2_s3_q} - {1'b0, select_2566};
   logic [4:0] around;
-  assign around = {difference_2572[3], difference_2572} + (equal_562_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  assign around = {difference_2567[3], difference_2567} + (equal_560_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1103
-  logic [5:0] sum_2575;
-  assign sum_2575 = {1'b0, around} + {2'h0, around[4:1]};
+  logic [5:0] sum_2570;
+  assign sum_2570 = {1'b0, around} + {2'h0, around[4:1]};
   logic is_seen;
-  assign is_seen = equal_2541 ? and_2562 : (~({sum_2575, around[0]} < {2'h0, t}));
+  assign is_seen = equal_2536 ? and_2557 : (~({sum_2570, around[0]} < {2'h0, t}));
   // hls/stages/agreement.hpp:1097
-  logic [2:0] select_2587;
-  assign select_2587 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2588;
-  assign difference_2588 = {1'b0, near_2_s3_q} - {1'b0, select_2587};
+  logic [2:0] select_2582;
+  assign select_2582 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2583;
+  assign difference_2583 = {1'b0, near_2_s3_q} - {1'b0, select_2582};
   logic [4:0] n;
-  assign n = {difference_2588[3], difference_2588} + (equal_562_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  assign n = {difference_2583[3], difference_2583} + (equal_560_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1112
-  logic and_2592;
-  assign and_2592 = is_seen & ({1'b0, around[4:1]} < n);
+  logic and_2587;
+  assign and_2587 = is_seen & ({1'b0, around[4:1]} < n);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_2626;
-  assign select_2626 = sample_pair_whole_s3_q ? (and_540_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2628;
-  assign select_2628 = sample_pair_whole_s3_q ? (and_540_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2630;
-  assign select_2630 = sample_pair_whole_s3_q ? (and_540_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2632;
-  assign select_2632 = sample_pair_whole_s3_q ? (and_540_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
-  // hls/stages/census.hpp:217
-  logic [9:0] sum_2637;
-  assign sum_2637 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
-  logic [9:0] difference_2638;
-  assign difference_2638 = {1'b0, sum_2637[9:1]} - {1'b0, averager_quarter_1_0_q};
-  // hls/stages/census.hpp:218
-  logic [9:0] xor_2639;
-  assign xor_2639 = {difference_2638[8:0], sum_2637[0]} ^ {10{difference_2638[9]}};
+  logic [8:0] select_2621;
+  assign select_2621 = sample_pair_whole_s3_q ? (and_538_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2623;
+  assign select_2623 = sample_pair_whole_s3_q ? (and_538_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2625;
+  assign select_2625 = sample_pair_whole_s3_q ? (and_538_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2627;
+  assign select_2627 = sample_pair_whole_s3_q ? (and_538_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  // hls/stages/census.hpp:220
+  logic [9:0] sum_2632;
+  assign sum_2632 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
+  logic [9:0] difference_2633;
+  assign difference_2633 = {1'b0, sum_2632[9:1]} - {1'b0, averager_quarter_1_0_q};
+  // hls/stages/census.hpp:221
+  logic [9:0] xor_2634;
+  assign xor_2634 = {difference_2633[8:0], sum_2632[0]} ^ {10{difference_2633[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2638[9]} + {1'b0, xor_2639};
-  // hls/stages/census.hpp:219
+  assign size = {10'h0, difference_2633[9]} + {1'b0, xor_2634};
+  // hls/stages/census.hpp:222
   logic [13:0] detail;
-  assign detail = {3'h0, size} + (equal_545_s3_q ? 14'h0 : averager_detail_0_q);
+  assign detail = {3'h0, size} + (equal_543_s3_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2644;
-  assign select_2644 = sample_pair_whole_s3_q ? (and_540_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
-  // hls/stages/census.hpp:217
-  logic [9:0] sum_2645;
-  assign sum_2645 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
-  logic [9:0] difference_2646;
-  assign difference_2646 = {1'b0, sum_2645[9:1]} - {1'b0, averager_quarter_1_1_q};
-  // hls/stages/census.hpp:218
-  logic [9:0] xor_2647;
-  assign xor_2647 = {difference_2646[8:0], sum_2645[0]} ^ {10{difference_2646[9]}};
+  logic [13:0] select_2639;
+  assign select_2639 = sample_pair_whole_s3_q ? (and_538_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  // hls/stages/census.hpp:220
+  logic [9:0] sum_2640;
+  assign sum_2640 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
+  logic [9:0] difference_2641;
+  assign difference_2641 = {1'b0, sum_2640[9:1]} - {1'b0, averager_quarter_1_1_q};
+  // hls/stages/census.hpp:221
+  logic [9:0] xor_2642;
+  assign xor_2642 = {difference_2641[8:0], sum_2640[0]} ^ {10{difference_2641[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2646[9]} + {1'b0, xor_2647};
-  // hls/stages/census.hpp:219
+  assign size_2 = {10'h0, difference_2641[9]} + {1'b0, xor_2642};
+  // hls/stages/census.hpp:222
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2} + (equal_545_s3_q ? 14'h0 : averager_detail_1_q);
+  assign detail_2 = {3'h0, size_2} + (equal_543_s3_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2652;
-  assign select_2652 = sample_pair_whole_s3_q ? (and_540_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/census.hpp:283
-  logic [11:0] sum_2736;
-  assign sum_2736 = sum_2732_s3_q + {2'h0, sum_2735_s3_q};
+  logic [13:0] select_2647;
+  assign select_2647 = sample_pair_whole_s3_q ? (and_538_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  // hls/stages/census.hpp:286
+  logic [11:0] sum_2731;
+  assign sum_2731 = sum_2727_s3_q + {2'h0, sum_2730_s3_q};
   // hls/stages/agreement.hpp:520
-  logic [11:0] select_2738;
-  assign select_2738 = and_542_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2739;
-  assign select_2739 = and_542_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [11:0] select_2740;
-  assign select_2740 = and_542_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_2741;
-  assign select_2741 = and_542_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
-  // hls/stages/census.hpp:293
-  logic [12:0] sum_2744;
-  assign sum_2744 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2736};
-  logic [13:0] sum_2746;
-  assign sum_2746 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2744});
-  // hls/stages/census.hpp:320
-  logic and_2748;
-  assign and_2748 = and_701_s3_q & (9'h4 < sum_2746[13:5]);
-  // hls/stages/census.hpp:321
-  logic and_2749;
-  assign and_2749 = and_701_s3_q & less_725;
-  // hls/stages/census.hpp:322
-  logic [19:0] sum_2750;
-  assign sum_2750 = census_left_misses_q + {{17{and_2749}}, and_2748, 1'b0, and_2748};
+  logic [11:0] select_2733;
+  assign select_2733 = and_540_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2734;
+  assign select_2734 = and_540_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2735;
+  assign select_2735 = and_540_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2736;
+  assign select_2736 = and_540_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  // hls/stages/census.hpp:296
+  logic [12:0] sum_2739;
+  assign sum_2739 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2731};
+  logic [13:0] sum_2741;
+  assign sum_2741 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2739});
+  // hls/stages/census.hpp:323
+  logic and_2743;
+  assign and_2743 = and_699_s3_q & (9'h4 < sum_2741[13:5]);
+  // hls/stages/census.hpp:324
+  logic and_2744;
+  assign and_2744 = and_699_s3_q & less_723;
+  // hls/stages/census.hpp:325
+  logic [19:0] sum_2745;
+  assign sum_2745 = census_left_misses_q + {{17{and_2744}}, and_2743, 1'b0, and_2743};
   // hls/stages/agreement.hpp:520
-  logic [19:0] select_2752;
-  assign select_2752 = and_542_s3_q ? (equal_2743_s3_q ? 20'h0 : sum_2750) : census_left_misses_q;
+  logic [19:0] select_2747;
+  assign select_2747 = and_540_s3_q ? (equal_2738_s3_q ? 20'h0 : sum_2745) : census_left_misses_q;
   // hls/stages/agreement.hpp:276
-  logic [27:0] select_2822;
-  assign select_2822 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
+  logic [27:0] select_2817;
+  assign select_2817 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
   // hls/stages/agreement.hpp:520
-  logic select_2825;
-  assign select_2825 = and_542_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
-  // hls/stages/census.hpp:370
-  logic and_2828;
-  assign and_2828 = whole_2_s3_q & (~(last_s3_q[6:1] == 6'h0));
+  logic select_2820;
+  assign select_2820 = and_540_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  // hls/stages/census.hpp:373
+  logic and_2823;
+  assign and_2823 = whole_2_s3_q & (~(last_s3_q[6:1] == 6'h0));
   // hls/stages/agreement.hpp:457
-  logic and_2834;
-  assign and_2834 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
-  logic and_2835;
-  assign and_2835 = and_2828 & and_2834;
-  // hls/stages/census.hpp:369
+  logic and_2829;
+  assign and_2829 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
+  logic and_2830;
+  assign and_2830 = and_2823 & and_2829;
+  // hls/stages/census.hpp:372
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2822[13:0]};
-  // hls/stages/census.hpp:371
-  logic [12:0] select_2837;
-  assign select_2837 = and_2835 ? detail_3[14:2] : 13'h0;
-  // hls/stages/census.hpp:372
-  logic [23:0] select_2839;
-  assign select_2839 = equal_2743_s3_q ? {11'h0, select_2837} : (sharpness_sums_detail_0_q + {11'h0, select_2837});
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2817[13:0]};
+  // hls/stages/census.hpp:374
+  logic [12:0] select_2832;
+  assign select_2832 = and_2830 ? detail_3[14:2] : 13'h0;
+  // hls/stages/census.hpp:375
+  logic [23:0] select_2834;
+  assign select_2834 = equal_2738_s3_q ? {11'h0, select_2832} : (sharpness_sums_detail_0_q + {11'h0, select_2832});
   // hls/stages/agreement.hpp:457
-  logic and_2846;
-  assign and_2846 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
-  logic and_2847;
-  assign and_2847 = and_2828 & and_2846;
-  // hls/stages/census.hpp:369
-  logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2822[27:14]};
-  // hls/stages/census.hpp:371
-  logic [12:0] select_2849;
-  assign select_2849 = and_2847 ? detail_4[14:2] : 13'h0;
+  logic and_2841;
+  assign and_2841 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
+  logic and_2842;
+  assign and_2842 = and_2823 & and_2841;
   // hls/stages/census.hpp:372
-  logic [23:0] select_2851;
-  assign select_2851 = equal_2743_s3_q ? {11'h0, select_2849} : (sharpness_sums_detail_1_q + {11'h0, select_2849});
-  logic [8:0] select_2854;
-  assign select_2854 = and_2835 ? contrast_s3_q : 9'h0;
-  logic [23:0] sum_2855;
-  assign sum_2855 = (equal_2743_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2854};
-  logic [8:0] select_2858;
-  assign select_2858 = and_2847 ? contrast_2_s3_q : 9'h0;
-  logic [23:0] sum_2859;
-  assign sum_2859 = (equal_2743_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2858};
+  logic [14:0] detail_4;
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2817[27:14]};
+  // hls/stages/census.hpp:374
+  logic [12:0] select_2844;
+  assign select_2844 = and_2842 ? detail_4[14:2] : 13'h0;
+  // hls/stages/census.hpp:375
+  logic [23:0] select_2846;
+  assign select_2846 = equal_2738_s3_q ? {11'h0, select_2844} : (sharpness_sums_detail_1_q + {11'h0, select_2844});
+  logic [8:0] select_2849;
+  assign select_2849 = and_2830 ? contrast_s3_q : 9'h0;
+  logic [23:0] sum_2850;
+  assign sum_2850 = (equal_2738_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2849};
+  logic [8:0] select_2853;
+  assign select_2853 = and_2842 ? contrast_2_s3_q : 9'h0;
+  logic [23:0] sum_2854;
+  assign sum_2854 = (equal_2738_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2853};
   // hls/stages/agreement.hpp:211
-  logic equal_2861;
-  assign equal_2861 = x_s3_q[7:3] == 5'h0;
-  // hls/stages/census.hpp:385
-  logic less_2862;
-  assign less_2862 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
-  // hls/stages/census.hpp:424
-  logic less_2863;
-  assign less_2863 = x_s3_q[4:0] < 5'h3;
-  logic not_2864;
-  assign not_2864 = ~x_s3_q[1];
-  logic [2:0] select_2865;
-  assign select_2865 = x_s3_q[0] ? {1'b0, not_2864, 1'b0} : {x_s3_q[1], 1'b0, not_2864};
-  logic [5:0] select_2866;
-  assign select_2866 = slot_s3_q[2] ? {select_2865[2], 1'b0, select_2865[1], 1'b0, select_2865[0], 1'b0} : {1'b0, select_2865[2], 1'b0, select_2865[1], 1'b0, select_2865[0]};
-  logic [11:0] select_2867;
-  assign select_2867 = slot_s3_q[1] ? {select_2866[5], 1'b0, select_2866[4], 1'b0, select_2866[3], 1'b0, select_2866[2], 1'b0, select_2866[1], 1'b0, select_2866[0], 1'b0} : {1'b0, select_2866[5], 1'b0, select_2866[4], 1'b0, select_2866[3], 1'b0, select_2866[2], 1'b0, select_2866[1], 1'b0, select_2866[0]};
-  logic [23:0] select_2868;
-  assign select_2868 = slot_s3_q[0] ? {select_2867[11], 1'b0, select_2867[10], 1'b0, select_2867[9], 1'b0, select_2867[8], 1'b0, select_2867[7], 1'b0, select_2867[6], 1'b0, select_2867[5], 1'b0, select_2867[4], 1'b0, select_2867[3], 1'b0, select_2867[2], 1'b0, select_2867[1], 1'b0, select_2867[0], 1'b0} : {1'b0, select_2867[11], 1'b0, select_2867[10], 1'b0, select_2867[9], 1'b0, select_2867[8], 1'b0, select_2867[7], 1'b0, select_2867[6], 1'b0, select_2867[5], 1'b0, select_2867[4], 1'b0, select_2867[3], 1'b0, select_2867[2], 1'b0, select_2867[1], 1'b0, select_2867[0]};
-  // hls/stages/census.hpp:387
-  logic and_2872;
-  assign and_2872 = less_2863 & (~((sharpness_sums_contrast_1_q & select_2868) == 24'h0));
-  // hls/stages/census.hpp:392
-  logic [17:0] select_2874;
-  assign select_2874 = (less_2862 & and_2872) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic equal_2856;
+  assign equal_2856 = x_s3_q[7:3] == 5'h0;
+  // hls/stages/census.hpp:388
+  logic less_2857;
+  assign less_2857 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
+  // hls/stages/census.hpp:427
+  logic less_2858;
+  assign less_2858 = x_s3_q[4:0] < 5'h3;
+  logic not_2859;
+  assign not_2859 = ~x_s3_q[1];
+  logic [2:0] select_2860;
+  assign select_2860 = x_s3_q[0] ? {1'b0, not_2859, 1'b0} : {x_s3_q[1], 1'b0, not_2859};
+  logic [5:0] select_2861;
+  assign select_2861 = slot_s3_q[2] ? {select_2860[2], 1'b0, select_2860[1], 1'b0, select_2860[0], 1'b0} : {1'b0, select_2860[2], 1'b0, select_2860[1], 1'b0, select_2860[0]};
+  logic [11:0] select_2862;
+  assign select_2862 = slot_s3_q[1] ? {select_2861[5], 1'b0, select_2861[4], 1'b0, select_2861[3], 1'b0, select_2861[2], 1'b0, select_2861[1], 1'b0, select_2861[0], 1'b0} : {1'b0, select_2861[5], 1'b0, select_2861[4], 1'b0, select_2861[3], 1'b0, select_2861[2], 1'b0, select_2861[1], 1'b0, select_2861[0]};
+  logic [23:0] select_2863;
+  assign select_2863 = slot_s3_q[0] ? {select_2862[11], 1'b0, select_2862[10], 1'b0, select_2862[9], 1'b0, select_2862[8], 1'b0, select_2862[7], 1'b0, select_2862[6], 1'b0, select_2862[5], 1'b0, select_2862[4], 1'b0, select_2862[3], 1'b0, select_2862[2], 1'b0, select_2862[1], 1'b0, select_2862[0], 1'b0} : {1'b0, select_2862[11], 1'b0, select_2862[10], 1'b0, select_2862[9], 1'b0, select_2862[8], 1'b0, select_2862[7], 1'b0, select_2862[6], 1'b0, select_2862[5], 1'b0, select_2862[4], 1'b0, select_2862[3], 1'b0, select_2862[2], 1'b0, select_2862[1], 1'b0, select_2862[0]};
+  // hls/stages/census.hpp:390
+  logic and_2867;
+  assign and_2867 = less_2858 & (~((sharpness_sums_contrast_1_q & select_2863) == 24'h0));
+  // hls/stages/census.hpp:395
+  logic [17:0] select_2869;
+  assign select_2869 = (less_2857 & and_2867) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2874};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2869};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2877;
-  assign select_2877 = equal_2861 ? (less_2862 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
-  // hls/stages/census.hpp:387
-  logic and_2882;
-  assign and_2882 = less_2863 & (~((sharpness_sums_contrast_0_q & select_2868) == 24'h0));
-  // hls/stages/census.hpp:392
-  logic [17:0] select_2884;
-  assign select_2884 = (less_2862 & and_2882) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2872;
+  assign select_2872 = equal_2856 ? (less_2857 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  // hls/stages/census.hpp:390
+  logic and_2877;
+  assign and_2877 = less_2858 & (~((sharpness_sums_contrast_0_q & select_2863) == 24'h0));
+  // hls/stages/census.hpp:395
+  logic [17:0] select_2879;
+  assign select_2879 = (less_2857 & and_2877) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2884};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2879};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2887;
-  assign select_2887 = equal_2861 ? (less_2862 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2889;
-  assign select_2889 = equal_2861 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2891;
-  assign select_2891 = equal_2861 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2893;
-  assign select_2893 = equal_2861 ? {sharpness_comparing_contrast_0_q[0], and_2882} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2895;
-  assign select_2895 = equal_2861 ? {sharpness_comparing_contrast_1_q[0], and_2872} : sharpness_comparing_contrast_1_q;
-  // hls/stages/census.hpp:398
+  logic [17:0] select_2882;
+  assign select_2882 = equal_2856 ? (less_2857 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2884;
+  assign select_2884 = equal_2856 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2886;
+  assign select_2886 = equal_2856 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2888;
+  assign select_2888 = equal_2856 ? {sharpness_comparing_contrast_0_q[0], and_2877} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2890;
+  assign select_2890 = equal_2856 ? {sharpness_comparing_contrast_1_q[0], and_2867} : sharpness_comparing_contrast_1_q;
+  // hls/stages/census.hpp:401
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2900;
-  assign select_2900 = drew_q ? (equal_2861 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
-  // hls/stages/census.hpp:398
+  logic select_2895;
+  assign select_2895 = drew_q ? (equal_2856 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  // hls/stages/census.hpp:401
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:216
+  logic select_2899;
+  assign select_2899 = drew_q ? (equal_2856 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  // hls/stages/census.hpp:387
+  logic equal_2900;
+  assign equal_2900 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
+  // hls/stages/census.hpp:403
+  logic xor_2901;
+  assign xor_2901 = sharpness_comparing_product_0_q[2] ^ five_times[0];
   logic select_2904;
-  assign select_2904 = drew_q ? (equal_2861 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
-  // hls/stages/census.hpp:384
-  logic equal_2905;
-  assign equal_2905 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
-  // hls/stages/census.hpp:400
-  logic xor_2906;
-  assign xor_2906 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2909;
-  assign select_2909 = (equal_2905 | xor_2906) ? (five_times[0] & xor_2906) : sharpness_comparing_less_detail_0_q;
+  assign select_2904 = (equal_2900 | xor_2901) ? (five_times[0] & xor_2901) : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2911;
-  assign select_2911 = drew_q ? (equal_2861 ? select_2909 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:400
-  logic xor_2912;
-  assign xor_2912 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2915;
-  assign select_2915 = (equal_2905 | xor_2912) ? (five_times_2[0] & xor_2912) : sharpness_comparing_less_detail_1_q;
+  logic select_2906;
+  assign select_2906 = drew_q ? (equal_2856 ? select_2904 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:403
+  logic xor_2907;
+  assign xor_2907 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2910;
+  assign select_2910 = (equal_2900 | xor_2907) ? (five_times_2[0] & xor_2907) : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2917;
-  assign select_2917 = drew_q ? (equal_2861 ? select_2915 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/census.hpp:401
-  logic xor_2918;
-  assign xor_2918 = sharpness_comparing_contrast_0_q[1] ^ and_2872;
-  logic select_2921;
-  assign select_2921 = (equal_2905 | xor_2918) ? (and_2872 & xor_2918) : sharpness_comparing_less_contrast_0_q;
+  logic select_2912;
+  assign select_2912 = drew_q ? (equal_2856 ? select_2910 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/census.hpp:404
+  logic xor_2913;
+  assign xor_2913 = sharpness_comparing_contrast_0_q[1] ^ and_2867;
+  logic select_2916;
+  assign select_2916 = (equal_2900 | xor_2913) ? (and_2867 & xor_2913) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2923;
-  assign select_2923 = drew_q ? (equal_2861 ? select_2921 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:401
-  logic xor_2924;
-  assign xor_2924 = sharpness_comparing_contrast_1_q[1] ^ and_2882;
-  logic select_2927;
-  assign select_2927 = (equal_2905 | xor_2924) ? (and_2882 & xor_2924) : sharpness_comparing_less_contrast_1_q;
+  logic select_2918;
+  assign select_2918 = drew_q ? (equal_2856 ? select_2916 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:404
+  logic xor_2919;
+  assign xor_2919 = sharpness_comparing_contrast_1_q[1] ^ and_2877;
+  logic select_2922;
+  assign select_2922 = (equal_2900 | xor_2919) ? (and_2877 & xor_2919) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2929;
-  assign select_2929 = drew_q ? (equal_2861 ? select_2927 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  logic select_2924;
+  assign select_2924 = drew_q ? (equal_2856 ? select_2922 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_3045;
-  assign select_3045 = and_3037_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_3043_s3_q});
+  logic [13:0] select_3040;
+  assign select_3040 = and_3032_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_3038_s3_q});
   // hls/stages/agreement.hpp:788
+  logic and_3043;
+  assign and_3043 = not_566_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
   logic and_3048;
-  assign and_3048 = not_568_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
+  assign and_3048 = not_566_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
   logic and_3053;
-  assign and_3053 = not_568_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
-  logic and_3058;
-  assign and_3058 = not_568_s3_q & (drew_q & (ends_cell_s3_q & and_2483_s3_q));
+  assign and_3053 = not_566_s3_q & (drew_q & (ends_cell_s3_q & and_2478_s3_q));
   // hls/stages/agreement.hpp:1105
-  logic not_3062;
-  assign not_3062 = ~(x_s3_q[7:1] == 7'h0);
+  logic not_3057;
+  assign not_3057 = ~(x_s3_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:1095
-  logic [2:0] select_3071;
-  assign select_3071 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_3072;
-  assign difference_3072 = {1'b0, explained_2_s3_q} - {1'b0, select_3071};
+  logic [2:0] select_3066;
+  assign select_3066 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_3067;
+  assign difference_3067 = {1'b0, explained_2_s3_q} - {1'b0, select_3066};
   logic [4:0] e;
-  assign e = {difference_3072[3], difference_3072} + (equal_562_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  assign e = {difference_3067[3], difference_3067} + (equal_560_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1102
-  logic [5:0] sum_3075;
-  assign sum_3075 = {1'b0, e} + {2'h0, e[4:1]};
+  logic [5:0] sum_3070;
+  assign sum_3070 = {1'b0, e} + {2'h0, e[4:1]};
   // hls/stages/agreement.hpp:1106
-  logic not_3079;
-  assign not_3079 = ~(equal_2541 ? and_2562 : (~({sum_3075, e[0]} < {2'h0, t})));
+  logic not_3074;
+  assign not_3074 = ~(equal_2536 ? and_2557 : (~({sum_3070, e[0]} < {2'h0, t})));
   // hls/stages/agreement.hpp:788
-  logic and_3082;
-  assign and_3082 = ends_cell_s3_q & (not_3062 & (centres_values_1_textured_s3_q & not_3079));
-  logic and_3084;
-  assign and_3084 = not_568_s3_q & (drew_q & and_3082);
+  logic and_3077;
+  assign and_3077 = ends_cell_s3_q & (not_3057 & (centres_values_1_textured_s3_q & not_3074));
+  logic and_3079;
+  assign and_3079 = not_566_s3_q & (drew_q & and_3077);
   // hls/stages/agreement.hpp:1132
-  logic less_3087;
-  assign less_3087 = region_row_s3_q < x_s3_q[5:3];
-  logic [9:0] select_3088;
-  assign select_3088 = less_3087 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_3091;
-  assign select_3091 = less_3087 ? 10'h0 : regions_rdata_q[19:10];
+  logic less_3082;
+  assign less_3082 = region_row_s3_q < x_s3_q[5:3];
+  logic [9:0] select_3083;
+  assign select_3083 = less_3082 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_3086;
+  assign select_3086 = less_3082 ? 10'h0 : regions_rdata_q[19:10];
   // hls/stages/agreement.hpp:1133
-  logic [10:0] sum_3092;
-  assign sum_3092 = {1'b0, select_3091} + {3'h0, select_3091[9:2]};
-  logic and_3094;
-  assign and_3094 = (~(select_3088[9:4] == 6'h0)) & ({sum_3092, select_3091[1:0]} < {3'h0, select_3088});
+  logic [10:0] sum_3087;
+  assign sum_3087 = {1'b0, select_3086} + {3'h0, select_3086[9:2]};
+  logic and_3089;
+  assign and_3089 = (~(select_3083[9:4] == 6'h0)) & ({sum_3087, select_3086[1:0]} < {3'h0, select_3083});
   // hls/stages/agreement.hpp:1142
-  logic [9:0] select_3097;
-  assign select_3097 = x_s3_q[6] ? (equal_2074_s3_q ? 10'h0 : (and_3094 ? select_3088 : 10'h0)) : 10'h0;
+  logic [9:0] select_3092;
+  assign select_3092 = x_s3_q[6] ? (equal_2072_s3_q ? 10'h0 : (and_3089 ? select_3083 : 10'h0)) : 10'h0;
   // hls/stages/agreement.hpp:788
-  logic [9:0] select_3098;
-  assign select_3098 = equal_567_s3_q ? select_3097 : 10'h0;
+  logic [9:0] select_3093;
+  assign select_3093 = equal_565_s3_q ? select_3092 : 10'h0;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_3100;
-  assign select_3100 = and_3037_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3098});
-  logic [13:0] select_3107;
-  assign select_3107 = and_3037_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3105_s3_q});
+  logic [13:0] select_3095;
+  assign select_3095 = and_3032_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3093});
+  logic [13:0] select_3102;
+  assign select_3102 = and_3032_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3100_s3_q});
   // hls/stages/agreement.hpp:1110
-  logic and_3109;
-  assign and_3109 = not_3062 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
+  logic and_3104;
+  assign and_3104 = not_3057 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
   // hls/stages/agreement.hpp:788
-  logic and_3112;
-  assign and_3112 = not_568_s3_q & (drew_q & (ends_cell_s3_q & and_3109));
+  logic and_3107;
+  assign and_3107 = not_566_s3_q & (drew_q & (ends_cell_s3_q & and_3104));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_3114;
-  assign select_3114 = and_3037_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3112});
+  logic [13:0] select_3109;
+  assign select_3109 = and_3032_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3107});
   // hls/stages/agreement.hpp:1110
-  logic and_3116;
-  assign and_3116 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_3079);
+  logic and_3111;
+  assign and_3111 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_3074);
   // hls/stages/agreement.hpp:788
-  logic and_3120;
-  assign and_3120 = not_568_s3_q & (drew_q & (ends_cell_s3_q & (not_3062 & and_3116)));
+  logic and_3115;
+  assign and_3115 = not_566_s3_q & (drew_q & (ends_cell_s3_q & (not_3057 & and_3111)));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_3122;
-  assign select_3122 = and_3037_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3120});
-  logic [13:0] select_3141;
-  assign select_3141 = and_3037_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_3139_s3_q});
+  logic [13:0] select_3117;
+  assign select_3117 = and_3032_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3115});
+  logic [13:0] select_3136;
+  assign select_3136 = and_3032_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_3134_s3_q});
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3216;
-  assign select_3216 = drew_q ? (equal_2170_s3_q ? (and_3198_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_3217;
-  assign select_3217 = equal_567_s3_q ? 8'h0 : select_3216;
+  logic [7:0] select_3211;
+  assign select_3211 = drew_q ? (equal_2165_s3_q ? (and_3193_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_3212;
+  assign select_3212 = equal_565_s3_q ? 8'h0 : select_3211;
   // hls/stages/registration.hpp:134
-  logic [13:0] select_3219;
-  assign select_3219 = and_3197_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3217[7]}}, select_3217});
+  logic [13:0] select_3214;
+  assign select_3214 = and_3192_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3212[7]}}, select_3212});
   // hls/stages/agreement.hpp:788
-  logic and_3222;
-  assign and_3222 = not_568_s3_q & (drew_q & (and_3198_s3_q & equal_2170_s3_q));
+  logic and_3217;
+  assign and_3217 = not_566_s3_q & (drew_q & (and_3193_s3_q & equal_2165_s3_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_3224;
-  assign select_3224 = and_3197_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3222});
+  logic [5:0] select_3219;
+  assign select_3219 = and_3192_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3217});
   // hls/stages/registration.hpp:107
-  logic and_3226;
-  assign and_3226 = and_3198_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
+  logic and_3221;
+  assign and_3221 = and_3193_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_3228;
-  assign select_3228 = drew_q ? (equal_2170_s3_q ? {and_3226, and_3198_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3229;
-  assign select_3229 = equal_567_s3_q ? 2'h0 : select_3228;
+  logic [1:0] select_3223;
+  assign select_3223 = drew_q ? (equal_2165_s3_q ? {and_3221, and_3193_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3224;
+  assign select_3224 = equal_565_s3_q ? 2'h0 : select_3223;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_3230;
-  assign sum_3230 = registration_half_votes_down_q + {{5{select_3229[1]}}, select_3229};
+  logic [6:0] sum_3225;
+  assign sum_3225 = registration_half_votes_down_q + {{5{select_3224[1]}}, select_3224};
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_3236;
-  assign select_3236 = drew_q ? (equal_2170_s3_q ? {and_3234_s3_q, and_3198_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3237;
-  assign select_3237 = equal_567_s3_q ? 2'h0 : select_3236;
+  logic [1:0] select_3231;
+  assign select_3231 = drew_q ? (equal_2165_s3_q ? {and_3229_s3_q, and_3193_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3232;
+  assign select_3232 = equal_565_s3_q ? 2'h0 : select_3231;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_3238;
-  assign sum_3238 = registration_half_votes_up_q + {{5{select_3237[1]}}, select_3237};
+  logic [6:0] sum_3233;
+  assign sum_3233 = registration_half_votes_up_q + {{5{select_3232[1]}}, select_3232};
   // hls/stages/registration.hpp:107
-  logic and_3241;
-  assign and_3241 = and_3198_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
+  logic and_3236;
+  assign and_3236 = and_3193_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_3243;
-  assign select_3243 = drew_q ? (equal_2170_s3_q ? {and_3241, and_3198_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3244;
-  assign select_3244 = equal_567_s3_q ? 2'h0 : select_3243;
+  logic [1:0] select_3238;
+  assign select_3238 = drew_q ? (equal_2165_s3_q ? {and_3236, and_3193_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3239;
+  assign select_3239 = equal_565_s3_q ? 2'h0 : select_3238;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_3245;
-  assign sum_3245 = registration_half_half_votes_down_q + {{5{select_3244[1]}}, select_3244};
+  logic [6:0] sum_3240;
+  assign sum_3240 = registration_half_half_votes_down_q + {{5{select_3239[1]}}, select_3239};
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_3250;
-  assign select_3250 = drew_q ? (equal_2170_s3_q ? {and_3248_s3_q, and_3198_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3251;
-  assign select_3251 = equal_567_s3_q ? 2'h0 : select_3250;
+  logic [1:0] select_3245;
+  assign select_3245 = drew_q ? (equal_2165_s3_q ? {and_3243_s3_q, and_3193_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3246;
+  assign select_3246 = equal_565_s3_q ? 2'h0 : select_3245;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_3252;
-  assign sum_3252 = registration_half_half_votes_up_q + {{5{select_3251[1]}}, select_3251};
+  logic [6:0] sum_3247;
+  assign sum_3247 = registration_half_half_votes_up_q + {{5{select_3246[1]}}, select_3246};
   // hls/stages/agreement.hpp:788
-  logic and_3286;
-  assign and_3286 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q & less_2105_s3_q));
+  logic and_3281;
+  assign and_3281 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & less_2103_s3_q));
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_3293;
-  assign select_3293 = or_2109_s3_q ? 12'h0 : (equal_3291_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  logic [11:0] select_3288;
+  assign select_3288 = or_2107_s3_q ? 12'h0 : (equal_3286_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
   // hls/stages/agreement.hpp:1142
-  logic [11:0] select_3296;
-  assign select_3296 = x_s3_q[6] ? (equal_2074_s3_q ? 12'h0 : (less_2105_s3_q ? select_3293 : 12'h0)) : 12'h0;
+  logic [11:0] select_3291;
+  assign select_3291 = x_s3_q[6] ? (equal_2072_s3_q ? 12'h0 : (less_2103_s3_q ? select_3288 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:788
-  logic [11:0] select_3297;
-  assign select_3297 = equal_567_s3_q ? select_3296 : 12'h0;
+  logic [11:0] select_3292;
+  assign select_3292 = equal_565_s3_q ? select_3291 : 12'h0;
   // hls/stages/registration.hpp:153
+  logic and_3293;
+  assign and_3293 = x_s3_q[1] & all_s3_q;
+  // hls/stages/agreement.hpp:1142
+  logic and_3296;
+  assign and_3296 = not_2451_s3_q & (less_2103_s3_q & ({and_3293, x_s3_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:788
   logic and_3298;
-  assign and_3298 = x_s3_q[1] & all_s3_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_3301;
-  assign and_3301 = not_2456_s3_q & (less_2105_s3_q & ({and_3298, x_s3_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:788
-  logic and_3303;
-  assign and_3303 = equal_567_s3_q & (x_s3_q[6] & and_3301);
+  assign and_3298 = equal_565_s3_q & (x_s3_q[6] & and_3296);
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_3305;
-  assign sum_3305 = {{2{select_3297[11]}}, select_3297} + (and_3303 ? 14'h0 : registration_down_q);
+  logic [13:0] sum_3300;
+  assign sum_3300 = {{2{select_3292[11]}}, select_3292} + (and_3298 ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_3308;
-  assign select_3308 = or_2109_s3_q ? 12'h0 : (equal_3291_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  logic [11:0] select_3303;
+  assign select_3303 = or_2107_s3_q ? 12'h0 : (equal_3286_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
   // hls/stages/agreement.hpp:1142
-  logic [11:0] select_3311;
-  assign select_3311 = x_s3_q[6] ? (equal_2074_s3_q ? 12'h0 : (less_2105_s3_q ? select_3308 : 12'h0)) : 12'h0;
+  logic [11:0] select_3306;
+  assign select_3306 = x_s3_q[6] ? (equal_2072_s3_q ? 12'h0 : (less_2103_s3_q ? select_3303 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:788
-  logic [11:0] select_3312;
-  assign select_3312 = equal_567_s3_q ? select_3311 : 12'h0;
+  logic [11:0] select_3307;
+  assign select_3307 = equal_565_s3_q ? select_3306 : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_3314;
-  assign sum_3314 = {{2{select_3312[11]}}, select_3312} + (and_3303 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_3309;
+  assign sum_3309 = {{2{select_3307[11]}}, select_3307} + (and_3298 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:150
-  logic not_3316;
-  assign not_3316 = ~all_s3_q;
+  logic not_3311;
+  assign not_3311 = ~all_s3_q;
   // hls/stages/agreement.hpp:1142
-  logic and_3319;
-  assign and_3319 = not_2456_s3_q & (less_2105_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3316, 1'b0}));
+  logic and_3314;
+  assign and_3314 = not_2451_s3_q & (less_2103_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3311, 1'b0}));
   // hls/stages/agreement.hpp:788
-  logic and_3325;
-  assign and_3325 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q & (less_2105_s3_q & all_s3_q)));
+  logic and_3320;
+  assign and_3320 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (less_2103_s3_q & all_s3_q)));
   // hls/stages/registration.hpp:246
-  logic not_3326;
-  assign not_3326 = ~and_3325;
-  logic less_3327;
-  assign less_3327 = $signed({9'h1, {2{not_3326}}, and_3325}) < $signed(registration_up_q[13:2]);
-  logic select_3328;
-  assign select_3328 = (equal_567_s3_q & (x_s3_q[6] & and_3319)) ? less_3327 : registration_enough_q;
+  logic not_3321;
+  assign not_3321 = ~and_3320;
+  logic less_3322;
+  assign less_3322 = $signed({9'h1, {2{not_3321}}, and_3320}) < $signed(registration_up_q[13:2]);
+  logic select_3323;
+  assign select_3323 = (equal_565_s3_q & (x_s3_q[6] & and_3314)) ? less_3322 : registration_enough_q;
   // hls/stages/agreement.hpp:1142
-  logic and_3332;
-  assign and_3332 = x_s3_q[6] & (not_2456_s3_q & (less_2105_s3_q & (x_s3_q[2:0] == 3'h4)));
+  logic and_3327;
+  assign and_3327 = x_s3_q[6] & (not_2451_s3_q & (less_2103_s3_q & (x_s3_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:788
-  logic and_3333;
-  assign and_3333 = equal_567_s3_q & and_3332;
+  logic and_3328;
+  assign and_3328 = equal_565_s3_q & and_3327;
   // hls/stages/registration.hpp:242
-  logic less_3334;
-  assign less_3334 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_3336;
-  assign less_3336 = $signed(14'h0) < $signed(registration_up_q);
+  logic less_3329;
+  assign less_3329 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_3331;
+  assign less_3331 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_3338;
-  assign equal_3338 = x_s3_q[2:0] == 3'h7;
+  logic equal_3333;
+  assign equal_3333 = x_s3_q[2:0] == 3'h7;
   // hls/stages/agreement.hpp:788
-  logic and_3342;
-  assign and_3342 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q & (less_2105_s3_q & equal_3338)));
+  logic and_3337;
+  assign and_3337 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (less_2103_s3_q & equal_3333)));
   // hls/stages/agreement.hpp:1142
-  logic and_3349;
-  assign and_3349 = x_s3_q[6] & (not_2456_s3_q & (less_2105_s3_q & (x_s3_q[5:0] == 6'h0)));
+  logic and_3344;
+  assign and_3344 = x_s3_q[6] & (not_2451_s3_q & (less_2103_s3_q & (x_s3_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
-  logic equal_3352;
-  assign equal_3352 = x_s3_q[2:0] == 3'h6;
+  logic equal_3347;
+  assign equal_3347 = x_s3_q[2:0] == 3'h6;
   // hls/stages/agreement.hpp:1142
-  logic and_3355;
-  assign and_3355 = not_2456_s3_q & (less_2105_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3352));
+  logic and_3350;
+  assign and_3350 = not_2451_s3_q & (less_2103_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3347));
   // hls/stages/registration.hpp:244
+  logic and_3354;
+  assign and_3354 = (equal_565_s3_q & (x_s3_q[6] & and_3350)) & (less_3331 | less_3329);
+  // hls/stages/agreement.hpp:1142
   logic and_3359;
-  assign and_3359 = (equal_567_s3_q & (x_s3_q[6] & and_3355)) & (less_3336 | less_3334);
-  // hls/stages/agreement.hpp:1142
-  logic and_3364;
-  assign and_3364 = not_2456_s3_q & (less_2105_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3352)));
+  assign and_3359 = not_2451_s3_q & (less_2103_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3347)));
   // hls/stages/registration.hpp:244
-  logic and_3367;
-  assign and_3367 = registration_votes_up_q & registration_other_down_q;
-  logic select_3369;
-  assign select_3369 = registration_votes_down_q ? (registration_other_up_q | and_3367) : and_3367;
+  logic and_3362;
+  assign and_3362 = registration_votes_up_q & registration_other_down_q;
+  logic select_3364;
+  assign select_3364 = registration_votes_down_q ? (registration_other_up_q | and_3362) : and_3362;
   // hls/stages/registration.hpp:138
-  logic and_3371;
-  assign and_3371 = (equal_567_s3_q & (x_s3_q[6] & and_3364)) & (registration_other_enough_q & select_3369);
+  logic and_3366;
+  assign and_3366 = (equal_565_s3_q & (x_s3_q[6] & and_3359)) & (registration_other_enough_q & select_3364);
   // hls/stages/registration.hpp:245
-  logic or_3374;
-  assign or_3374 = registration_moved_q | (registration_enough_q & (and_3359 | and_3371));
+  logic or_3369;
+  assign or_3369 = registration_moved_q | (registration_enough_q & (and_3354 | and_3366));
   // hls/stages/agreement.hpp:276
-  logic [7:0] select_3459;
-  assign select_3459 = sample_pair_whole_s3_q ? (equal_2160_s3_q ? patches_place_0_slope_q : select_2266[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3464;
-  assign select_3464 = sample_pair_whole_s3_q ? (equal_2160_s3_q ? patches_place_1_slope_q : select_2294[21:14]) : patches_place_1_slope_q;
+  logic [7:0] select_3453;
+  assign select_3453 = sample_pair_whole_s3_q ? (equal_2155_s3_q ? patches_place_0_slope_q : select_2261[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3458;
+  assign select_3458 = sample_pair_whole_s3_q ? (equal_2155_s3_q ? patches_place_1_slope_q : select_2289[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:127
-  logic select_3466;
-  assign select_3466 = equal_2160_s3_q ? patches_valid_0_q : (select_2159_s3_q ? patches_valid_0_q : select_2262[0]);
+  logic select_3460;
+  assign select_3460 = equal_2155_s3_q ? patches_valid_0_q : (select_2154_s3_q ? patches_valid_0_q : select_2257[0]);
   // hls/stages/agreement.hpp:276
-  logic select_3469;
-  assign select_3469 = sample_pair_whole_s3_q ? (and_2285 ? (sample_present_s3_q & select_3466) : select_3466) : patches_valid_0_q;
+  logic select_3463;
+  assign select_3463 = sample_pair_whole_s3_q ? (and_2280 ? (sample_present_s3_q & select_3460) : select_3460) : patches_valid_0_q;
   // hls/stages/patches.hpp:127
-  logic select_3471;
-  assign select_3471 = equal_2160_s3_q ? patches_valid_1_q : (select_2159_s3_q ? select_2262[0] : patches_valid_1_q);
+  logic select_3465;
+  assign select_3465 = equal_2155_s3_q ? patches_valid_1_q : (select_2154_s3_q ? select_2257[0] : patches_valid_1_q);
   // hls/stages/agreement.hpp:276
-  logic select_3474;
-  assign select_3474 = sample_pair_whole_s3_q ? (and_2304 ? (sample_present_s3_q & select_3471) : select_3471) : patches_valid_1_q;
-  logic [5:0] select_3477;
-  assign select_3477 = sample_pair_whole_s3_q ? (select_2283[5] ? {1'b1, select_2283[4:0]} : (select_2283 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3480;
-  assign select_3480 = sample_pair_whole_s3_q ? (select_2302[5] ? {1'b1, select_2302[4:0]} : (select_2302 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3483;
-  assign select_3483 = sample_pair_whole_s3_q ? (select_2315[4] ? {1'b1, select_2315[3:0]} : (select_2315 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3486;
-  assign select_3486 = sample_pair_whole_s3_q ? (select_2320[4] ? {1'b1, select_2320[3:0]} : (select_2320 + 5'h1)) : patches_left_next_1_q;
+  logic select_3468;
+  assign select_3468 = sample_pair_whole_s3_q ? (and_2299 ? (sample_present_s3_q & select_3465) : select_3465) : patches_valid_1_q;
+  logic [5:0] select_3471;
+  assign select_3471 = sample_pair_whole_s3_q ? (select_2278[5] ? {1'b1, select_2278[4:0]} : (select_2278 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3474;
+  assign select_3474 = sample_pair_whole_s3_q ? (select_2297[5] ? {1'b1, select_2297[4:0]} : (select_2297 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3477;
+  assign select_3477 = sample_pair_whole_s3_q ? (select_2310[4] ? {1'b1, select_2310[3:0]} : (select_2310 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3480;
+  assign select_3480 = sample_pair_whole_s3_q ? (select_2315[4] ? {1'b1, select_2315[3:0]} : (select_2315 + 5'h1)) : patches_left_next_1_q;
   // hls/stages/patches.hpp:526
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3905_s3_q, parity_3901_s3_q, xor_3889_s3_q, parity_3861_s3_q, parity_3799_s3_q, parity_3670_s3_q} + (equal_3906_s3_q ? 10'h0 : patches_sums_values_16_q);
+  assign sum_3 = {4'h0, or_3899_s3_q, parity_3895_s3_q, xor_3883_s3_q, parity_3855_s3_q, parity_3793_s3_q, parity_3664_s3_q} + (equal_3900_s3_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/patches.hpp:185
-  logic [9:0] select_3910;
-  assign select_3910 = equal_2246_s3_q ? patches_sums_values_0_q : (equal_2248_s3_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3904;
+  assign select_3904 = equal_2241_s3_q ? patches_sums_values_0_q : (equal_2243_s3_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3905;
+  assign select_3905 = equal_2243_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3907;
+  assign select_3907 = equal_2243_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3909;
+  assign select_3909 = equal_2243_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
   logic [9:0] select_3911;
-  assign select_3911 = equal_2248_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  assign select_3911 = equal_2243_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
   logic [9:0] select_3913;
-  assign select_3913 = equal_2248_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  assign select_3913 = equal_2243_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
   logic [9:0] select_3915;
-  assign select_3915 = equal_2248_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  assign select_3915 = equal_2243_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
   logic [9:0] select_3917;
-  assign select_3917 = equal_2248_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  assign select_3917 = equal_2243_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
   logic [9:0] select_3919;
-  assign select_3919 = equal_2248_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  assign select_3919 = equal_2243_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
   logic [9:0] select_3921;
-  assign select_3921 = equal_2248_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  assign select_3921 = equal_2243_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
   logic [9:0] select_3923;
-  assign select_3923 = equal_2248_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  assign select_3923 = equal_2243_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
   logic [9:0] select_3925;
-  assign select_3925 = equal_2248_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  assign select_3925 = equal_2243_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
   logic [9:0] select_3927;
-  assign select_3927 = equal_2248_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  assign select_3927 = equal_2243_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
   logic [9:0] select_3929;
-  assign select_3929 = equal_2248_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  assign select_3929 = equal_2243_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
   logic [9:0] select_3931;
-  assign select_3931 = equal_2248_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  assign select_3931 = equal_2243_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
   logic [9:0] select_3933;
-  assign select_3933 = equal_2248_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  assign select_3933 = equal_2243_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
   logic [9:0] select_3935;
-  assign select_3935 = equal_2248_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
-  logic [9:0] select_3937;
-  assign select_3937 = equal_2248_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
-  logic [9:0] select_3939;
-  assign select_3939 = equal_2248_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
-  logic [9:0] select_3941;
-  assign select_3941 = equal_2248_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  assign select_3935 = equal_2243_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
   // hls/stages/patches.hpp:600
-  logic or_4046;
-  assign or_4046 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_4045_s3_q;
-  logic or_4049;
-  assign or_4049 = equal_4037_s3_q | (less_4039_s3_q | (less_4040_s3_q | or_4046));
+  logic or_4040;
+  assign or_4040 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_4039_s3_q;
+  logic or_4043;
+  assign or_4043 = equal_4031_s3_q | (less_4033_s3_q | (less_4034_s3_q | or_4040));
   // hls/stages/patches.hpp:580
-  logic not_4050;
-  assign not_4050 = ~or_4049;
+  logic not_4044;
+  assign not_4044 = ~or_4043;
+  // hls/stages/patches.hpp:561
+  logic and_4045;
+  assign and_4045 = equal_2424_s3_q & not_4044;
+  // hls/stages/patches.hpp:185
+  logic and_4048;
+  assign and_4048 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4045) : and_4045);
+  // hls/stages/patches.hpp:658
+  logic not_4049;
+  assign not_4049 = ~patches_lower_s3_q;
   // hls/stages/patches.hpp:561
   logic and_4051;
-  assign and_4051 = equal_2429_s3_q & not_4050;
+  assign and_4051 = equal_2424_s3_q & (patches_second_s3_q & not_4044);
   // hls/stages/patches.hpp:185
   logic and_4054;
-  assign and_4054 = equal_2246_s3_q & (less_2426_s3_q ? (not_2428_s3_q & and_4051) : and_4051);
+  assign and_4054 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4051) : and_4051);
   // hls/stages/patches.hpp:658
   logic not_4055;
-  assign not_4055 = ~patches_lower_s3_q;
-  // hls/stages/patches.hpp:561
+  assign not_4055 = ~and_4054;
+  // hls/stages/patches.hpp:189
   logic and_4057;
-  assign and_4057 = equal_2429_s3_q & (patches_second_s3_q & not_4050);
-  // hls/stages/patches.hpp:185
-  logic and_4060;
-  assign and_4060 = equal_2246_s3_q & (less_2426_s3_q ? (not_2428_s3_q & and_4057) : and_4057);
-  // hls/stages/patches.hpp:658
-  logic not_4061;
-  assign not_4061 = ~and_4060;
-  // hls/stages/patches.hpp:189
-  logic and_4063;
-  assign and_4063 = and_4054 & (not_4055 & not_4061);
+  assign and_4057 = and_4048 & (not_4049 & not_4055);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_4065;
-  assign sum_4065 = {7'h0, and_4063} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  logic [7:0] sum_4059;
+  assign sum_4059 = {7'h0, and_4057} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:598
-  logic [7:0] select_4091;
-  assign select_4091 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  logic [7:0] select_4085;
+  assign select_4085 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
   // hls/stages/patches.hpp:597
-  logic [5:0] select_4092;
-  assign select_4092 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_4093;
-  assign sum_4093 = {2'h0, select_4025_s3_q[4:3]} + 4'hf;
-  logic [6:0] sum_4094;
-  assign sum_4094 = {select_4092[5], select_4092} + {{3{sum_4093[3]}}, sum_4093};
+  logic [5:0] select_4086;
+  assign select_4086 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_4087;
+  assign sum_4087 = {2'h0, select_4019_s3_q[4:3]} + 4'hf;
+  logic [6:0] sum_4088;
+  assign sum_4088 = {select_4086[5], select_4086} + {{3{sum_4087[3]}}, sum_4087};
   // hls/stages/patches.hpp:598
-  logic [17:0] product_4095;
-  assign product_4095 = $signed({{10{select_4091[7]}}, select_4091}) * $signed({{8{sum_4094[6]}}, sum_4094, select_4025_s3_q[2:0]});
+  logic [17:0] product_4089;
+  assign product_4089 = $signed({{10{select_4085[7]}}, select_4085}) * $signed({{8{sum_4088[6]}}, sum_4088, select_4019_s3_q[2:0]});
   // hls/stages/patches.hpp:599
-  logic [13:0] difference_4096;
-  assign difference_4096 = {{6{select_4090_s3_q[7]}}, select_4090_s3_q} - {product_4095[17], product_4095[17:5]};
+  logic [13:0] difference_4090;
+  assign difference_4090 = {{6{select_4084_s3_q[7]}}, select_4084_s3_q} - {product_4089[17], product_4089[17:5]};
   // hls/stages/patches.hpp:605
-  logic less_4097;
-  assign less_4097 = $signed({{7{difference_4067[6]}}, difference_4067}) < $signed(difference_4096);
+  logic less_4091;
+  assign less_4091 = $signed({{7{difference_4061[6]}}, difference_4061}) < $signed(difference_4090);
   // hls/stages/patches.hpp:561
-  logic and_4100;
-  assign and_4100 = equal_2429_s3_q & (not_4050 & (~less_4097));
+  logic and_4094;
+  assign and_4094 = equal_2424_s3_q & (not_4044 & (~less_4091));
   // hls/stages/patches.hpp:185
+  logic and_4097;
+  assign and_4097 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4094) : and_4094);
+  // hls/stages/patches.hpp:661
+  logic and_4098;
+  assign and_4098 = and_4097 & and_4057;
+  logic [7:0] sum_4099;
+  assign sum_4099 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_4098};
+  // hls/stages/patches.hpp:561
   logic and_4103;
-  assign and_4103 = equal_2246_s3_q & (less_2426_s3_q ? (not_2428_s3_q & and_4100) : and_4100);
-  // hls/stages/patches.hpp:661
+  assign and_4103 = not_4044 & (~($signed(difference_4090) < $signed({8'h0, cfg_patch_limit_i})));
   logic and_4104;
-  assign and_4104 = and_4103 & and_4063;
-  logic [7:0] sum_4105;
-  assign sum_4105 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_4104};
-  // hls/stages/patches.hpp:561
-  logic and_4109;
-  assign and_4109 = not_4050 & (~($signed(difference_4096) < $signed({8'h0, cfg_patch_limit_i})));
-  logic and_4110;
-  assign and_4110 = equal_2429_s3_q & and_4109;
+  assign and_4104 = equal_2424_s3_q & and_4103;
   // hls/stages/patches.hpp:185
-  logic and_4113;
-  assign and_4113 = equal_2246_s3_q & (less_2426_s3_q ? (not_2428_s3_q & and_4110) : and_4110);
+  logic and_4107;
+  assign and_4107 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4104) : and_4104);
   // hls/stages/patches.hpp:662
-  logic and_4114;
-  assign and_4114 = and_4113 & and_4063;
-  logic [7:0] sum_4115;
-  assign sum_4115 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_4114};
+  logic and_4108;
+  assign and_4108 = and_4107 & and_4057;
+  logic [7:0] sum_4109;
+  assign sum_4109 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_4108};
   // hls/stages/patches.hpp:189
-  logic and_4117;
-  assign and_4117 = and_4054 & (and_4060 & not_4055);
+  logic and_4111;
+  assign and_4111 = and_4048 & (and_4054 & not_4049);
   // hls/stages/patches.hpp:660
+  logic [7:0] sum_4113;
+  assign sum_4113 = {7'h0, and_4111} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:661
+  logic and_4115;
+  assign and_4115 = and_4097 & and_4111;
+  logic [7:0] sum_4116;
+  assign sum_4116 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_4115};
+  // hls/stages/patches.hpp:662
+  logic and_4118;
+  assign and_4118 = and_4107 & and_4111;
   logic [7:0] sum_4119;
-  assign sum_4119 = {7'h0, and_4117} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:661
+  assign sum_4119 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_4118};
+  // hls/stages/patches.hpp:189
   logic and_4121;
-  assign and_4121 = and_4103 & and_4117;
-  logic [7:0] sum_4122;
-  assign sum_4122 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_4121};
-  // hls/stages/patches.hpp:662
-  logic and_4124;
-  assign and_4124 = and_4113 & and_4117;
-  logic [7:0] sum_4125;
-  assign sum_4125 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_4124};
-  // hls/stages/patches.hpp:189
-  logic and_4127;
-  assign and_4127 = and_4054 & (patches_lower_s3_q & not_4061);
+  assign and_4121 = and_4048 & (patches_lower_s3_q & not_4055);
   // hls/stages/patches.hpp:660
+  logic [7:0] sum_4123;
+  assign sum_4123 = {7'h0, and_4121} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:661
+  logic and_4125;
+  assign and_4125 = and_4097 & and_4121;
+  logic [7:0] sum_4126;
+  assign sum_4126 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_4125};
+  // hls/stages/patches.hpp:662
+  logic and_4128;
+  assign and_4128 = and_4107 & and_4121;
   logic [7:0] sum_4129;
-  assign sum_4129 = {7'h0, and_4127} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:661
-  logic and_4131;
-  assign and_4131 = and_4103 & and_4127;
-  logic [7:0] sum_4132;
-  assign sum_4132 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_4131};
-  // hls/stages/patches.hpp:662
-  logic and_4134;
-  assign and_4134 = and_4113 & and_4127;
-  logic [7:0] sum_4135;
-  assign sum_4135 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_4134};
+  assign sum_4129 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_4128};
   // hls/stages/patches.hpp:189
-  logic and_4137;
-  assign and_4137 = and_4054 & (patches_lower_s3_q & and_4060);
+  logic and_4131;
+  assign and_4131 = and_4048 & (patches_lower_s3_q & and_4054);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_4139;
-  assign sum_4139 = {7'h0, and_4137} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  logic [7:0] sum_4133;
+  assign sum_4133 = {7'h0, and_4131} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
   // hls/stages/patches.hpp:661
-  logic and_4141;
-  assign and_4141 = and_4103 & and_4137;
-  logic [7:0] sum_4142;
-  assign sum_4142 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_4141};
+  logic and_4135;
+  assign and_4135 = and_4097 & and_4131;
+  logic [7:0] sum_4136;
+  assign sum_4136 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_4135};
   // hls/stages/patches.hpp:662
-  logic and_4144;
-  assign and_4144 = and_4113 & and_4137;
-  logic [7:0] sum_4145;
-  assign sum_4145 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_4144};
+  logic and_4138;
+  assign and_4138 = and_4107 & and_4131;
+  logic [7:0] sum_4139;
+  assign sum_4139 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_4138};
   // hls/stages/agreement.hpp:1223
-  logic equal_4146;
-  assign equal_4146 = x_s3_q[2:0] == 3'h0;
+  logic equal_4140;
+  assign equal_4140 = x_s3_q[2:0] == 3'h0;
   // hls/stages/agreement.hpp:1130
-  logic less_4147;
-  assign less_4147 = x_s3_q[5:3] < 3'h3;
+  logic less_4141;
+  assign less_4141 = x_s3_q[5:3] < 3'h3;
+  // hls/stages/agreement.hpp:788
+  logic and_4145;
+  assign and_4145 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (equal_4140 & less_4141)));
+  // hls/stages/agreement.hpp:1142
+  logic and_4150;
+  assign and_4150 = x_s3_q[6] & (not_2451_s3_q & (less_4141 & (x_s3_q[2:0] == 3'h1)));
   // hls/stages/agreement.hpp:788
   logic and_4151;
-  assign and_4151 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q & (equal_4146 & less_4147)));
+  assign and_4151 = equal_565_s3_q & and_4150;
+  // hls/stages/patches.hpp:624
+  logic [7:0] or_4153;
+  assign or_4153 = (and_4145 ? patches_quarters_0_places_q : 8'h0) | (and_4151 ? patches_quarters_1_places_q : 8'h0);
   // hls/stages/agreement.hpp:1142
-  logic and_4156;
-  assign and_4156 = x_s3_q[6] & (not_2456_s3_q & (less_4147 & (x_s3_q[2:0] == 3'h1)));
-  // hls/stages/agreement.hpp:788
   logic and_4157;
-  assign and_4157 = equal_567_s3_q & and_4156;
-  // hls/stages/patches.hpp:624
-  logic [7:0] or_4159;
-  assign or_4159 = (and_4151 ? patches_quarters_0_places_q : 8'h0) | (and_4157 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/agreement.hpp:1142
-  logic and_4163;
-  assign and_4163 = x_s3_q[6] & (not_2456_s3_q & (less_4147 & (x_s3_q[2:0] == 3'h2)));
+  assign and_4157 = x_s3_q[6] & (not_2451_s3_q & (less_4141 & (x_s3_q[2:0] == 3'h2)));
   // hls/stages/agreement.hpp:788
+  logic and_4158;
+  assign and_4158 = equal_565_s3_q & and_4157;
+  // hls/stages/agreement.hpp:1142
   logic and_4164;
-  assign and_4164 = equal_567_s3_q & and_4163;
-  // hls/stages/agreement.hpp:1142
-  logic and_4170;
-  assign and_4170 = x_s3_q[6] & (not_2456_s3_q & (less_4147 & (x_s3_q[2:0] == 3'h3)));
+  assign and_4164 = x_s3_q[6] & (not_2451_s3_q & (less_4141 & (x_s3_q[2:0] == 3'h3)));
   // hls/stages/agreement.hpp:788
-  logic and_4171;
-  assign and_4171 = equal_567_s3_q & and_4170;
+  logic and_4165;
+  assign and_4165 = equal_565_s3_q & and_4164;
   // hls/stages/patches.hpp:624
-  logic [7:0] or_4173;
-  assign or_4173 = (or_4159 | (and_4164 ? patches_quarters_2_places_q : 8'h0)) | (and_4171 ? patches_quarters_3_places_q : 8'h0);
+  logic [7:0] or_4167;
+  assign or_4167 = (or_4153 | (and_4158 ? patches_quarters_2_places_q : 8'h0)) | (and_4165 ? patches_quarters_3_places_q : 8'h0);
   // hls/stages/patches.hpp:200
-  logic select_4177;
-  assign select_4177 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
+  logic select_4171;
+  assign select_4171 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
   // hls/stages/agreement.hpp:788
-  logic and_4181;
-  assign and_4181 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q & (less_4147 & select_4177)));
+  logic and_4175;
+  assign and_4175 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (less_4141 & select_4171)));
   // hls/stages/patches.hpp:625
-  logic [7:0] select_4183;
-  assign select_4183 = and_4151 ? (and_4181 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_4177;
+  assign select_4177 = and_4145 ? (and_4175 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_4179;
+  assign select_4179 = and_4151 ? (and_4175 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_4182;
+  assign select_4182 = and_4158 ? (and_4175 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
   logic [7:0] select_4185;
-  assign select_4185 = and_4157 ? (and_4181 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_4188;
-  assign select_4188 = and_4164 ? (and_4181 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_4191;
-  assign select_4191 = and_4171 ? (and_4181 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  assign select_4185 = and_4165 ? (and_4175 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
   // hls/stages/patches.hpp:626
-  logic [7:0] select_4194;
-  assign select_4194 = and_4151 ? (and_4181 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_4188;
+  assign select_4188 = and_4145 ? (and_4175 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_4190;
+  assign select_4190 = and_4151 ? (and_4175 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_4193;
+  assign select_4193 = and_4158 ? (and_4175 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
   logic [7:0] select_4196;
-  assign select_4196 = and_4157 ? (and_4181 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_4199;
-  assign select_4199 = and_4164 ? (and_4181 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_4202;
-  assign select_4202 = and_4171 ? (and_4181 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  assign select_4196 = and_4165 ? (and_4175 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
   // hls/stages/patches.hpp:203
-  logic [4:0] sum_4204;
-  assign sum_4204 = {2'h0, x_s3_q[2:0]} + 5'h1f;
+  logic [4:0] sum_4198;
+  assign sum_4198 = {2'h0, x_s3_q[2:0]} + 5'h1f;
   // hls/stages/agreement.hpp:1142
-  logic and_4208;
-  assign and_4208 = x_s3_q[6] & (not_2456_s3_q & (less_4147 & (sum_4204[4:2] == 3'h0)));
+  logic and_4202;
+  assign and_4202 = x_s3_q[6] & (not_2451_s3_q & (less_4141 & (sum_4198[4:2] == 3'h0)));
   // hls/stages/agreement.hpp:788
-  logic and_4209;
-  assign and_4209 = equal_567_s3_q & and_4208;
+  logic and_4203;
+  assign and_4203 = equal_565_s3_q & and_4202;
   // hls/stages/patches.hpp:621
+  logic [7:0] select_4206;
+  assign select_4206 = and_4203 ? (patches_word_places_q + (and_4151 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_4209;
+  assign select_4209 = and_4203 ? (patches_word_up_q + (and_4151 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
   logic [7:0] select_4212;
-  assign select_4212 = and_4209 ? (patches_word_places_q + (and_4157 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_4215;
-  assign select_4215 = and_4209 ? (patches_word_up_q + (and_4157 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] select_4218;
-  assign select_4218 = and_4209 ? (patches_word_down_q + (and_4157 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  assign select_4212 = and_4203 ? (patches_word_down_q + (and_4151 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
   // hls/stages/patches.hpp:607
-  logic [5:0] select_4222;
-  assign select_4222 = ($signed(difference_4096[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_4096[5:0];
-  logic [5:0] select_4223;
-  assign select_4223 = ($signed(14'h10) < $signed(difference_4096)) ? 6'h10 : select_4222;
+  logic [5:0] select_4216;
+  assign select_4216 = ($signed(difference_4090[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_4090[5:0];
+  logic [5:0] select_4217;
+  assign select_4217 = ($signed(14'h10) < $signed(difference_4090)) ? 6'h10 : select_4216;
   // hls/stages/patches.hpp:561
-  logic [5:0] select_4225;
-  assign select_4225 = equal_2429_s3_q ? (or_4049 ? 6'h0 : select_4223) : 6'h0;
-  logic [5:0] select_4227;
-  assign select_4227 = less_2426_s3_q ? (equal_2427_s3_q ? 6'h0 : select_4225) : select_4225;
+  logic [5:0] select_4219;
+  assign select_4219 = equal_2424_s3_q ? (or_4043 ? 6'h0 : select_4217) : 6'h0;
+  logic [5:0] select_4221;
+  assign select_4221 = less_2421_s3_q ? (equal_2422_s3_q ? 6'h0 : select_4219) : select_4219;
   // hls/stages/patches.hpp:664
-  logic [5:0] select_4229;
-  assign select_4229 = and_4054 ? (equal_2246_s3_q ? select_4227 : 6'h0) : 6'h0;
-  logic [11:0] sum_4230;
-  assign sum_4230 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_4229[5]}}, select_4229};
+  logic [5:0] select_4223;
+  assign select_4223 = and_4048 ? (equal_2241_s3_q ? select_4221 : 6'h0) : 6'h0;
+  logic [11:0] sum_4224;
+  assign sum_4224 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_4223[5]}}, select_4223};
   // hls/stages/agreement.hpp:788
-  logic and_4234;
-  assign and_4234 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q & (equal_3338 & less_4147)));
+  logic and_4228;
+  assign and_4228 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (equal_3333 & less_4141)));
   // hls/stages/agreement.hpp:1142
-  logic and_4238;
-  assign and_4238 = x_s3_q[6] & (not_2456_s3_q & (less_4147 & (x_s3_q[5:3] == 3'h0)));
+  logic and_4232;
+  assign and_4232 = x_s3_q[6] & (not_2451_s3_q & (less_4141 & (x_s3_q[5:3] == 3'h0)));
   // hls/stages/agreement.hpp:788
-  logic and_4239;
-  assign and_4239 = equal_567_s3_q & and_4238;
+  logic and_4233;
+  assign and_4233 = equal_565_s3_q & and_4232;
   // hls/stages/patches.hpp:648
-  logic [7:0] select_4241;
-  assign select_4241 = and_4234 ? (and_4239 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  logic [7:0] select_4235;
+  assign select_4235 = and_4228 ? (and_4233 ? patches_sum_places_q : patches_places_q) : patches_places_q;
   // hls/stages/patches.hpp:650
-  logic or_4245;
-  assign or_4245 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  logic or_4239;
+  assign or_4239 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
   // hls/stages/patches.hpp:651
-  logic or_4248;
-  assign or_4248 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  logic or_4242;
+  assign or_4242 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
   // hls/stages/patches.hpp:652
-  logic [8:0] sum_4249;
-  assign sum_4249 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  logic [8:0] sum_4243;
+  assign sum_4243 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
   // hls/stages/patches.hpp:647
-  logic select_4251;
-  assign select_4251 = and_4234 ? (and_4239 ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  logic select_4245;
+  assign select_4245 = and_4228 ? (and_4233 ? patches_enough_q : patches_complete_q) : patches_complete_q;
   // hls/stages/patches.hpp:189
-  logic and_4254;
-  assign and_4254 = patches_enough_q & patches_mostly_q;
+  logic and_4248;
+  assign and_4248 = patches_enough_q & patches_mostly_q;
   // hls/stages/patches.hpp:647
-  logic [2:0] select_4256;
-  assign select_4256 = and_4239 ? {and_4254, patches_found_q[2:1]} : (and_4234 ? {and_4254, patches_found_q[2:1]} : patches_found_q);
+  logic [2:0] select_4250;
+  assign select_4250 = and_4233 ? {and_4248, patches_found_q[2:1]} : (and_4228 ? {and_4248, patches_found_q[2:1]} : patches_found_q);
   // hls/stages/patches.hpp:646
-  logic or_4260;
-  assign or_4260 = patches_partly_q | (patches_doubted_q & (~and_4239));
+  logic or_4254;
+  assign or_4254 = patches_partly_q | (patches_doubted_q & (~and_4233));
   // hls/stages/patches.hpp:647
-  logic select_4263;
-  assign select_4263 = and_4234 ? (and_4239 ? or_4260 : (and_4234 ? or_4260 : patches_doubted_q)) : patches_doubted_q;
+  logic select_4257;
+  assign select_4257 = and_4228 ? (and_4233 ? or_4254 : (and_4228 ? or_4254 : patches_doubted_q)) : patches_doubted_q;
   // hls/stages/patches.hpp:645
-  logic select_4264;
-  assign select_4264 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  logic select_4258;
+  assign select_4258 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
   // hls/stages/patches.hpp:634
-  logic [7:0] select_4268;
-  assign select_4268 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  logic [7:0] select_4262;
+  assign select_4262 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
   // hls/stages/patches.hpp:606
-  logic [10:0] sum_4270;
-  assign sum_4270 = {sum_4094[6], sum_4094, select_4025_s3_q[2:0]} + 11'h1;
+  logic [10:0] sum_4264;
+  assign sum_4264 = {sum_4088[6], sum_4088, select_4019_s3_q[2:0]} + 11'h1;
   // hls/stages/patches.hpp:561
-  logic and_4273;
-  assign and_4273 = equal_2429_s3_q & (not_4050 & ({{5{sum_4270[10]}}, sum_4270} < 16'h3));
+  logic and_4267;
+  assign and_4267 = equal_2424_s3_q & (not_4044 & ({{5{sum_4264[10]}}, sum_4264} < 16'h3));
   // hls/stages/patches.hpp:185
-  logic and_4276;
-  assign and_4276 = equal_2246_s3_q & (less_2426_s3_q ? (not_2428_s3_q & and_4273) : and_4273);
+  logic and_4270;
+  assign and_4270 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4267) : and_4267);
   // hls/stages/patches.hpp:189
-  logic and_4277;
-  assign and_4277 = and_4054 & and_4276;
+  logic and_4271;
+  assign and_4271 = and_4048 & and_4270;
   // hls/stages/patches.hpp:665
-  logic [7:0] sum_4278;
-  assign sum_4278 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_4277};
+  logic [7:0] sum_4272;
+  assign sum_4272 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_4271};
   // hls/stages/patches.hpp:654
-  logic [12:0] product_4283;
-  assign product_4283 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_4241};
+  logic [12:0] product_4277;
+  assign product_4277 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_4235};
   // hls/stages/patches.hpp:189
-  logic and_4285;
-  assign and_4285 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_4283[12:5] < patches_on_skin_q);
-  logic select_4290;
-  assign select_4290 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic and_4279;
+  assign and_4279 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_4277[12:5] < patches_on_skin_q);
+  logic select_4284;
+  assign select_4284 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:635
-  logic or_4294;
-  assign or_4294 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  logic or_4288;
+  assign or_4288 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
   // hls/stages/patches.hpp:636
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
   // hls/stages/patches.hpp:637
-  logic select_4301;
-  assign select_4301 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  logic select_4295;
+  assign select_4295 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:638
-  logic and_4307;
-  assign and_4307 = patches_frame_ended_s3_q & (~patches_age_q[9]);
-  logic [9:0] sum_4308;
-  assign sum_4308 = patches_age_q + {9'h0, and_4307};
-  logic [9:0] select_4311;
-  assign select_4311 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4308)) : sum_4308;
+  logic and_4301;
+  assign and_4301 = patches_frame_ended_s3_q & (~patches_age_q[9]);
+  logic [9:0] sum_4302;
+  assign sum_4302 = patches_age_q + {9'h0, and_4301};
+  logic [9:0] select_4305;
+  assign select_4305 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4302)) : sum_4302;
   // hls/stages/agreement.hpp:1188
-  logic or_4368;
-  assign or_4368 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  logic or_4362;
+  assign or_4362 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1217
-  logic equal_4370;
-  assign equal_4370 = x_s3_q[6:3] == 4'h7;
+  logic equal_4364;
+  assign equal_4364 = x_s3_q[6:3] == 4'h7;
   // hls/stages/agreement.hpp:1226
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
   // hls/stages/agreement.hpp:1227
-  logic select_4376;
-  assign select_4376 = (equal_4370 & equal_4146) ? too_little : disagree_q;
+  logic select_4370;
+  assign select_4370 = (equal_4364 & equal_4140) ? too_little : disagree_q;
   // hls/stages/agreement.hpp:1135
-  logic [10:0] sum_4379;
-  assign sum_4379 = {1'b0, select_3091} + {2'h0, select_3091[9:1]};
-  logic select_4382;
-  assign select_4382 = (select_3088[9:3] == 7'h0) ? ((~or_4368) & (~select_4376)) : (~({sum_4379, select_3091[0]} < {2'h0, select_3088}));
+  logic [10:0] sum_4373;
+  assign sum_4373 = {1'b0, select_3086} + {2'h0, select_3086[9:1]};
+  logic select_4376;
+  assign select_4376 = (select_3083[9:3] == 7'h0) ? ((~or_4362) & (~select_4370)) : (~({sum_4373, select_3086[0]} < {2'h0, select_3083}));
   // hls/stages/agreement.hpp:1142
-  logic [47:0] select_4384;
-  assign select_4384 = x_s3_q[6] ? (equal_2074_s3_q ? good_q : {select_4382, good_q[47:1]}) : good_q;
+  logic [47:0] select_4378;
+  assign select_4378 = x_s3_q[6] ? (equal_2072_s3_q ? good_q : {select_4376, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:788
-  logic select_4389;
-  assign select_4389 = equal_567_s3_q ? ((x_s3_q[6] & good_known_q) | equal_4387_s3_q) : good_known_q;
+  logic select_4383;
+  assign select_4383 = equal_565_s3_q ? ((x_s3_q[6] & good_known_q) | equal_4381_s3_q) : good_known_q;
   // hls/stages/agreement.hpp:1217
-  logic equal_4390;
-  assign equal_4390 = x_s3_q[6:3] == 4'ha;
-  logic equal_4392;
-  assign equal_4392 = x_s3_q[6:3] == 4'hc;
-  logic equal_4393;
-  assign equal_4393 = x_s3_q[6:3] == 4'hb;
-  logic equal_4394;
-  assign equal_4394 = x_s3_q[6:3] == 4'h9;
-  logic equal_4395;
-  assign equal_4395 = x_s3_q[6:3] == 4'h8;
+  logic equal_4384;
+  assign equal_4384 = x_s3_q[6:3] == 4'ha;
+  logic equal_4386;
+  assign equal_4386 = x_s3_q[6:3] == 4'hc;
+  logic equal_4387;
+  assign equal_4387 = x_s3_q[6:3] == 4'hb;
+  logic equal_4388;
+  assign equal_4388 = x_s3_q[6:3] == 4'h9;
+  logic equal_4389;
+  assign equal_4389 = x_s3_q[6:3] == 4'h8;
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_4397;
-  assign select_4397 = equal_4394 ? counts_skin_unproven_q : (equal_4395 ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_4399;
-  assign select_4399 = equal_4393 ? counts_regions_bad_q : (equal_4390 ? counts_nearer_q : select_4397);
+  logic [13:0] select_4391;
+  assign select_4391 = equal_4388 ? counts_skin_unproven_q : (equal_4389 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_4393;
+  assign select_4393 = equal_4387 ? counts_regions_bad_q : (equal_4384 ? counts_nearer_q : select_4391);
   logic [13:0] before_v_6;
-  assign before_v_6 = equal_4392 ? counts_on_skin_q : select_4399;
+  assign before_v_6 = equal_4386 ? counts_on_skin_q : select_4393;
   // hls/stages/agreement.hpp:1222
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_6};
   // hls/stages/agreement.hpp:1230
-  logic select_4402;
-  assign select_4402 = (equal_4390 & equal_4146) ? over[14] : hides_q;
+  logic select_4396;
+  assign select_4396 = (equal_4384 & equal_4140) ? over[14] : hides_q;
   // hls/stages/agreement.hpp:1148
-  logic not_4403;
-  assign not_4403 = ~hidden_for_q[7];
-  logic [7:0] select_4405;
-  assign select_4405 = select_4402 ? (hidden_for_q + {7'h0, not_4403}) : 8'h0;
+  logic not_4397;
+  assign not_4397 = ~hidden_for_q[7];
+  logic [7:0] select_4399;
+  assign select_4399 = select_4396 ? (hidden_for_q + {7'h0, not_4397}) : 8'h0;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_4407;
-  assign select_4407 = equal_567_s3_q ? (equal_4387_s3_q ? select_4405 : hidden_for_q) : hidden_for_q;
+  logic [7:0] select_4401;
+  assign select_4401 = equal_565_s3_q ? (equal_4381_s3_q ? select_4399 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1231
-  logic [13:0] select_4408;
-  assign select_4408 = equal_4146 ? 14'h0 : product_q;
+  logic [13:0] select_4402;
+  assign select_4402 = equal_4140 ? 14'h0 : product_q;
   // hls/stages/agreement.hpp:1125
-  logic [7:0] select_4410;
-  assign select_4410 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_4412;
-  assign select_4412 = equal_4395 ? cfg_unproven_skin_limit_i : (equal_4370 ? cfg_unproven_limit_i : select_4410);
-  logic [7:0] select_4414;
-  assign select_4414 = equal_4390 ? cfg_regions_limit_i : (equal_4394 ? cfg_hidden_limit_i : select_4412);
+  logic [7:0] select_4404;
+  assign select_4404 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_4406;
+  assign select_4406 = equal_4389 ? cfg_unproven_skin_limit_i : (equal_4364 ? cfg_unproven_limit_i : select_4404);
+  logic [7:0] select_4408;
+  assign select_4408 = equal_4384 ? cfg_regions_limit_i : (equal_4388 ? cfg_hidden_limit_i : select_4406);
   logic [7:0] limit;
-  assign limit = equal_4392 ? cfg_regions_limit_i : (equal_4393 ? {cfg_on_skin_limit_i, 3'h0} : select_4414);
+  assign limit = equal_4386 ? cfg_regions_limit_i : (equal_4387 ? {cfg_on_skin_limit_i, 3'h0} : select_4408);
   // hls/stages/agreement.hpp:1231
-  logic not_4417;
-  assign not_4417 = ~x_s3_q[2];
-  logic [3:0] select_4418;
-  assign select_4418 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4417, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4417};
-  logic [7:0] select_4419;
-  assign select_4419 = x_s3_q[0] ? {select_4418[3], 1'b0, select_4418[2], 1'b0, select_4418[1], 1'b0, select_4418[0], 1'b0} : {1'b0, select_4418[3], 1'b0, select_4418[2], 1'b0, select_4418[1], 1'b0, select_4418[0]};
+  logic not_4411;
+  assign not_4411 = ~x_s3_q[2];
+  logic [3:0] select_4412;
+  assign select_4412 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4411, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4411};
+  logic [7:0] select_4413;
+  assign select_4413 = x_s3_q[0] ? {select_4412[3], 1'b0, select_4412[2], 1'b0, select_4412[1], 1'b0, select_4412[0], 1'b0} : {1'b0, select_4412[3], 1'b0, select_4412[2], 1'b0, select_4412[1], 1'b0, select_4412[0]};
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_4423;
-  assign select_4423 = equal_4394 ? counts_skin_supervised_q : (equal_4395 ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] select_4425;
-  assign select_4425 = equal_4393 ? counts_skin_textured_q : (equal_4390 ? counts_textured_q : select_4423);
+  logic [13:0] select_4417;
+  assign select_4417 = equal_4388 ? counts_skin_supervised_q : (equal_4389 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_4419;
+  assign select_4419 = equal_4387 ? counts_skin_textured_q : (equal_4384 ? counts_textured_q : select_4417);
   logic [13:0] of;
-  assign of = equal_4392 ? counts_textured_q : select_4425;
+  assign of = equal_4386 ? counts_textured_q : select_4419;
   // hls/stages/agreement.hpp:1231
-  logic [13:0] select_4427;
-  assign select_4427 = ((limit & select_4419) == 8'h0) ? 14'h0 : of;
+  logic [13:0] select_4421;
+  assign select_4421 = ((limit & select_4413) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_4408} + {1'b0, select_4427};
+  assign sum_4 = {1'b0, select_4402} + {1'b0, select_4421};
   // hls/stages/agreement.hpp:788
-  logic select_4432;
-  assign select_4432 = equal_567_s3_q ? (equal_4146 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
+  logic select_4426;
+  assign select_4426 = equal_565_s3_q ? (equal_4140 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
   // hls/stages/agreement.hpp:1228
-  logic and_4437;
-  assign and_4437 = too_much_q & (~(equal_4395 & equal_4146));
+  logic and_4431;
+  assign and_4431 = too_much_q & (~(equal_4389 & equal_4140));
   // hls/stages/agreement.hpp:1229
-  logic select_4442;
-  assign select_4442 = (over[14] & equal_4146) ? (and_4437 | ((equal_4395 | equal_4394) | (x_s3_q[6:3] == 4'hf))) : and_4437;
+  logic select_4436;
+  assign select_4436 = (over[14] & equal_4140) ? (and_4431 | ((equal_4389 | equal_4388) | (x_s3_q[6:3] == 4'hf))) : and_4431;
   // hls/stages/agreement.hpp:1125
-  logic and_4447;
-  assign and_4447 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  logic and_4441;
+  assign and_4441 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
   // hls/stages/agreement.hpp:1231
-  logic select_4448;
-  assign select_4448 = (equal_4392 & equal_4146) ? and_4447 : overlooks_q;
+  logic select_4442;
+  assign select_4442 = (equal_4386 & equal_4140) ? and_4441 : overlooks_q;
   // hls/stages/agreement.hpp:788
+  logic [2:0] select_4444;
+  assign select_4444 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic [2:0] select_4446;
+  assign select_4446 = equal_565_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4444 : box_textured_columns_values_0_q);
+  logic [2:0] select_4447;
+  assign select_4447 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_4449;
+  assign select_4449 = equal_565_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4447 : box_textured_columns_values_1_q);
   logic [2:0] select_4450;
-  assign select_4450 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  assign select_4450 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
   logic [2:0] select_4452;
-  assign select_4452 = equal_567_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4450 : box_textured_columns_values_0_q);
+  assign select_4452 = equal_565_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4450 : box_textured_columns_values_2_q);
   logic [2:0] select_4453;
-  assign select_4453 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  assign select_4453 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
   logic [2:0] select_4455;
-  assign select_4455 = equal_567_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4453 : box_textured_columns_values_1_q);
+  assign select_4455 = equal_565_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4453 : box_textured_columns_values_3_q);
   logic [2:0] select_4456;
-  assign select_4456 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  assign select_4456 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
   logic [2:0] select_4458;
-  assign select_4458 = equal_567_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4456 : box_textured_columns_values_2_q);
-  logic [2:0] select_4459;
-  assign select_4459 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_4461;
-  assign select_4461 = equal_567_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4459 : box_textured_columns_values_3_q);
+  assign select_4458 = equal_565_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4456 : box_textured_columns_values_4_q);
+  logic [4:0] select_4460;
+  assign select_4460 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   logic [2:0] select_4462;
-  assign select_4462 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  assign select_4462 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
   logic [2:0] select_4464;
-  assign select_4464 = equal_567_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4462 : box_textured_columns_values_4_q);
-  logic [4:0] select_4466;
-  assign select_4466 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  assign select_4464 = equal_565_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4462 : box_explained_columns_values_0_q);
+  logic [2:0] select_4465;
+  assign select_4465 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_4467;
+  assign select_4467 = equal_565_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4465 : box_explained_columns_values_1_q);
   logic [2:0] select_4468;
-  assign select_4468 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  assign select_4468 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
   logic [2:0] select_4470;
-  assign select_4470 = equal_567_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4468 : box_explained_columns_values_0_q);
+  assign select_4470 = equal_565_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4468 : box_explained_columns_values_2_q);
   logic [2:0] select_4471;
-  assign select_4471 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_4471 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
   logic [2:0] select_4473;
-  assign select_4473 = equal_567_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4471 : box_explained_columns_values_1_q);
+  assign select_4473 = equal_565_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4471 : box_explained_columns_values_3_q);
   logic [2:0] select_4474;
-  assign select_4474 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_4474 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
   logic [2:0] select_4476;
-  assign select_4476 = equal_567_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4474 : box_explained_columns_values_2_q);
-  logic [2:0] select_4477;
-  assign select_4477 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [2:0] select_4479;
-  assign select_4479 = equal_567_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4477 : box_explained_columns_values_3_q);
-  logic [2:0] select_4480;
-  assign select_4480 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [2:0] select_4482;
-  assign select_4482 = equal_567_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4480 : box_explained_columns_values_4_q);
-  logic [4:0] select_4484;
-  assign select_4484 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [2:0] select_4487;
-  assign select_4487 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  assign select_4476 = equal_565_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4474 : box_explained_columns_values_4_q);
+  logic [4:0] select_4478;
+  assign select_4478 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [2:0] select_4481;
+  assign select_4481 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_4483;
+  assign select_4483 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4485;
+  assign select_4485 = equal_565_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4483 : box_shown_columns_values_1_q);
+  logic [2:0] select_4486;
+  assign select_4486 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_4488;
+  assign select_4488 = equal_565_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4486 : box_shown_columns_values_2_q);
   logic [2:0] select_4489;
-  assign select_4489 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_4489 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
   logic [2:0] select_4491;
-  assign select_4491 = equal_567_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4489 : box_shown_columns_values_1_q);
+  assign select_4491 = equal_565_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4489 : box_shown_columns_values_3_q);
   logic [2:0] select_4492;
-  assign select_4492 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_4492 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
   logic [2:0] select_4494;
-  assign select_4494 = equal_567_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4492 : box_shown_columns_values_2_q);
-  logic [2:0] select_4495;
-  assign select_4495 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [2:0] select_4497;
-  assign select_4497 = equal_567_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4495 : box_shown_columns_values_3_q);
-  logic [2:0] select_4498;
-  assign select_4498 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_4500;
-  assign select_4500 = equal_567_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4498 : box_shown_columns_values_4_q);
-  logic [4:0] select_4502;
-  assign select_4502 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_4505;
-  assign select_4505 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  assign select_4494 = equal_565_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4492 : box_shown_columns_values_4_q);
+  logic [4:0] select_4496;
+  assign select_4496 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [2:0] select_4499;
+  assign select_4499 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_4501;
+  assign select_4501 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4503;
+  assign select_4503 = equal_565_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4501 : box_nearer_columns_values_1_q);
+  logic [2:0] select_4504;
+  assign select_4504 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4506;
+  assign select_4506 = equal_565_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4504 : box_nearer_columns_values_2_q);
   logic [2:0] select_4507;
-  assign select_4507 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_4507 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
   logic [2:0] select_4509;
-  assign select_4509 = equal_567_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4507 : box_nearer_columns_values_1_q);
+  assign select_4509 = equal_565_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4507 : box_nearer_columns_values_3_q);
   logic [2:0] select_4510;
-  assign select_4510 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_4510 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
   logic [2:0] select_4512;
-  assign select_4512 = equal_567_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4510 : box_nearer_columns_values_2_q);
-  logic [2:0] select_4513;
-  assign select_4513 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [2:0] select_4515;
-  assign select_4515 = equal_567_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4513 : box_nearer_columns_values_3_q);
-  logic [2:0] select_4516;
-  assign select_4516 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_4518;
-  assign select_4518 = equal_567_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4516 : box_nearer_columns_values_4_q);
-  logic [4:0] select_4520;
-  assign select_4520 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  assign select_4512 = equal_565_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4510 : box_nearer_columns_values_4_q);
+  logic [4:0] select_4514;
+  assign select_4514 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:1308
-  logic [1:0] select_4565;
-  assign select_4565 = and_4564_s3_q ? {and_2592, is_seen} : map_rdata_q;
+  logic [1:0] select_4559;
+  assign select_4559 = and_4558_s3_q ? {and_2587, is_seen} : map_rdata_q;
   // hls/stages/agreement.hpp:1309
-  logic and_4566;
-  assign and_4566 = proven_q & less_4554;
+  logic and_4560;
+  assign and_4560 = proven_q & less_4548;
   // hls/stages/agreement.hpp:438
-  logic select_4569;
-  assign select_4569 = and_2522_s3_q ? (less_2523_s3_q ? (select_4565[0] & and_4566) : seen_q) : seen_q;
-  logic select_4572;
-  assign select_4572 = and_2522_s3_q ? (less_2523_s3_q ? (select_4565[1] & and_4566) : nearer_q) : nearer_q;
+  logic select_4563;
+  assign select_4563 = and_2517_s3_q ? (less_2518_s3_q ? (select_4559[0] & and_4560) : seen_q) : seen_q;
+  logic select_4566;
+  assign select_4566 = and_2517_s3_q ? (less_2518_s3_q ? (select_4559[1] & and_4560) : nearer_q) : nearer_q;
   // hls/stages/agreement.hpp:1239
-  logic or_4579;
-  assign or_4579 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4578_s3_q;
+  logic or_4573;
+  assign or_4573 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4572_s3_q;
   // hls/stages/agreement.hpp:1241
-  logic not_4587;
-  assign not_4587 = ~(or_4368 | not_2813);
+  logic not_4581;
+  assign not_4581 = ~(or_4362 | not_2808);
   // hls/stages/agreement.hpp:788
-  logic and_4591;
-  assign and_4591 = equal_567_s3_q & (equal_4387_s3_q & (not_4587 & (select_4376 | select_4442)));
-  logic and_4594;
-  assign and_4594 = equal_4387_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  logic and_4585;
+  assign and_4585 = equal_565_s3_q & (equal_4381_s3_q & (not_4581 & (select_4370 | select_4436)));
+  logic and_4588;
+  assign and_4588 = equal_4381_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
   // hls/stages/agreement.hpp:1150
-  logic or_4598;
-  assign or_4598 = select_2911 | (select_2923 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  logic or_4592;
+  assign or_4592 = select_2906 | (select_2918 | ($signed(20'h0) < $signed(census_left_misses_q)));
   // hls/stages/agreement.hpp:788
-  logic and_4605;
-  assign and_4605 = equal_567_s3_q & (equal_4387_s3_q & (not_4587 & (select_2917 | select_2929)));
+  logic and_4599;
+  assign and_4599 = equal_565_s3_q & (equal_4381_s3_q & (not_4581 & (select_2912 | select_2924)));
   // hls/stages/agreement.hpp:1150
-  logic and_4610;
-  assign and_4610 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4405 < cfg_hidden_frames_i));
-  logic select_4616;
-  assign select_4616 = (not_2813 | (select_4448 & not_4280)) ? cfg_prove_i : patches_overlooked_q;
+  logic and_4604;
+  assign and_4604 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4399 < cfg_hidden_frames_i));
+  logic select_4610;
+  assign select_4610 = (not_2808 | (select_4442 & not_4274)) ? cfg_prove_i : patches_overlooked_q;
   // hls/stages/agreement.hpp:788
-  logic and_4621;
-  assign and_4621 = equal_567_s3_q & (equal_4387_s3_q & (cfg_prove_i & moments_out_of_step_q));
-  logic and_4625;
-  assign and_4625 = equal_567_s3_q & (x_s3_q[6] & (not_2456_s3_q | (4'hc < x_s3_q[5:2])));
+  logic and_4615;
+  assign and_4615 = equal_565_s3_q & (equal_4381_s3_q & (cfg_prove_i & moments_out_of_step_q));
+  logic and_4619;
+  assign and_4619 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q | (4'hc < x_s3_q[5:2])));
   // hls/stages/agreement.hpp:1140
+  logic [31:0] select_4627;
+  assign select_4627 = equal_2094_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4625_s3_q ? registration_sums_rdata_q : 32'h0);
+  logic [31:0] select_4628;
+  assign select_4628 = equal_2092_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4627;
+  logic [31:0] select_4629;
+  assign select_4629 = equal_2090_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4628;
+  logic [31:0] select_4630;
+  assign select_4630 = equal_2088_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4629;
+  logic [31:0] select_4631;
+  assign select_4631 = equal_2086_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4630;
+  logic [31:0] select_4632;
+  assign select_4632 = equal_2084_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4631;
   logic [31:0] select_4633;
-  assign select_4633 = equal_2096_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4631_s3_q ? registration_sums_rdata_q : 32'h0);
+  assign select_4633 = equal_2082_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4632;
   logic [31:0] select_4634;
-  assign select_4634 = equal_2094_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4633;
-  logic [31:0] select_4635;
-  assign select_4635 = equal_2092_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4634;
-  logic [31:0] select_4636;
-  assign select_4636 = equal_2090_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4635;
-  logic [31:0] select_4637;
-  assign select_4637 = equal_2088_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4636;
-  logic [31:0] select_4638;
-  assign select_4638 = equal_2086_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4637;
-  logic [31:0] select_4639;
-  assign select_4639 = equal_2084_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4638;
-  logic [31:0] select_4640;
-  assign select_4640 = equal_2082_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4639;
+  assign select_4634 = equal_2080_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4633;
   // hls/stages/agreement.hpp:1138
-  logic [9:0] select_4641;
-  assign select_4641 = less_3087 ? 10'h0 : regions_rdata_q[29:20];
+  logic [9:0] select_4635;
+  assign select_4635 = less_3082 ? 10'h0 : regions_rdata_q[29:20];
   // hls/stages/agreement.hpp:1142
-  logic [31:0] select_4642;
-  assign select_4642 = equal_2074_s3_q ? select_4640 : {2'h0, select_4641, select_3091, select_3088};
+  logic [31:0] select_4636;
+  assign select_4636 = equal_2072_s3_q ? select_4634 : {2'h0, select_4635, select_3086, select_3083};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
   assign fresh_waddr = last_s3_q;
   logic fresh_we;
-  assign fresh_we = s3_en & and_542_s3_q;
+  assign fresh_we = s3_en & and_540_s3_q;
   logic [32:0] fresh_wdata;
-  assign fresh_wdata = {less_739_s3_q, and_738, less_733_s3_q, and_732_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_726, and_702_s3_q, and_701_s3_q, and_676_s3_q, less_668_s3_q, less_667_s3_q, less_666_s3_q, less_665_s3_q, less_664_s3_q, less_663_s3_q, less_662_s3_q, less_661_s3_q, less_660_s3_q, less_659_s3_q, less_658_s3_q, less_657_s3_q, less_656_s3_q, less_655_s3_q, less_654_s3_q, less_653_s3_q, less_652_s3_q, less_651_s3_q, less_650_s3_q, less_649_s3_q, less_648_s3_q, less_647_s3_q, less_646_s3_q, less_645_s3_q};
+  assign fresh_wdata = {less_737_s3_q, and_736, less_731_s3_q, and_730_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_724, and_700_s3_q, and_699_s3_q, and_674_s3_q, less_666_s3_q, less_665_s3_q, less_664_s3_q, less_663_s3_q, less_662_s3_q, less_661_s3_q, less_660_s3_q, less_659_s3_q, less_658_s3_q, less_657_s3_q, less_656_s3_q, less_655_s3_q, less_654_s3_q, less_653_s3_q, less_652_s3_q, less_651_s3_q, less_650_s3_q, less_649_s3_q, less_648_s3_q, less_647_s3_q, less_646_s3_q, less_645_s3_q, less_644_s3_q, less_643_s3_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (fresh_we) fresh_mem[fresh_waddr] <= {^fresh_wdata, fresh_wdata};
   end
@@ -7237,11 +7233,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_2080_s3_q, lower_half_s3_q, registration_of_right_s3_q};
+  assign registration_sums_waddr = {sum_2078_s3_q, lower_half_s3_q, registration_of_right_s3_q};
   logic registration_sums_we;
-  assign registration_sums_we = s3_en & and_2139_s3_q;
+  assign registration_sums_we = s3_en & and_2137_s3_q;
   logic [31:0] registration_sums_wdata;
-  assign registration_sums_wdata = {sum_2138, sum_2134};
+  assign registration_sums_wdata = {sum_2136, sum_2132};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {^registration_sums_wdata, registration_sums_wdata};
   end
@@ -7259,11 +7255,11 @@ module horopter_agreement (
 
   // Memory patches_choices, write
   logic [5:0] patches_choices_waddr;
-  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_2168_s3_q};
+  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_2163_s3_q};
   logic patches_choices_we;
-  assign patches_choices_we = s3_en & and_2245_s3_q;
+  assign patches_choices_we = s3_en & and_2240_s3_q;
   logic [22:0] patches_choices_wdata;
-  assign patches_choices_wdata = {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2217_s3_q};
+  assign patches_choices_wdata = {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2212_s3_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {^patches_choices_wdata, patches_choices_wdata};
   end
@@ -7279,9 +7275,9 @@ module horopter_agreement (
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
-  assign patches_right_0_waddr = {select_2276_s3_q, select_2273};
+  assign patches_right_0_waddr = {select_2271_s3_q, select_2268};
   logic patches_right_0_we;
-  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_2285);
+  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_2280);
   logic [7:0] patches_right_0_wdata;
   assign patches_right_0_wdata = sample_pair_pixel_1_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -7320,9 +7316,9 @@ module horopter_agreement (
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_2276_s3_q, select_2301};
+  assign patches_right_1_waddr = {select_2271_s3_q, select_2296};
   logic patches_right_1_we;
-  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_2304);
+  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_2299);
   logic [7:0] patches_right_1_wdata;
   assign patches_right_1_wdata = sample_pair_pixel_1_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -7361,9 +7357,9 @@ module horopter_agreement (
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_2323, select_2322_s3_q, column_6};
+  assign patches_left_waddr = {select_2318, select_2317_s3_q, column_6};
   logic patches_left_we;
-  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_2329);
+  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_2324);
   logic [7:0] patches_left_wdata;
   assign patches_left_wdata = sample_pair_pixel_0_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -7406,7 +7402,7 @@ module horopter_agreement (
   logic patches_rows_we;
   assign patches_rows_we = s3_en & patches_summed_last_s3_q;
   logic [14:0] patches_rows_wdata;
-  assign patches_rows_wdata = select_2444;
+  assign patches_rows_wdata = select_2439;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= {^patches_rows_wdata, patches_rows_wdata};
   end
@@ -7437,11 +7433,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s3_q, or_2454_s3_q, or_2451_s3_q, or_2448_s3_q};
+  assign regions_waddr = {region_row_s3_q, or_2449_s3_q, or_2446_s3_q, or_2443_s3_q};
   logic regions_we;
-  assign regions_we = s3_en & and_2488_s3_q;
+  assign regions_we = s3_en & and_2483_s3_q;
   logic [29:0] regions_wdata;
-  assign regions_wdata = {sum_2487, sum_2477, sum_2472};
+  assign regions_wdata = {sum_2482, sum_2472, sum_2467};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (regions_we) regions_mem[regions_waddr] <= {^regions_wdata, regions_wdata};
   end
@@ -7457,11 +7453,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_2528_s3_q, index_2_s3_q};
+  assign map_waddr = {sum_2523_s3_q, index_2_s3_q};
   logic map_we;
-  assign map_we = s3_en & and_2602_s3_q;
+  assign map_we = s3_en & and_2597_s3_q;
   logic [1:0] map_wdata;
-  assign map_wdata = {and_2592, is_seen};
+  assign map_wdata = {and_2587, is_seen};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (map_we) map_mem[map_waddr] <= {^map_wdata, map_wdata};
   end
@@ -7613,139 +7609,139 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s3_en) begin
-      census_left_misses_q <= select_2752;
-      sharpness_before_last_mask_q <= select_2825;
-      sharpness_sums_detail_0_q <= and_542_s3_q ? select_2839 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_542_s3_q ? select_2851 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_542_s3_q ? sum_2855 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_542_s3_q ? sum_2859 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2877 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2887 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2889 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2891 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2893 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2895 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2900;
-      sharpness_comparing_carry_1_q <= select_2904;
-      sharpness_comparing_less_detail_0_q <= select_2911;
-      sharpness_comparing_less_detail_1_q <= select_2917;
-      sharpness_comparing_less_contrast_0_q <= select_2923;
-      sharpness_comparing_less_contrast_1_q <= select_2929;
-      counts_supervised_q <= select_3045;
-      counts_textured_q <= and_3037_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_3048});
-      counts_explained_q <= and_3037_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_3053});
-      counts_nearer_q <= and_3037_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_3058});
-      counts_unproven_q <= and_3037_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_3084});
-      counts_regions_bad_q <= select_3100;
-      counts_skin_supervised_q <= select_3107;
-      counts_skin_textured_q <= select_3114;
-      counts_skin_unproven_q <= select_3122;
-      counts_on_skin_q <= select_3141;
-      registration_half_across_q <= select_3219;
-      registration_half_measured_q <= select_3224;
-      registration_half_votes_down_q <= and_3197_s3_q ? 7'h0 : sum_3230;
-      registration_half_votes_up_q <= and_3197_s3_q ? 7'h0 : sum_3238;
-      registration_half_half_votes_down_q <= and_3197_s3_q ? 7'h0 : sum_3245;
-      registration_half_half_votes_up_q <= and_3197_s3_q ? 7'h0 : sum_3252;
-      registration_down_q <= and_3286 ? sum_3305 : registration_down_q;
-      registration_up_q <= and_3286 ? sum_3314 : registration_up_q;
-      registration_enough_q <= select_3328;
-      registration_votes_down_q <= and_3333 ? less_3334 : registration_votes_down_q;
-      registration_votes_up_q <= and_3333 ? less_3336 : registration_votes_up_q;
-      registration_other_enough_q <= and_3342 ? select_3328 : registration_other_enough_q;
-      registration_other_down_q <= and_3342 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_3342 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_567_s3_q & and_3349)) & or_3374;
-      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_2264 : patches_place_0_valid_q;
-      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_2267 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_2268 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3459;
-      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_2293 : patches_place_1_valid_q;
-      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_2295 : patches_place_1_column_q;
-      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_2296 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3464;
-      patches_valid_0_q <= select_3469;
-      patches_valid_1_q <= select_3474;
-      patches_right_next_0_q <= select_3477;
-      patches_right_next_1_q <= select_3480;
-      patches_left_next_0_q <= select_3483;
-      patches_left_next_1_q <= select_3486;
-      patches_sums_values_0_q <= select_3910;
-      patches_sums_values_1_q <= equal_2246_s3_q ? patches_sums_values_1_q : select_3911;
-      patches_sums_values_2_q <= equal_2246_s3_q ? patches_sums_values_2_q : select_3913;
-      patches_sums_values_3_q <= equal_2246_s3_q ? patches_sums_values_3_q : select_3915;
-      patches_sums_values_4_q <= equal_2246_s3_q ? patches_sums_values_4_q : select_3917;
-      patches_sums_values_5_q <= equal_2246_s3_q ? patches_sums_values_5_q : select_3919;
-      patches_sums_values_6_q <= equal_2246_s3_q ? patches_sums_values_6_q : select_3921;
-      patches_sums_values_7_q <= equal_2246_s3_q ? patches_sums_values_7_q : select_3923;
-      patches_sums_values_8_q <= equal_2246_s3_q ? patches_sums_values_8_q : select_3925;
-      patches_sums_values_9_q <= equal_2246_s3_q ? patches_sums_values_9_q : select_3927;
-      patches_sums_values_10_q <= equal_2246_s3_q ? patches_sums_values_10_q : select_3929;
-      patches_sums_values_11_q <= equal_2246_s3_q ? patches_sums_values_11_q : select_3931;
-      patches_sums_values_12_q <= equal_2246_s3_q ? patches_sums_values_12_q : select_3933;
-      patches_sums_values_13_q <= equal_2246_s3_q ? patches_sums_values_13_q : select_3935;
-      patches_sums_values_14_q <= equal_2246_s3_q ? patches_sums_values_14_q : select_3937;
-      patches_sums_values_15_q <= equal_2246_s3_q ? patches_sums_values_15_q : select_3939;
-      patches_sums_values_16_q <= equal_2246_s3_q ? patches_sums_values_16_q : select_3941;
-      patches_best_differing_q <= select_2444[9:0];
-      patches_best_column_q <= select_2444[14:10];
-      patches_quarters_0_places_q <= sum_4065;
-      patches_quarters_0_up_q <= sum_4105;
-      patches_quarters_0_down_q <= sum_4115;
-      patches_quarters_1_places_q <= sum_4119;
-      patches_quarters_1_up_q <= sum_4122;
-      patches_quarters_1_down_q <= sum_4125;
-      patches_quarters_2_places_q <= sum_4129;
-      patches_quarters_2_up_q <= sum_4132;
-      patches_quarters_2_down_q <= sum_4135;
-      patches_quarters_3_places_q <= sum_4139;
-      patches_quarters_3_up_q <= sum_4142;
-      patches_quarters_3_down_q <= sum_4145;
-      patches_word_places_q <= or_4173;
-      patches_word_up_q <= ((select_4183 | select_4185) | select_4188) | select_4191;
-      patches_word_down_q <= ((select_4194 | select_4196) | select_4199) | select_4202;
-      patches_sum_places_q <= select_4212;
-      patches_sum_up_q <= select_4215;
-      patches_sum_down_q <= select_4218;
-      patches_across_q <= sum_4230;
-      patches_places_q <= select_4241;
+      census_left_misses_q <= select_2747;
+      sharpness_before_last_mask_q <= select_2820;
+      sharpness_sums_detail_0_q <= and_540_s3_q ? select_2834 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_540_s3_q ? select_2846 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_540_s3_q ? sum_2850 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_540_s3_q ? sum_2854 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2872 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2882 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2884 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2886 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2888 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2890 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2895;
+      sharpness_comparing_carry_1_q <= select_2899;
+      sharpness_comparing_less_detail_0_q <= select_2906;
+      sharpness_comparing_less_detail_1_q <= select_2912;
+      sharpness_comparing_less_contrast_0_q <= select_2918;
+      sharpness_comparing_less_contrast_1_q <= select_2924;
+      counts_supervised_q <= select_3040;
+      counts_textured_q <= and_3032_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_3043});
+      counts_explained_q <= and_3032_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_3048});
+      counts_nearer_q <= and_3032_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_3053});
+      counts_unproven_q <= and_3032_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_3079});
+      counts_regions_bad_q <= select_3095;
+      counts_skin_supervised_q <= select_3102;
+      counts_skin_textured_q <= select_3109;
+      counts_skin_unproven_q <= select_3117;
+      counts_on_skin_q <= select_3136;
+      registration_half_across_q <= select_3214;
+      registration_half_measured_q <= select_3219;
+      registration_half_votes_down_q <= and_3192_s3_q ? 7'h0 : sum_3225;
+      registration_half_votes_up_q <= and_3192_s3_q ? 7'h0 : sum_3233;
+      registration_half_half_votes_down_q <= and_3192_s3_q ? 7'h0 : sum_3240;
+      registration_half_half_votes_up_q <= and_3192_s3_q ? 7'h0 : sum_3247;
+      registration_down_q <= and_3281 ? sum_3300 : registration_down_q;
+      registration_up_q <= and_3281 ? sum_3309 : registration_up_q;
+      registration_enough_q <= select_3323;
+      registration_votes_down_q <= and_3328 ? less_3329 : registration_votes_down_q;
+      registration_votes_up_q <= and_3328 ? less_3331 : registration_votes_up_q;
+      registration_other_enough_q <= and_3337 ? select_3323 : registration_other_enough_q;
+      registration_other_down_q <= and_3337 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_3337 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_565_s3_q & and_3344)) & or_3369;
+      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_2259 : patches_place_0_valid_q;
+      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_2262 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_2263 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_3453;
+      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_2288 : patches_place_1_valid_q;
+      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_2290 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_2291 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_3458;
+      patches_valid_0_q <= select_3463;
+      patches_valid_1_q <= select_3468;
+      patches_right_next_0_q <= select_3471;
+      patches_right_next_1_q <= select_3474;
+      patches_left_next_0_q <= select_3477;
+      patches_left_next_1_q <= select_3480;
+      patches_sums_values_0_q <= select_3904;
+      patches_sums_values_1_q <= equal_2241_s3_q ? patches_sums_values_1_q : select_3905;
+      patches_sums_values_2_q <= equal_2241_s3_q ? patches_sums_values_2_q : select_3907;
+      patches_sums_values_3_q <= equal_2241_s3_q ? patches_sums_values_3_q : select_3909;
+      patches_sums_values_4_q <= equal_2241_s3_q ? patches_sums_values_4_q : select_3911;
+      patches_sums_values_5_q <= equal_2241_s3_q ? patches_sums_values_5_q : select_3913;
+      patches_sums_values_6_q <= equal_2241_s3_q ? patches_sums_values_6_q : select_3915;
+      patches_sums_values_7_q <= equal_2241_s3_q ? patches_sums_values_7_q : select_3917;
+      patches_sums_values_8_q <= equal_2241_s3_q ? patches_sums_values_8_q : select_3919;
+      patches_sums_values_9_q <= equal_2241_s3_q ? patches_sums_values_9_q : select_3921;
+      patches_sums_values_10_q <= equal_2241_s3_q ? patches_sums_values_10_q : select_3923;
+      patches_sums_values_11_q <= equal_2241_s3_q ? patches_sums_values_11_q : select_3925;
+      patches_sums_values_12_q <= equal_2241_s3_q ? patches_sums_values_12_q : select_3927;
+      patches_sums_values_13_q <= equal_2241_s3_q ? patches_sums_values_13_q : select_3929;
+      patches_sums_values_14_q <= equal_2241_s3_q ? patches_sums_values_14_q : select_3931;
+      patches_sums_values_15_q <= equal_2241_s3_q ? patches_sums_values_15_q : select_3933;
+      patches_sums_values_16_q <= equal_2241_s3_q ? patches_sums_values_16_q : select_3935;
+      patches_best_differing_q <= select_2439[9:0];
+      patches_best_column_q <= select_2439[14:10];
+      patches_quarters_0_places_q <= sum_4059;
+      patches_quarters_0_up_q <= sum_4099;
+      patches_quarters_0_down_q <= sum_4109;
+      patches_quarters_1_places_q <= sum_4113;
+      patches_quarters_1_up_q <= sum_4116;
+      patches_quarters_1_down_q <= sum_4119;
+      patches_quarters_2_places_q <= sum_4123;
+      patches_quarters_2_up_q <= sum_4126;
+      patches_quarters_2_down_q <= sum_4129;
+      patches_quarters_3_places_q <= sum_4133;
+      patches_quarters_3_up_q <= sum_4136;
+      patches_quarters_3_down_q <= sum_4139;
+      patches_word_places_q <= or_4167;
+      patches_word_up_q <= ((select_4177 | select_4179) | select_4182) | select_4185;
+      patches_word_down_q <= ((select_4188 | select_4190) | select_4193) | select_4196;
+      patches_sum_places_q <= select_4206;
+      patches_sum_up_q <= select_4209;
+      patches_sum_down_q <= select_4212;
+      patches_across_q <= sum_4224;
+      patches_places_q <= select_4235;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_4245;
-      patches_partly_q <= or_4248;
-      patches_clear_limit_q <= sum_4249[8:2];
-      patches_complete_q <= select_4251;
+      patches_mostly_q <= or_4239;
+      patches_partly_q <= or_4242;
+      patches_clear_limit_q <= sum_4243[8:2];
+      patches_complete_q <= select_4245;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= and_4234 ? select_4256 : patches_found_q;
-      patches_doubted_q <= select_4263;
-      patches_doubted_before_q <= select_4264;
+      patches_found_q <= and_4228 ? select_4250 : patches_found_q;
+      patches_doubted_q <= select_4257;
+      patches_doubted_before_q <= select_4258;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_4268;
-      patches_on_skin_q <= sum_4278;
-      patches_large_q <= not_4280 & and_4285;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_4290;
-      patches_spoiled_q <= or_4294;
+      patches_round_on_skin_q <= select_4262;
+      patches_on_skin_q <= sum_4272;
+      patches_large_q <= not_4274 & and_4279;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_4284;
+      patches_spoiled_q <= or_4288;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_4301;
+      patches_moved_q <= select_4295;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_4311;
-      segment_textured_q <= select_2469 + {6'h0, and_3048};
-      segment_explained_q <= select_2474 + {6'h0, and_3053};
-      segment_nearer_q <= select_2484 + {6'h0, and_3058};
+      patches_age_q <= select_4305;
+      segment_textured_q <= select_2464 + {6'h0, and_3043};
+      segment_explained_q <= select_2469 + {6'h0, and_3048};
+      segment_nearer_q <= select_2479 + {6'h0, and_3053};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_567_s3_q ? select_4384 : good_q;
-      good_known_q <= select_4389;
-      hidden_for_q <= select_4407;
-      product_q <= equal_567_s3_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_4432;
-      disagree_q <= equal_567_s3_q ? select_4376 : disagree_q;
-      too_much_q <= equal_567_s3_q ? select_4442 : too_much_q;
-      hides_q <= equal_567_s3_q ? select_4402 : hides_q;
-      overlooks_q <= equal_567_s3_q ? select_4448 : overlooks_q;
-      seen_q <= select_4569;
-      nearer_q <= select_4572;
+      good_q <= equal_565_s3_q ? select_4378 : good_q;
+      good_known_q <= select_4383;
+      hidden_for_q <= select_4401;
+      product_q <= equal_565_s3_q ? sum_4[14:1] : product_q;
+      product_rest_q <= select_4426;
+      disagree_q <= equal_565_s3_q ? select_4370 : disagree_q;
+      too_much_q <= equal_565_s3_q ? select_4436 : too_much_q;
+      hides_q <= equal_565_s3_q ? select_4396 : hides_q;
+      overlooks_q <= equal_565_s3_q ? select_4442 : overlooks_q;
+      seen_q <= select_4563;
+      nearer_q <= select_4566;
     end
   end
 
@@ -7797,45 +7793,45 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
       left_pixel_q <= left_pixel_q;
-      averager_quarter_1_0_q <= select_2626;
-      averager_quarter_1_1_q <= select_2628;
-      averager_quarter_2_0_q <= select_2630;
-      averager_quarter_2_1_q <= select_2632;
-      averager_detail_0_q <= select_2644;
-      averager_detail_1_q <= select_2652;
-      census_changes_values_0_left_q <= and_542_s3_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_542_s3_q ? sum_2736 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2738;
-      census_changes_values_1_right_q <= select_2739;
-      census_changes_values_2_left_q <= select_2740;
-      census_changes_values_2_right_q <= select_2741;
-      sharpness_last_mask_q <= and_542_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_542_s3_q ? select_2822[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_542_s3_q ? select_2822[27:14] : sharpness_last_detail_1_q;
-      box_textured_columns_values_0_q <= select_4452;
-      box_textured_columns_values_1_q <= select_4455;
-      box_textured_columns_values_2_q <= select_4458;
-      box_textured_columns_values_3_q <= select_4461;
-      box_textured_columns_values_4_q <= select_4464;
-      box_textured_sum_sums_values_0_q <= equal_567_s3_q ? box_textured_sum_sums_values_0_q : select_4466;
-      box_explained_columns_values_0_q <= select_4470;
-      box_explained_columns_values_1_q <= select_4473;
-      box_explained_columns_values_2_q <= select_4476;
-      box_explained_columns_values_3_q <= select_4479;
-      box_explained_columns_values_4_q <= select_4482;
-      box_explained_sum_sums_values_0_q <= equal_567_s3_q ? box_explained_sum_sums_values_0_q : select_4484;
-      box_shown_columns_values_0_q <= equal_567_s3_q ? box_shown_columns_values_0_q : select_4487;
-      box_shown_columns_values_1_q <= select_4491;
-      box_shown_columns_values_2_q <= select_4494;
-      box_shown_columns_values_3_q <= select_4497;
-      box_shown_columns_values_4_q <= select_4500;
-      box_shown_sum_sums_values_0_q <= equal_567_s3_q ? box_shown_sum_sums_values_0_q : select_4502;
-      box_nearer_columns_values_0_q <= equal_567_s3_q ? box_nearer_columns_values_0_q : select_4505;
-      box_nearer_columns_values_1_q <= select_4509;
-      box_nearer_columns_values_2_q <= select_4512;
-      box_nearer_columns_values_3_q <= select_4515;
-      box_nearer_columns_values_4_q <= select_4518;
-      box_nearer_sum_sums_values_0_q <= equal_567_s3_q ? box_nearer_sum_sums_values_0_q : select_4520;
+      averager_quarter_1_0_q <= select_2621;
+      averager_quarter_1_1_q <= select_2623;
+      averager_quarter_2_0_q <= select_2625;
+      averager_quarter_2_1_q <= select_2627;
+      averager_detail_0_q <= select_2639;
+      averager_detail_1_q <= select_2647;
+      census_changes_values_0_left_q <= and_540_s3_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_540_s3_q ? sum_2731 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2733;
+      census_changes_values_1_right_q <= select_2734;
+      census_changes_values_2_left_q <= select_2735;
+      census_changes_values_2_right_q <= select_2736;
+      sharpness_last_mask_q <= and_540_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
+      sharpness_last_detail_0_q <= and_540_s3_q ? select_2817[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_540_s3_q ? select_2817[27:14] : sharpness_last_detail_1_q;
+      box_textured_columns_values_0_q <= select_4446;
+      box_textured_columns_values_1_q <= select_4449;
+      box_textured_columns_values_2_q <= select_4452;
+      box_textured_columns_values_3_q <= select_4455;
+      box_textured_columns_values_4_q <= select_4458;
+      box_textured_sum_sums_values_0_q <= equal_565_s3_q ? box_textured_sum_sums_values_0_q : select_4460;
+      box_explained_columns_values_0_q <= select_4464;
+      box_explained_columns_values_1_q <= select_4467;
+      box_explained_columns_values_2_q <= select_4470;
+      box_explained_columns_values_3_q <= select_4473;
+      box_explained_columns_values_4_q <= select_4476;
+      box_explained_sum_sums_values_0_q <= equal_565_s3_q ? box_explained_sum_sums_values_0_q : select_4478;
+      box_shown_columns_values_0_q <= equal_565_s3_q ? box_shown_columns_values_0_q : select_4481;
+      box_shown_columns_values_1_q <= select_4485;
+      box_shown_columns_values_2_q <= select_4488;
+      box_shown_columns_values_3_q <= select_4491;
+      box_shown_columns_values_4_q <= select_4494;
+      box_shown_sum_sums_values_0_q <= equal_565_s3_q ? box_shown_sum_sums_values_0_q : select_4496;
+      box_nearer_columns_values_0_q <= equal_565_s3_q ? box_nearer_columns_values_0_q : select_4499;
+      box_nearer_columns_values_1_q <= select_4503;
+      box_nearer_columns_values_2_q <= select_4506;
+      box_nearer_columns_values_3_q <= select_4509;
+      box_nearer_columns_values_4_q <= select_4512;
+      box_nearer_sum_sums_values_0_q <= equal_565_s3_q ? box_nearer_sum_sums_values_0_q : select_4514;
     end
   end
 
@@ -7845,21 +7841,21 @@ module horopter_agreement (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic and_4549_s4_q;
-  logic or_4573_s4_q;
-  logic and_4574_s4_q;
-  logic and_4582_s4_q;
+  logic and_4543_s4_q;
+  logic or_4567_s4_q;
+  logic and_4568_s4_q;
+  logic and_4576_s4_q;
+  logic and_4579_s4_q;
   logic and_4585_s4_q;
-  logic and_4591_s4_q;
+  logic and_4589_s4_q;
   logic and_4595_s4_q;
-  logic and_4601_s4_q;
-  logic and_4605_s4_q;
-  logic and_4613_s4_q;
-  logic and_4618_s4_q;
-  logic and_4621_s4_q;
-  logic and_4625_s4_q;
-  logic [5:0] select_4627_s4_q;
-  logic [31:0] select_4644_s4_q;
+  logic and_4599_s4_q;
+  logic and_4607_s4_q;
+  logic and_4612_s4_q;
+  logic and_4615_s4_q;
+  logic and_4619_s4_q;
+  logic [5:0] select_4621_s4_q;
+  logic [31:0] select_4638_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_0_q;
@@ -7868,21 +7864,21 @@ module horopter_agreement (
       mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= line_ended_q;
-      and_4549_s4_q <= said_q;
-      or_4573_s4_q <= not_2813 | select_4569;
-      and_4574_s4_q <= cfg_prove_i & select_4572;
-      and_4582_s4_q <= equal_567_s3_q & (equal_4387_s3_q & (cfg_prove_i & or_4579));
-      and_4585_s4_q <= equal_567_s3_q & (equal_4387_s3_q & (cfg_prove_i & or_4368));
-      and_4591_s4_q <= and_4591;
-      and_4595_s4_q <= equal_567_s3_q & and_4594;
-      and_4601_s4_q <= equal_567_s3_q & (equal_4387_s3_q & (not_4587 & or_4598));
-      and_4605_s4_q <= and_4605;
-      and_4613_s4_q <= equal_567_s3_q & (equal_4387_s3_q & (cfg_prove_i & and_4610));
-      and_4618_s4_q <= equal_567_s3_q & (equal_4387_s3_q & select_4616);
-      and_4621_s4_q <= and_4621;
-      and_4625_s4_q <= and_4625;
-      select_4627_s4_q <= equal_567_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
-      select_4644_s4_q <= equal_567_s3_q ? (x_s3_q[6] ? select_4642 : 32'h0) : 32'h0;
+      and_4543_s4_q <= said_q;
+      or_4567_s4_q <= not_2808 | select_4563;
+      and_4568_s4_q <= cfg_prove_i & select_4566;
+      and_4576_s4_q <= equal_565_s3_q & (equal_4381_s3_q & (cfg_prove_i & or_4573));
+      and_4579_s4_q <= equal_565_s3_q & (equal_4381_s3_q & (cfg_prove_i & or_4362));
+      and_4585_s4_q <= and_4585;
+      and_4589_s4_q <= equal_565_s3_q & and_4588;
+      and_4595_s4_q <= equal_565_s3_q & (equal_4381_s3_q & (not_4581 & or_4592));
+      and_4599_s4_q <= and_4599;
+      and_4607_s4_q <= equal_565_s3_q & (equal_4381_s3_q & (cfg_prove_i & and_4604));
+      and_4612_s4_q <= equal_565_s3_q & (equal_4381_s3_q & select_4610);
+      and_4615_s4_q <= and_4615;
+      and_4619_s4_q <= and_4619;
+      select_4621_s4_q <= equal_565_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
+      select_4638_s4_q <= equal_565_s3_q ? (x_s3_q[6] ? select_4636 : 32'h0) : 32'h0;
     end
   end
 
@@ -7896,21 +7892,21 @@ module horopter_agreement (
   assign mask_o = mask_s4_q;
   assign marks_first_o = marks_first_s4_q;
   assign marks_last_o = marks_last_s4_q;
-  assign marks_seen_o = or_4573_s4_q;
-  assign marks_nearer_o = and_4574_s4_q;
-  assign verdict_valid_o = and_4549_s4_q;
-  assign verdict_unproven_yet_o = and_4582_s4_q;
-  assign verdict_untextured_o = and_4585_s4_q;
-  assign verdict_disagree_o = and_4591_s4_q;
-  assign verdict_moved_o = and_4595_s4_q;
-  assign verdict_unsharp_left_o = and_4601_s4_q;
-  assign verdict_unsharp_right_o = and_4605_s4_q;
-  assign verdict_hidden_o = and_4613_s4_q;
-  assign verdict_overlooked_o = and_4618_s4_q;
-  assign verdict_out_of_step_o = and_4621_s4_q;
-  assign frame_valid_o = and_4625_s4_q;
-  assign frame_index_o = select_4627_s4_q;
-  assign frame_word_o = select_4644_s4_q;
+  assign marks_seen_o = or_4567_s4_q;
+  assign marks_nearer_o = and_4568_s4_q;
+  assign verdict_valid_o = and_4543_s4_q;
+  assign verdict_unproven_yet_o = and_4576_s4_q;
+  assign verdict_untextured_o = and_4579_s4_q;
+  assign verdict_disagree_o = and_4585_s4_q;
+  assign verdict_moved_o = and_4589_s4_q;
+  assign verdict_unsharp_left_o = and_4595_s4_q;
+  assign verdict_unsharp_right_o = and_4599_s4_q;
+  assign verdict_hidden_o = and_4607_s4_q;
+  assign verdict_overlooked_o = and_4612_s4_q;
+  assign verdict_out_of_step_o = and_4615_s4_q;
+  assign frame_valid_o = and_4619_s4_q;
+  assign frame_index_o = select_4621_s4_q;
+  assign frame_word_o = select_4638_s4_q;
   assign valid_o = valid_s4_q;
 
   always_ff @(posedge clk_i) begin
@@ -7929,6 +7925,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_4283[4:0], sum_4249[1:0], sum_4204[1:0], product_4095[4:0], sum_3187[0], difference_3128[1:0], detail_4[1:0], detail_3[1:0], sum_2746[4:0], sum_2184[0], sum_2180[0], sum_724[4:0], cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], product_4277[4:0], sum_4243[1:0], sum_4198[1:0], product_4089[4:0], sum_3182[0], difference_3123[1:0], detail_4[1:0], detail_3[1:0], sum_2741[4:0], sum_2179[0], sum_2175[0], sum_722[4:0], cfg_width_i[2:0]};
 
 endmodule
