@@ -31,11 +31,9 @@ class CellRaster {
 
   Position step(bool first, bool last, u<bits_for(HEIGHT)> height) {
     const bool row_starts = first || row_ended_;
-    if (row_starts) {
+    if (first) {
       at_.x = 0;
       at_.column = 0;
-    }
-    if (first) {
       at_.y = 0;
       at_.row = 0;
       at_.live = true;
@@ -55,6 +53,8 @@ class CellRaster {
     at_.column += u<1>(at_.x == CELL - 1);
     at_.x = u<bits_for(CELL - 1)>(at_.x + lit<1>());
     if (last) {
+      at_.x = 0;
+      at_.column = 0;
       at_.row += u<1>(at_.y == CELL - 1);
       at_.y = u<bits_for(CELL - 1)>(at_.y + lit<1>());
       at_.live = at_.live && !final_row;

@@ -106,6 +106,11 @@ module formal_map_store (
   (* hierconn *) wire [15:0] \dut.upload_mask_q ;
   (* hierconn *) wire [3:0] \dut.selected_q ;
   (* hierconn *) wire [3:0] \dut.active_q ;
+  (* hierconn *) wire \dut.replaces_q ;
+  (* hierconn *) wire \dut.look_q ;
+  (* hierconn *) wire \dut.lookup_q ;
+  (* hierconn *) wire [3:0] \dut.look_slot_q ;
+  (* hierconn *) wire [3:0] \dut.lookup_slot_q ;
   (* hierconn *) wire [8:0] \dut.extent ;
   (* hierconn *) wire \dut.store_entry ;
   (* hierconn *) wire \dut.store_limit ;
@@ -119,17 +124,23 @@ module formal_map_store (
   logic past_valid = 1'b0, past_in_use = 1'b0, past_lookup_valid = 1'b0;
   logic [3:0] past_slot, past_selected, past_active;
   logic [31:0] past_data;
-  logic past_take = 1'b0;
+  logic past_take = 1'b0, past_stored = 1'b0;  // of the watched slot
   // A clock ago, which is what the device works with; two clocks ago.
   logic past_running = 1'b0, before_running = 1'b0;
   logic [3:0] before_selected;
+  (* hierconn *) wire \dut.u_lookup.valid_i ;
+  logic looked_up_valid;
+  assign looked_up_valid = \dut.u_lookup.valid_i ;
+  logic stays;  // valid, and not about to be replaced
+  assign stays = valid[watched] && !(\dut.replaces_q && \dut.overlap_q [watched]);
   logic in_use;
-  assign in_use = past_running && valid[watched] && (watched == past_selected || watched == past_active);
+  assign in_use = past_running && stays && (watched == past_selected || watched == past_active);
 
   always @(posedge clk_i) begin
     past_valid <= 1'b1;
     past_slot <= slot;
     past_data <= \dut.data ;
+    past_stored <= rst_ni && \dut.store_entry && \dut.slot_q == watched;
     past_take <= rst_ni && \dut.take ;
     past_selected <= selected_slot;
     past_active <= active_slot;
@@ -166,6 +177,7 @@ module formal_map_store (
       // --- invariants that lead to the properties ---
       if (valid[watched]) assert (5'(first) < behind && behind <= 5'd16);
       assert (!\dut.valid_q [15]);
+      if (\dut.look_q ) assert (\dut.look_slot_q == past_selected);
       assert (\dut.selected_q == past_selected && \dut.active_q == past_active);
       if (\dut.start_q ) assert (\dut.start_mask_q == 16'd1 << slot);
       if (\dut.checked_q ) assert (\dut.upload_mask_q == 16'd1 << \dut.slot_q );
@@ -222,14 +234,18 @@ module formal_map_store (
         if (\dut.take ) assert (\dut.last_fact_q == (\dut.facts_q == 12'd1));
       end
       if (\dut.state_q == WALK && \dut.step_q >= 7'd1) assert (!\dut.odd_q );
-      if (\dut.state_q > WALK && valid[watched]) assert (apart);
+      if (\dut.state_q > WALK && stays) assert (apart);
+      if (\dut.replaces_q ) assert (\dut.state_q == FACTS || \dut.start_q );
 
       // --- properties ---
       if (\dut.store_entry ) assert (\dut.data == past_data);  // u_entry: STEADY
-      if ((\dut.write_even || \dut.write_odd ) && valid[watched])
+      if ((\dut.write_even || \dut.write_odd ) && stays)
         assert (\dut.write_addr_q < 5'(first) || \dut.write_addr_q >= behind);
-      if (past_in_use) assert (valid[watched] || !rst_ni);
+      if (past_in_use) assert (stays || !rst_ni);
       if (past_in_use && \dut.store_limit ) assert (slot != watched);
+      // An entry is not read while it is written.
+      if (\dut.lookup_q && looked_up_valid && \dut.lookup_slot_q == watched) assert (!past_stored);
+      if (before_running && \dut.lookup_q && looked_up_valid && \dut.lookup_slot_q == watched) assert (stays);
       cover (\dut.state_q == SIZE);
       cover (error == 3'd2);
     end

@@ -207,7 +207,7 @@ module horopter_frame_control (
   end
 
   horopter_csr_pkg::faults_t faults0_q, faults1_q, event_q, total_q, read_faults, unchecked;
-  logic [1:0] incomplete_q;  // an image of the record, as of the clock before
+  logic [1:0] incomplete, unexplained_q;  // an image of the record; and no fault of its stream says why, as of the clock before
   logic [1:0] bad_q;  // by record
   logic found_q, others_bad_q;
   // set_q: fault_set_o has a fault; faulty_q: total_q has one. A bit tells of eight: one for all would take too long.
@@ -228,12 +228,12 @@ module horopter_frame_control (
   // was not checked: not safe.
   always_comb begin
     unchecked = '0;
-    unchecked.machine.internal = !read_faults.machine.skew
-        && ((incomplete_q[0] && read_faults.left.stream == '0) || (incomplete_q[1] && read_faults.right.stream == '0));
+    unchecked.machine.internal = !read_faults.machine.skew && unexplained_q != 2'b00;
     unchecked.machine.overlooked = overlooked_q && !(alarm_q || object_alarm_q);  // with an alarm it is none
   end
+  assign incomplete = ~({right_checked_q[read_slot_i], left_checked_q[read_slot_i]} & whole_i);
   always_ff @(posedge clk_i) begin
-    incomplete_q <= ~({right_checked_q[read_slot_i], left_checked_q[read_slot_i]} & whole_i);
+    unexplained_q <= incomplete & {read_faults.right.stream == '0, read_faults.left.stream == '0};
     if (!rst_ni) begin
       faults0_q <= '0;
       faults1_q <= '0;

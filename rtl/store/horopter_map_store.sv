@@ -76,7 +76,7 @@ module horopter_map_store #(
 
   // A clock late, all of them alike: they come from far away.
   logic running_q, look_q;
-  logic [3:0] selected_q, active_q, look_slot_q;
+  logic [3:0] selected_q, active_q, look_slot_q, lookup_slot_q;
   always_ff @(posedge clk_i) begin
     running_q <= running_i;
     selected_q <= selected_slot_i;
@@ -195,16 +195,18 @@ module horopter_map_store #(
 
   // One-hot: the slots of a start and of an upload. As of the clock before: a start's is there then.
   logic [15:0] start_mask_q, upload_mask_q;
-  logic replaces;  // the walk ends, and what overlaps goes
+  logic replaces, replaces_q;  // the walk ends, and what overlaps goes, a clock later
   always_ff @(posedge clk_i) begin
     start_mask_q <= 16'd1 << slot_i;
     upload_mask_q <= 16'd1 << slot_q;
   end
-  assign replaces = state_q == WALK && walked_q && in_use_stays && !overlap_in_use_q;
+  assign replaces = !start_q && state_q == WALK && walked_q && in_use_stays && !overlap_in_use_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) valid_q <= 16'd0;
-    else if (!start_q) valid_q <= (valid_q & ~(replaces ? overlap_q : 16'd0)) | (store_entry ? upload_mask_q : 16'd0);
-    else if (!slot_in_use_q) valid_q <= valid_q & ~start_mask_q;
+    replaces_q <= rst_ni && replaces;
+    for (int unsigned i = 0; i < 16; i++) begin
+      valid_q[i] <= rst_ni && ((valid_q[i] && !(replaces_q && overlap_q[i]) && !(start_q && !slot_in_use_q && start_mask_q[i]))
+          || (store_entry && !start_q && upload_mask_q[i]));
+    end
   end
 
   // Extent of each table, for the walk, else of slot_i.
@@ -463,7 +465,7 @@ module horopter_map_store #(
   assign {entry_crc, entry_areas, entry_spans, entry_height, entry_width, entry_columns, entry_ny, entry_nx, entry_base} = entry;
   always_ff @(posedge clk_i) begin
     lookup_q <= rst_ni && look_q;
-    // A table that is being stored in this very clock counts from the next lookup on.
+    lookup_slot_q <= look_slot_q;
     lookup_valid_q <= valid_q[look_slot_q];
     if (lookup_q) table_crc_o <= entry_crc;
     if (lookup_q) table_areas_o <= entry_areas;
@@ -479,7 +481,9 @@ module horopter_map_store #(
       .clk_i(clk_i),
       .rst_ni(rst_ni),
       .take_i(lookup_q),
-      .valid_i(lookup_valid_q),
+      // Before: what is stored in the clock of the lookup counts from the next one on. Still: what is replaced goes a clock
+      // after that was decided.
+      .valid_i(lookup_valid_q && valid_q[lookup_slot_q]),
       .fits_i(entry_width == width_i && entry_height == height_i),
       .base_i(entry_base),
       .nx_i(entry_nx),

@@ -72,22 +72,22 @@ module horopter_agreement (
   assign s3_en = en_i & valid_s3_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2348;
-  assign not_2348 = ~cfg_prove_i;
-  logic [5:0] sum_2561;
-  assign sum_2561 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_3620;
-  assign difference_3620 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_3833;
-  assign not_3833 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_3891;
-  assign difference_3891 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_4138;
-  assign less_4138 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_4139;
-  assign sum_4139 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic [7:0] select_4140;
-  assign select_4140 = less_4138 ? {sum_4139, cfg_height_i[5:3]} : 8'h0;
+  logic not_2350;
+  assign not_2350 = ~cfg_prove_i;
+  logic [5:0] sum_2563;
+  assign sum_2563 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_3622;
+  assign difference_3622 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_3835;
+  assign not_3835 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [6:0] difference_3893;
+  assign difference_3893 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_4140;
+  assign less_4140 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_4141;
+  assign sum_4141 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic [7:0] select_4142;
+  assign select_4142 = less_4140 ? {sum_4141, cfg_height_i[5:3]} : 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic left_first_q;
@@ -155,39 +155,38 @@ module horopter_agreement (
   logic [4:0] patches_code_row_q;
   logic [4:0] patches_column_q;
   logic patches_column_ends_q;
-  // hls/stages/census.hpp:33
+  // hls/stages/census.hpp:42
+  logic [2:0] select_508;
+  assign select_508 = sample_pair_first_q ? 3'h0 : raster_at_x_q;
+  // hls/stages/census.hpp:34
   logic row_starts;
   assign row_starts = sample_pair_first_q | raster_row_ended_q;
-  // hls/stages/census.hpp:38
-  logic [2:0] select_509;
-  assign select_509 = row_starts ? 3'h0 : raster_at_x_q;
   // hls/stages/census.hpp:124
   logic [7:0] select_512;
-  assign select_512 = select_509[0] ? averager_place_q : (row_starts ? 8'h0 : (averager_place_q + 8'h1));
+  assign select_512 = select_508[0] ? averager_place_q : (row_starts ? 8'h0 : (averager_place_q + 8'h1));
   // hls/stages/census.hpp:122
   logic or_516;
   assign or_516 = row_starts | (averager_inside_q & (~(averager_place_q == 8'hbc)));
   // hls/stages/census.hpp:124
   logic select_517;
-  assign select_517 = select_509[0] ? averager_inside_q : or_516;
-  // hls/stages/census.hpp:44
+  assign select_517 = select_508[0] ? averager_inside_q : or_516;
+  // hls/stages/census.hpp:42
   logic or_518;
   assign or_518 = sample_pair_first_q | raster_at_live_q;
   // hls/stages/agreement.hpp:418
   logic and_520;
-  assign and_520 = select_517 & (select_509[0] & or_518);
-  // hls/stages/census.hpp:44
+  assign and_520 = select_517 & (select_508[0] & or_518);
+  // hls/stages/census.hpp:42
   logic [2:0] select_525;
   assign select_525 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
-  // hls/stages/census.hpp:38
   logic [5:0] select_541;
-  assign select_541 = row_starts ? 6'h0 : raster_at_column_q;
+  assign select_541 = sample_pair_first_q ? 6'h0 : raster_at_column_q;
   // hls/stages/agreement.hpp:276
   logic [5:0] last;
   assign last = sample_pair_whole_q ? select_541 : 6'h0;
-  // hls/stages/census.hpp:55
+  // hls/stages/census.hpp:53
   logic equal_543;
-  assign equal_543 = select_509 == 3'h7;
+  assign equal_543 = select_508 == 3'h7;
   // hls/stages/census.hpp:58
   logic equal_544;
   assign equal_544 = select_525 == 3'h7;
@@ -248,7 +247,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:149
   logic and_648;
   assign and_648 = not_645 & ((~equal_591) & and_593);
-  // hls/stages/census.hpp:44
+  // hls/stages/census.hpp:42
   logic [5:0] select_675;
   assign select_675 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:276
@@ -324,239 +323,241 @@ module horopter_agreement (
   logic and_1971;
   assign and_1971 = right_q & (~marks_first_i);
   // hls/stages/agreement.hpp:276
-  logic [2:0] select_2142;
-  assign select_2142 = sample_pair_whole_q ? (sample_last_q ? (select_525 + 3'h1) : select_525) : raster_at_y_q;
-  logic [5:0] select_2144;
-  assign select_2144 = sample_pair_whole_q ? (select_541 + {5'h0, equal_543}) : raster_at_column_q;
-  logic [5:0] select_2147;
-  assign select_2147 = sample_pair_whole_q ? (sample_last_q ? (select_675 + {5'h0, equal_544}) : select_675) : raster_at_row_q;
-  logic select_2151;
-  assign select_2151 = sample_pair_whole_q ? (sample_last_q ? (or_518 & (~raster_final_row_q)) : or_518) : raster_at_live_q;
-  // hls/stages/census.hpp:54
-  logic [8:0] select_2153;
-  assign select_2153 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [2:0] select_2140;
+  assign select_2140 = sample_pair_whole_q ? (sample_last_q ? 3'h0 : (select_508 + 3'h1)) : raster_at_x_q;
+  logic [2:0] select_2143;
+  assign select_2143 = sample_pair_whole_q ? (sample_last_q ? (select_525 + 3'h1) : select_525) : raster_at_y_q;
+  logic [5:0] select_2146;
+  assign select_2146 = sample_pair_whole_q ? (sample_last_q ? 6'h0 : (select_541 + {5'h0, equal_543})) : raster_at_column_q;
+  logic [5:0] select_2149;
+  assign select_2149 = sample_pair_whole_q ? (sample_last_q ? (select_675 + {5'h0, equal_544}) : select_675) : raster_at_row_q;
+  logic select_2153;
+  assign select_2153 = sample_pair_whole_q ? (sample_last_q ? (or_518 & (~raster_final_row_q)) : or_518) : raster_at_live_q;
+  // hls/stages/census.hpp:52
+  logic [8:0] select_2155;
+  assign select_2155 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:276
-  logic select_2157;
-  assign select_2157 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  logic select_2159;
+  assign select_2159 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:459
-  logic [6:0] sum_2466;
-  assign sum_2466 = {1'b0, last} + 7'h1;
-  logic equal_2467;
-  assign equal_2467 = {sum_2466[6], cfg_width_i[8:3]} == {1'b0, sum_2466[5:0]};
+  logic [6:0] sum_2468;
+  assign sum_2468 = {1'b0, last} + 7'h1;
+  logic equal_2469;
+  assign equal_2469 = {sum_2468[6], cfg_width_i[8:3]} == {1'b0, sum_2468[5:0]};
   // hls/stages/agreement.hpp:464
-  logic and_2468;
-  assign and_2468 = and_547 & equal_2467;
+  logic and_2470;
+  assign and_2470 = and_547 & equal_2469;
   // hls/stages/agreement.hpp:523
-  logic select_2471;
-  assign select_2471 = (and_2468 | (~ends_cell_q)) ? and_2468 : ends_q;
+  logic select_2473;
+  assign select_2473 = (and_2470 | (~ends_cell_q)) ? and_2470 : ends_q;
   // hls/stages/agreement.hpp:529
   logic [2:0] now;
-  assign now = select_2471 ? (and_2468 ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2473 ? (and_2470 ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:534
-  logic [5:0] select_2475;
-  assign select_2475 = select_2471 ? (and_2468 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2478;
-  assign select_2478 = select_2471 ? (following_last_shift_q & (~and_2468)) : run_last_shift_q;
+  logic [5:0] select_2477;
+  assign select_2477 = select_2473 ? (and_2470 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2480;
+  assign select_2480 = select_2473 ? (following_last_shift_q & (~and_2470)) : run_last_shift_q;
   // hls/stages/agreement.hpp:607
-  logic and_2481;
-  assign and_2481 = run_last_shift_q & equal_591;
+  logic and_2483;
+  assign and_2483 = run_last_shift_q & equal_591;
   // hls/stages/agreement.hpp:616
-  logic select_2483;
-  assign select_2483 = equal_591 ? (~run_last_shift_q) : equal_592;
+  logic select_2485;
+  assign select_2485 = equal_591 ? (~run_last_shift_q) : equal_592;
   // hls/stages/agreement.hpp:620
-  logic equal_2484;
-  assign equal_2484 = run_phase_q == 3'h1;
-  logic not_2487;
-  assign not_2487 = ~select_2483;
+  logic equal_2486;
+  assign equal_2486 = run_phase_q == 3'h1;
+  logic not_2489;
+  assign not_2489 = ~select_2485;
   // hls/stages/agreement.hpp:623
-  logic equal_2489;
-  assign equal_2489 = run_phase_q == 3'h4;
+  logic equal_2491;
+  assign equal_2491 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:607
-  logic and_2490;
-  assign and_2490 = final_row_q & so;
+  logic and_2492;
+  assign and_2492 = final_row_q & so;
   // hls/stages/agreement.hpp:620
-  logic [1:0] select_2491;
-  assign select_2491 = equal_2489 ? 2'h1 : {2{and_2490}};
-  logic [2:0] select_2493;
-  assign select_2493 = (and_2481 | (select_2483 | equal_2484)) ? (equal_2484 ? 3'h2 : {not_2487, {2{select_2483}}}) : (equal_576 ? 3'h6 : {select_2491[0], select_2491});
+  logic [1:0] select_2493;
+  assign select_2493 = equal_2491 ? 2'h1 : {2{and_2492}};
+  logic [2:0] select_2495;
+  assign select_2495 = (and_2483 | (select_2485 | equal_2486)) ? (equal_2486 ? 3'h2 : {not_2489, {2{select_2485}}}) : (equal_576 ? 3'h6 : {select_2493[0], select_2493});
   // hls/stages/agreement.hpp:607
-  logic and_2496;
-  assign and_2496 = select_2483 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
+  logic and_2498;
+  assign and_2498 = select_2485 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:630
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2499;
-  assign select_2499 = (plan_shift_q[5] & select_2483) ? value : 7'h0;
-  logic [1:0] or_2500;
-  assign or_2500 = {2{so}} | select_2499[5:4];
+  logic [6:0] select_2501;
+  assign select_2501 = (plan_shift_q[5] & select_2485) ? value : 7'h0;
+  logic [1:0] or_2502;
+  assign or_2502 = {2{so}} | select_2501[5:4];
   // hls/stages/agreement.hpp:633
-  logic [7:0] select_2501;
-  assign select_2501 = select_2483 ? plan_columns_q : 8'h0;
-  logic [6:0] or_2504;
-  assign or_2504 = select_2501[6:0] | ((equal_2484 | equal_2489) ? whole_q : 7'h0);
-  logic [1:0] or_2505;
-  assign or_2505 = {2{and_2481}} | or_2504[3:2];
+  logic [7:0] select_2503;
+  assign select_2503 = select_2485 ? plan_columns_q : 8'h0;
+  logic [6:0] or_2506;
+  assign or_2506 = select_2503[6:0] | ((equal_2486 | equal_2491) ? whole_q : 7'h0);
+  logic [1:0] or_2507;
+  assign or_2507 = {2{and_2483}} | or_2506[3:2];
   // hls/stages/agreement.hpp:634
-  logic [6:0] or_2507;
-  assign or_2507 = {or_2504[6:4], or_2505, or_2504[1:0]} | (equal_576 ? drawn_q : 7'h0);
-  logic [4:0] or_2508;
-  assign or_2508 = {5{so}} | {or_2507[6], or_2507[3:0]};
+  logic [6:0] or_2509;
+  assign or_2509 = {or_2506[6:4], or_2507, or_2506[1:0]} | (equal_576 ? drawn_q : 7'h0);
+  logic [4:0] or_2510;
+  assign or_2510 = {5{so}} | {or_2509[6], or_2509[3:0]};
   // hls/stages/agreement.hpp:640
-  logic not_2512;
-  assign not_2512 = ~run_shift_q[5];
-  logic [6:0] difference_2514;
-  assign difference_2514 = {1'b0, last_q} - {1'b0, least_q};
-  logic [7:0] select_2515;
-  assign select_2515 = equal_591 ? ({{7{not_2512}}, 1'b1} + run_span_q) : {difference_2514[6], difference_2514};
+  logic not_2514;
+  assign not_2514 = ~run_shift_q[5];
+  logic [6:0] difference_2516;
+  assign difference_2516 = {1'b0, last_q} - {1'b0, least_q};
+  logic [7:0] select_2517;
+  assign select_2517 = equal_591 ? ({{7{not_2514}}, 1'b1} + run_span_q) : {difference_2516[6], difference_2516};
   // hls/stages/agreement.hpp:523
-  logic [6:0] select_2519;
-  assign select_2519 = and_2468 ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2521;
+  assign select_2521 = and_2470 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:526
-  logic [7:0] select_2521;
-  assign select_2521 = select_2471 ? {select_2519[6], select_2519} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2524;
-  assign select_2524 = select_2471 ? (and_2468 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2523;
+  assign select_2523 = select_2473 ? {select_2521[6], select_2521} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2526;
+  assign select_2526 = select_2473 ? (and_2470 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:520
-  logic [5:0] select_2532;
-  assign select_2532 = and_547 ? (equal_2467 ? ((5'he < last[5:1]) ? 6'h1d : last) : least_q) : least_q;
+  logic [5:0] select_2534;
+  assign select_2534 = and_547 ? (equal_2469 ? ((5'he < last[5:1]) ? 6'h1d : last) : least_q) : least_q;
   // hls/stages/agreement.hpp:473
-  logic [4:0] sum_2533;
-  assign sum_2533 = {1'b0, last[5:2]} + 5'h3;
+  logic [4:0] sum_2535;
+  assign sum_2535 = {1'b0, last[5:2]} + 5'h3;
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_2535;
-  assign select_2535 = and_547 ? (equal_2467 ? {sum_2533, last[1:0]} : whole_q) : whole_q;
+  logic [6:0] select_2537;
+  assign select_2537 = and_547 ? (equal_2469 ? {sum_2535, last[1:0]} : whole_q) : whole_q;
   // hls/stages/agreement.hpp:474
-  logic [4:0] sum_2536;
-  assign sum_2536 = {1'b0, last[5:2]} + 5'h1;
+  logic [4:0] sum_2538;
+  assign sum_2538 = {1'b0, last[5:2]} + 5'h1;
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_2538;
-  assign select_2538 = and_547 ? (equal_2467 ? {sum_2536, last[1:0]} : drawn_q) : drawn_q;
+  logic [6:0] select_2540;
+  assign select_2540 = and_547 ? (equal_2469 ? {sum_2538, last[1:0]} : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:531
-  logic select_2552;
-  assign select_2552 = (ends_cell_q | select_2471) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_591 | (slot_q == 3'h6));
+  logic select_2554;
+  assign select_2554 = (ends_cell_q | select_2473) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_591 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:526
-  logic and_2556;
-  assign and_2556 = (~select_2471) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_2558;
+  assign and_2558 = (~select_2473) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:476
-  logic [6:0] sum_2557;
-  assign sum_2557 = {1'b0, row} + 7'h1;
+  logic [6:0] sum_2559;
+  assign sum_2559 = {1'b0, row} + 7'h1;
   // hls/stages/agreement.hpp:460
-  logic select_2559;
-  assign select_2559 = equal_2467 ? ({sum_2557[6], cfg_height_i[8:3]} == {1'b0, sum_2557[5:0]}) : final_row_q;
+  logic select_2561;
+  assign select_2561 = equal_2469 ? ({sum_2559[6], cfg_height_i[8:3]} == {1'b0, sum_2559[5:0]}) : final_row_q;
   // hls/stages/patches.hpp:318
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
-  logic [3:0] select_2935;
-  assign select_2935 = row_starts ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
+  logic [3:0] select_2937;
+  assign select_2937 = row_starts ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2936;
-  assign select_2936 = sample_pair_whole_q ? select_2935 : patches_phase_q;
+  logic [3:0] select_2938;
+  assign select_2938 = sample_pair_whole_q ? select_2937 : patches_phase_q;
   // hls/stages/patches.hpp:374
-  logic and_2937;
-  assign and_2937 = not_1674 & equal_1676;
-  logic [8:0] select_2938;
-  assign select_2938 = and_2937 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_2939;
-  assign select_2939 = and_2937 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic and_2939;
+  assign and_2939 = not_1674 & equal_1676;
   logic [8:0] select_2940;
-  assign select_2940 = sample_pair_first_q ? select_2938 : select_2939;
+  assign select_2940 = and_2939 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_2941;
+  assign select_2941 = and_2939 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_2942;
+  assign select_2942 = sample_pair_first_q ? select_2940 : select_2941;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2942;
-  assign select_2942 = sample_pair_whole_q ? (row_starts ? select_2940[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_2944;
-  assign select_2944 = sample_pair_whole_q ? (row_starts ? select_2940[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_2947;
-  assign select_2947 = sample_pair_whole_q ? (equal_1678 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_2949;
-  assign select_2949 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_1678}) : patches_next_band_number_q;
+  logic [3:0] select_2944;
+  assign select_2944 = sample_pair_whole_q ? (row_starts ? select_2942[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_2946;
+  assign select_2946 = sample_pair_whole_q ? (row_starts ? select_2942[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_2949;
+  assign select_2949 = sample_pair_whole_q ? (equal_1678 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_2951;
+  assign select_2951 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_1678}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:331
-  logic equal_2950;
-  assign equal_2950 = phase[3:1] == 3'h0;
+  logic equal_2952;
+  assign equal_2952 = phase[3:1] == 3'h0;
   // hls/stages/patches.hpp:332
-  logic not_2951;
-  assign not_2951 = ~equal_2950;
+  logic not_2953;
+  assign not_2953 = ~equal_2952;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2953;
-  assign select_2953 = sample_pair_whole_q ? (phase + {not_2951, 1'b1, not_2951, equal_2950}) : patches_first_band_rows_to_next_q;
+  logic [3:0] select_2955;
+  assign select_2955 = sample_pair_whole_q ? (phase + {not_2953, 1'b1, not_2953, equal_2952}) : patches_first_band_rows_to_next_q;
   // hls/stages/agreement.hpp:470
-  logic equal_2955;
-  assign equal_2955 = row == 6'h3;
+  logic equal_2957;
+  assign equal_2957 = row == 6'h3;
   // hls/stages/patches.hpp:87
-  logic [3:0] select_2959;
-  assign select_2959 = equal_2955 ? ((select_2936 == 4'h6) ? 4'h0 : (select_2936 + 4'h1)) : patches_choosing_rows_to_next_q;
-  logic equal_2960;
-  assign equal_2960 = select_2959 == 4'h0;
+  logic [3:0] select_2961;
+  assign select_2961 = equal_2957 ? ((select_2938 == 4'h6) ? 4'h0 : (select_2938 + 4'h1)) : patches_choosing_rows_to_next_q;
+  logic equal_2962;
+  assign equal_2962 = select_2961 == 4'h0;
   // hls/stages/agreement.hpp:460
-  logic [3:0] select_2963;
-  assign select_2963 = equal_2467 ? (equal_2960 ? 4'h6 : (select_2959 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_2965;
+  assign select_2965 = equal_2469 ? (equal_2962 ? 4'h6 : (select_2961 + 4'hf)) : patches_choosing_rows_to_next_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_2965;
-  assign select_2965 = equal_2955 ? 5'h0 : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:460
   logic [4:0] select_2967;
-  assign select_2967 = equal_2467 ? (select_2965 + {4'h0, equal_2960}) : patches_choosing_number_q;
+  assign select_2967 = equal_2957 ? 5'h0 : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:460
+  logic [4:0] select_2969;
+  assign select_2969 = equal_2469 ? (select_2967 + {4'h0, equal_2962}) : patches_choosing_number_q;
   // hls/stages/agreement.hpp:520
-  logic select_2972;
-  assign select_2972 = and_547 ? (equal_2467 ? ((6'h2 < row) & equal_2960) : patches_chooses_q) : patches_chooses_q;
-  logic [4:0] select_2974;
-  assign select_2974 = and_547 ? (equal_2467 ? select_2965 : patches_choosing_band_q) : patches_choosing_band_q;
+  logic select_2974;
+  assign select_2974 = and_547 ? (equal_2469 ? ((6'h2 < row) & equal_2962) : patches_chooses_q) : patches_chooses_q;
+  logic [4:0] select_2976;
+  assign select_2976 = and_547 ? (equal_2469 ? select_2967 : patches_choosing_band_q) : patches_choosing_band_q;
   // hls/stages/patches.hpp:372
-  logic [5:0] sum_2997;
-  assign sum_2997 = {1'b0, select_675[5:1]} + 6'h1;
-  logic less_2998;
-  assign less_2998 = {sum_2997, select_675[0], select_525, 1'b0} < {2'h0, cfg_height_i};
+  logic [5:0] sum_2999;
+  assign sum_2999 = {1'b0, select_675[5:1]} + 6'h1;
+  logic less_3000;
+  assign less_3000 = {sum_2999, select_675[0], select_525, 1'b0} < {2'h0, cfg_height_i};
   // hls/stages/patches.hpp:126
-  logic select_3001;
-  assign select_3001 = row_starts ? (and_1683 ? (~less_2998) : patches_lower_q) : patches_lower_q;
+  logic select_3003;
+  assign select_3003 = row_starts ? (and_1683 ? (~less_3000) : patches_lower_q) : patches_lower_q;
   // hls/stages/patches.hpp:394
-  logic or_3040;
-  assign or_3040 = patches_begins_q | patches_ends_q;
+  logic or_3042;
+  assign or_3042 = patches_begins_q | patches_ends_q;
   // hls/stages/patches.hpp:396
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:188
-  logic and_3046;
-  assign and_3046 = equal_1774 & not_1781;
+  logic and_3048;
+  assign and_3048 = equal_1774 & not_1781;
   // hls/stages/patches.hpp:400
-  logic and_3047;
-  assign and_3047 = not_1834 & and_3046;
-  logic [1:0] select_3049;
-  assign select_3049 = equal_1776 ? 2'h0 : (equal_1778 ? 2'h3 : {equal_1779, and_3047});
-  // hls/stages/patches.hpp:280
-  logic equal_3051;
-  assign equal_3051 = patches_following_q == 3'h4;
-  // hls/stages/patches.hpp:278
-  logic not_3052;
-  assign not_3052 = ~equal_3051;
+  logic and_3049;
+  assign and_3049 = not_1834 & and_3048;
+  logic [1:0] select_3051;
+  assign select_3051 = equal_1776 ? 2'h0 : (equal_1778 ? 2'h3 : {equal_1779, and_3049});
   // hls/stages/patches.hpp:280
   logic equal_3053;
-  assign equal_3053 = patches_following_q == 3'h3;
-  // hls/stages/patches.hpp:276
+  assign equal_3053 = patches_following_q == 3'h4;
+  // hls/stages/patches.hpp:278
   logic not_3054;
   assign not_3054 = ~equal_3053;
-  // hls/stages/patches.hpp:284
+  // hls/stages/patches.hpp:280
+  logic equal_3055;
+  assign equal_3055 = patches_following_q == 3'h3;
+  // hls/stages/patches.hpp:276
   logic not_3056;
-  assign not_3056 = ~(patches_following_q == 3'h2);
-  logic and_3059;
-  assign and_3059 = (~(patches_following_q == 3'h1)) & not_3056;
+  assign not_3056 = ~equal_3055;
+  // hls/stages/patches.hpp:284
+  logic not_3058;
+  assign not_3058 = ~(patches_following_q == 3'h2);
+  logic and_3061;
+  assign and_3061 = (~(patches_following_q == 3'h1)) & not_3058;
   // hls/stages/patches.hpp:398
-  logic [1:0] select_3060;
-  assign select_3060 = equal_3053 ? 2'h2 : {and_3059, not_3056};
-  logic [3:0] select_3061;
-  assign select_3061 = equal_3051 ? 4'h2 : {select_3060, {2{not_3054}}};
+  logic [1:0] select_3062;
+  assign select_3062 = equal_3055 ? 2'h2 : {and_3061, not_3058};
+  logic [3:0] select_3063;
+  assign select_3063 = equal_3053 ? 4'h2 : {select_3062, {2{not_3056}}};
   // hls/stages/patches.hpp:406
-  logic not_3064;
-  assign not_3064 = ~or_3040;
+  logic not_3066;
+  assign not_3066 = ~or_3042;
   // hls/stages/patches.hpp:395
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
   // hls/stages/patches.hpp:407
-  logic [11:0] select_3069;
-  assign select_3069 = or_3040 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  logic [11:0] select_3071;
+  assign select_3071 = or_3042 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/patches.hpp:188
-  logic [4:0] select_3071;
-  assign select_3071 = or_3040 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  logic [4:0] select_3073;
+  assign select_3073 = or_3042 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
   // Memory fresh, 47 x 33, DISTANCE 12, hls/stages/agreement.hpp:1372; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -781,65 +782,65 @@ module horopter_agreement (
       sample_pair_whole_q <= and_1971;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_509 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_2142;
-      raster_at_column_q <= select_2144;
-      raster_at_row_q <= select_2147;
-      raster_at_live_q <= select_2151;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2153 : raster_rows_left_q;
+      raster_at_x_q <= select_2140;
+      raster_at_y_q <= select_2143;
+      raster_at_column_q <= select_2146;
+      raster_at_row_q <= select_2149;
+      raster_at_live_q <= select_2153;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2155 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2157;
+      raster_final_row_q <= select_2159;
       averager_place_q <= sample_pair_whole_q ? select_512 : averager_place_q;
       averager_inside_q <= sample_pair_whole_q ? select_517 : averager_inside_q;
       run_phase_q <= now;
-      run_shift_q <= select_2475;
-      run_last_shift_q <= select_2478;
-      run_span_q <= select_2471 ? (and_2468 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2493;
-      following_shift_q <= select_2483 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2496;
+      run_shift_q <= select_2477;
+      run_last_shift_q <= select_2480;
+      run_span_q <= select_2473 ? (and_2470 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2495;
+      following_shift_q <= select_2485 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2498;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2499[6], or_2500, select_2499[3:0]};
-      following_columns_q <= {select_2501[7], or_2508[4], or_2507[5:4], or_2508[3:0]};
+      following_lowest_q <= {select_2501[6], or_2502, select_2501[3:0]};
+      following_columns_q <= {select_2503[7], or_2510[4], or_2509[5:4], or_2510[3:0]};
       plan_shift_q <= equal_591 ? (run_shift_q + 6'h1) : (6'h0 - least_q);
-      plan_span_q <= select_2515;
+      plan_span_q <= select_2517;
       plan_columns_q <= (plan_span_q < 8'h3) ? 8'h6 : (plan_span_q + 8'h3);
-      x_q <= select_2521;
-      columns_left_q <= select_2524;
-      last_q <= and_547 ? (equal_2467 ? last : last_q) : last_q;
-      least_q <= select_2532;
-      whole_q <= select_2535;
-      drawn_q <= select_2538;
-      age_q <= select_2471 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2471 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2552;
-      ends_q <= and_2556;
-      final_row_q <= and_547 ? select_2559 : final_row_q;
+      x_q <= select_2523;
+      columns_left_q <= select_2526;
+      last_q <= and_547 ? (equal_2469 ? last : last_q) : last_q;
+      least_q <= select_2534;
+      whole_q <= select_2537;
+      drawn_q <= select_2540;
+      age_q <= select_2473 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2473 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2554;
+      ends_q <= and_2558;
+      final_row_q <= and_547 ? select_2561 : final_row_q;
       shift_first_q <= {run_shift_q[5], run_shift_q} == (7'h0 - {1'b0, least_q});
-      patches_phase_q <= select_2936;
-      patches_band_rows_rows_to_next_q <= select_2942;
-      patches_band_rows_number_q <= select_2944;
-      patches_next_band_rows_to_next_q <= select_2947;
-      patches_next_band_number_q <= select_2949;
-      patches_first_band_rows_to_next_q <= select_2953;
-      patches_first_band_number_q <= sample_pair_whole_q ? equal_2950 : patches_first_band_number_q;
-      patches_choosing_rows_to_next_q <= and_547 ? select_2963 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_547 ? select_2967 : patches_choosing_number_q;
-      patches_chooses_q <= select_2972;
-      patches_choosing_band_q <= select_2974;
+      patches_phase_q <= select_2938;
+      patches_band_rows_rows_to_next_q <= select_2944;
+      patches_band_rows_number_q <= select_2946;
+      patches_next_band_rows_to_next_q <= select_2949;
+      patches_next_band_number_q <= select_2951;
+      patches_first_band_rows_to_next_q <= select_2955;
+      patches_first_band_number_q <= sample_pair_whole_q ? equal_2952 : patches_first_band_number_q;
+      patches_choosing_rows_to_next_q <= and_547 ? select_2965 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_547 ? select_2969 : patches_choosing_number_q;
+      patches_chooses_q <= select_2974;
+      patches_choosing_band_q <= select_2976;
       patches_capturing_q <= sample_pair_whole_q ? select_1810 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_q ? select_3001 : patches_lower_q;
+      patches_lower_q <= sample_pair_whole_q ? select_3003 : patches_lower_q;
       patches_row_q <= sample_pair_whole_q ? select_1804 : patches_row_q;
-      patches_work_q <= or_3040 ? following : patches_work_q;
+      patches_work_q <= or_3042 ? following : patches_work_q;
       patches_second_q <= not_1671 & (patches_second_q | (patches_ends_q & equal_1774));
-      patches_following_q <= equal_1774 ? {2'h0, and_3046} : {equal_1776, select_3049};
-      patches_following_beats_q <= {select_3061, not_3052};
+      patches_following_q <= equal_1774 ? {2'h0, and_3048} : {equal_1776, select_3051};
+      patches_following_beats_q <= {select_3063, not_3054};
       patches_begins_q <= sample_pair_whole_q & (row_starts & and_1806);
-      patches_ends_q <= not_3064 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3069;
-      patches_code_row_q <= select_3071;
-      patches_column_q <= or_3040 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3064 & (patches_column_q == 5'h1e);
+      patches_ends_q <= not_3066 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3071;
+      patches_code_row_q <= select_3073;
+      patches_column_q <= or_3042 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3066 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -863,8 +864,8 @@ module horopter_agreement (
   logic patches_second_s1_q;
   logic [4:0] patches_code_row_s1_q;
   logic [4:0] patches_column_s1_q;
+  logic [2:0] select_508_s1_q;
   logic row_starts_s1_q;
-  logic [2:0] select_509_s1_q;
   logic [7:0] select_512_s1_q;
   logic and_520_s1_q;
   logic equal_526_s1_q;
@@ -898,10 +899,10 @@ module horopter_agreement (
   logic select_1810_s1_q;
   logic [3:0] select_1850_s1_q;
   logic and_1860_s1_q;
-  logic equal_2467_s1_q;
-  logic and_2468_s1_q;
-  logic or_3040_s1_q;
-  logic not_3064_s1_q;
+  logic equal_2469_s1_q;
+  logic and_2470_s1_q;
+  logic or_3042_s1_q;
+  logic not_3066_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -924,8 +925,8 @@ module horopter_agreement (
       patches_second_s1_q <= patches_second_q;
       patches_code_row_s1_q <= patches_code_row_q;
       patches_column_s1_q <= patches_column_q;
+      select_508_s1_q <= select_508;
       row_starts_s1_q <= row_starts;
-      select_509_s1_q <= select_509;
       select_512_s1_q <= select_512;
       and_520_s1_q <= and_520;
       equal_526_s1_q <= select_525 == 3'h0;
@@ -959,10 +960,10 @@ module horopter_agreement (
       select_1810_s1_q <= select_1810;
       select_1850_s1_q <= select_1850;
       and_1860_s1_q <= and_1860;
-      equal_2467_s1_q <= equal_2467;
-      and_2468_s1_q <= and_2468;
-      or_3040_s1_q <= or_3040;
-      not_3064_s1_q <= not_3064;
+      equal_2469_s1_q <= equal_2469;
+      and_2470_s1_q <= and_2470;
+      or_3042_s1_q <= or_3042;
+      not_3066_s1_q <= not_3066;
     end
   end
 
@@ -1773,98 +1774,98 @@ module horopter_agreement (
   logic [5:0] sum_1992;
   assign sum_1992 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:460
-  logic select_2564;
-  assign select_2564 = equal_2467_s1_q ? (~({row_s1_q, 1'b0} < {sum_2561, cfg_height_i[3]})) : lower_half_q;
+  logic select_2566;
+  assign select_2566 = equal_2469_s1_q ? (~({row_s1_q, 1'b0} < {sum_2563, cfg_height_i[3]})) : lower_half_q;
   // hls/stages/agreement.hpp:520
-  logic and_2825;
-  assign and_2825 = and_547_s1_q & (equal_2467_s1_q & (row_s1_q[5:2] == 4'h0));
+  logic and_2827;
+  assign and_2827 = and_547_s1_q & (equal_2469_s1_q & (row_s1_q[5:2] == 4'h0));
   // hls/stages/registration.hpp:128
-  logic and_2826;
-  assign and_2826 = and_2468_s1_q & and_2825;
-  // hls/stages/registration.hpp:127
   logic and_2828;
-  assign and_2828 = and_2468_s1_q & (~and_2825);
+  assign and_2828 = and_2470_s1_q & and_2827;
+  // hls/stages/registration.hpp:127
+  logic and_2830;
+  assign and_2830 = and_2470_s1_q & (~and_2827);
   // hls/stages/registration.hpp:129
-  logic [15:0] select_2829;
-  assign select_2829 = and_2828 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_2831;
+  assign select_2831 = and_2830 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_2831;
-  assign select_2831 = and_2826 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2829[15]}}, select_2829});
+  logic [23:0] select_2833;
+  assign select_2833 = and_2828 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2831[15]}}, select_2831});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_2832;
-  assign select_2832 = and_2828 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_2834;
+  assign select_2834 = and_2830 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2832[15]}}, select_2832};
+  assign both = registration_slope_change_q + {{12{select_2834[15]}}, select_2834};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_2834;
-  assign select_2834 = and_2826 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2836;
+  assign select_2836 = and_2828 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:149
-  logic and_2835;
-  assign and_2835 = ends_cell_s1_q & so_s1_q;
+  logic and_2837;
+  assign and_2837 = ends_cell_s1_q & so_s1_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2835 ? registration_slope_change_q : 28'h0);
+  assign column_5 = registration_slope_q + (and_2837 ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:188
-  logic select_3079;
-  assign select_3079 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3081;
+  assign select_3081 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/patches.hpp:185
-  logic [11:0] select_3082;
-  assign select_3082 = equal_1776_s1_q ? patches_smooth_values_0_q : (or_1780_s1_q ? smooth : patches_smooth_values_0_q);
   logic [11:0] select_3084;
-  assign select_3084 = or_1780_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  assign select_3084 = equal_1776_s1_q ? patches_smooth_values_0_q : (or_1780_s1_q ? smooth : patches_smooth_values_0_q);
   logic [11:0] select_3086;
-  assign select_3086 = equal_1774_s1_q ? patches_smooth_values_1_q : (equal_1776_s1_q ? patches_smooth_values_1_q : select_3084);
-  logic [11:0] select_3087;
-  assign select_3087 = or_1780_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  assign select_3086 = or_1780_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3088;
+  assign select_3088 = equal_1774_s1_q ? patches_smooth_values_1_q : (equal_1776_s1_q ? patches_smooth_values_1_q : select_3086);
   logic [11:0] select_3089;
-  assign select_3089 = equal_1774_s1_q ? patches_smooth_values_2_q : (equal_1776_s1_q ? patches_smooth_values_2_q : select_3087);
-  logic [11:0] select_3090;
-  assign select_3090 = or_1780_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  assign select_3089 = or_1780_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3091;
+  assign select_3091 = equal_1774_s1_q ? patches_smooth_values_2_q : (equal_1776_s1_q ? patches_smooth_values_2_q : select_3089);
   logic [11:0] select_3092;
-  assign select_3092 = equal_1774_s1_q ? patches_smooth_values_3_q : (equal_1776_s1_q ? patches_smooth_values_3_q : select_3090);
-  logic [10:0] select_3094;
-  assign select_3094 = equal_1776_s1_q ? patches_down_values_0_q : (or_1780_s1_q ? down_2 : patches_down_values_0_q);
-  logic [10:0] select_3097;
-  assign select_3097 = equal_1776_s1_q ? patches_down_values_1_q : (or_1780_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
-  logic [10:0] select_3100;
-  assign select_3100 = equal_1776_s1_q ? patches_down_values_2_q : (or_1780_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
-  logic [10:0] select_3103;
-  assign select_3103 = equal_1776_s1_q ? patches_down_values_3_q : (or_1780_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
+  assign select_3092 = or_1780_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3094;
+  assign select_3094 = equal_1774_s1_q ? patches_smooth_values_3_q : (equal_1776_s1_q ? patches_smooth_values_3_q : select_3092);
+  logic [10:0] select_3096;
+  assign select_3096 = equal_1776_s1_q ? patches_down_values_0_q : (or_1780_s1_q ? down_2 : patches_down_values_0_q);
+  logic [10:0] select_3099;
+  assign select_3099 = equal_1776_s1_q ? patches_down_values_1_q : (or_1780_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
+  logic [10:0] select_3102;
+  assign select_3102 = equal_1776_s1_q ? patches_down_values_2_q : (or_1780_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
+  logic [10:0] select_3105;
+  assign select_3105 = equal_1776_s1_q ? patches_down_values_3_q : (or_1780_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
   // hls/stages/patches.hpp:176
-  logic and_3140;
-  assign and_3140 = patches_along_ends_q & patches_match_row_ends_q;
+  logic and_3142;
+  assign and_3142 = patches_along_ends_q & patches_match_row_ends_q;
   // hls/stages/patches.hpp:414
-  logic [4:0] select_3145;
-  assign select_3145 = or_3040_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  logic [4:0] select_3147;
+  assign select_3147 = or_3042_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:416
-  logic [3:0] select_3147;
-  assign select_3147 = and_3140 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  logic [3:0] select_3149;
+  assign select_3149 = and_3142 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/patches.hpp:185
-  logic [4:0] select_3503;
-  assign select_3503 = equal_1774_s1_q ? patches_summed_down_by_q : (equal_1776_s1_q ? patches_down_by_q : patches_summed_down_by_q);
+  logic [4:0] select_3505;
+  assign select_3505 = equal_1774_s1_q ? patches_summed_down_by_q : (equal_1776_s1_q ? patches_down_by_q : patches_summed_down_by_q);
   // hls/stages/patches.hpp:557
-  logic and_3536;
-  assign and_3536 = less_1954 & (patches_step_q[6:5] == 2'h1);
+  logic and_3538;
+  assign and_3538 = less_1954 & (patches_step_q[6:5] == 2'h1);
   // hls/stages/patches.hpp:561
-  logic select_3539;
-  assign select_3539 = equal_1957 ? (less_1954 ? (not_1958 & and_3536) : and_3536) : and_3536;
+  logic select_3541;
+  assign select_3541 = equal_1957 ? (less_1954 ? (not_1958 & and_3538) : and_3538) : and_3538;
   // hls/stages/patches.hpp:185
-  logic select_3542;
-  assign select_3542 = equal_1774_s1_q ? (less_1954 ? (not_1956 & select_3539) : select_3539) : patches_read_searches_q;
+  logic select_3544;
+  assign select_3544 = equal_1774_s1_q ? (less_1954 ? (not_1956 & select_3541) : select_3541) : patches_read_searches_q;
   // hls/stages/agreement.hpp:205
-  logic [8:0] select_3881;
-  assign select_3881 = so_s1_q ? (and_2835 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
+  logic [8:0] select_3883;
+  assign select_3883 = so_s1_q ? (and_2837 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3883;
-  assign sum_3883 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
+  logic [8:0] sum_3885;
+  assign sum_3885 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3884;
-  assign select_3884 = sum_1992[5] ? {1'b1, sum_1992[4:0], region_across_rest_q[2:0]} : sum_3883;
+  logic [8:0] select_3886;
+  assign select_3886 = sum_1992[5] ? {1'b1, sum_1992[4:0], region_across_rest_q[2:0]} : sum_3885;
   // hls/stages/agreement.hpp:460
-  logic [7:0] select_3886;
-  assign select_3886 = equal_2467_s1_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
-  logic [6:0] select_3889;
-  assign select_3889 = equal_2467_s1_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
+  logic [7:0] select_3888;
+  assign select_3888 = equal_2469_s1_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
+  logic [6:0] select_3891;
+  assign select_3891 = equal_2469_s1_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
 
   // Memory averager_memory, 189 x 26, DISTANCE 16, hls/stages/census.hpp:238; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -2166,33 +2167,33 @@ module horopter_agreement (
       moments_place_q <= select_570;
       moments_taken_q <= not_573 & (not_575 & (equal_576_s1_q & inside_v));
       moments_starts_q <= not_573 & (not_575 & (equal_576_s1_q & (inside_v & first)));
-      row_q <= and_547_s1_q ? (equal_2467_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_547_s1_q ? select_2564 : lower_half_q;
-      registration_slope_row_q <= select_2831;
-      registration_slope_change_q <= select_2834;
+      row_q <= and_547_s1_q ? (equal_2469_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_547_s1_q ? select_2566 : lower_half_q;
+      registration_slope_row_q <= select_2833;
+      registration_slope_change_q <= select_2836;
       registration_slope_q <= so_s1_q ? column_5 : {registration_slope_row_q, 4'h0};
-      patches_along_ends_q <= not_3064_s1_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3064_s1_q & select_3079;
-      patches_smooth_values_0_q <= equal_1774_s1_q ? patches_smooth_values_0_q : select_3082;
-      patches_smooth_values_1_q <= select_3086;
-      patches_smooth_values_2_q <= select_3089;
-      patches_smooth_values_3_q <= select_3092;
-      patches_down_values_0_q <= equal_1774_s1_q ? patches_down_values_0_q : select_3094;
-      patches_down_values_1_q <= equal_1774_s1_q ? patches_down_values_1_q : select_3097;
-      patches_down_values_2_q <= equal_1774_s1_q ? patches_down_values_2_q : select_3100;
-      patches_down_values_3_q <= equal_1774_s1_q ? patches_down_values_3_q : select_3103;
-      patches_down_by_q <= or_3040_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3140});
-      patches_along_q <= select_3145;
-      patches_match_row_q <= or_3040_s1_q ? 4'h0 : select_3147;
-      patches_summed_last_q <= not_1775_s1_q & (equal_1776_s1_q & and_3140);
-      patches_summed_down_by_q <= select_3503;
-      patches_step_q <= or_3040_s1_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3542;
-      region_across_rest_q <= select_3881;
+      patches_along_ends_q <= not_3066_s1_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3066_s1_q & select_3081;
+      patches_smooth_values_0_q <= equal_1774_s1_q ? patches_smooth_values_0_q : select_3084;
+      patches_smooth_values_1_q <= select_3088;
+      patches_smooth_values_2_q <= select_3091;
+      patches_smooth_values_3_q <= select_3094;
+      patches_down_values_0_q <= equal_1774_s1_q ? patches_down_values_0_q : select_3096;
+      patches_down_values_1_q <= equal_1774_s1_q ? patches_down_values_1_q : select_3099;
+      patches_down_values_2_q <= equal_1774_s1_q ? patches_down_values_2_q : select_3102;
+      patches_down_values_3_q <= equal_1774_s1_q ? patches_down_values_3_q : select_3105;
+      patches_down_by_q <= or_3042_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3142});
+      patches_along_q <= select_3147;
+      patches_match_row_q <= or_3042_s1_q ? 4'h0 : select_3149;
+      patches_summed_last_q <= not_1775_s1_q & (equal_1776_s1_q & and_3142);
+      patches_summed_down_by_q <= select_3505;
+      patches_step_q <= or_3042_s1_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3544;
+      region_across_rest_q <= select_3883;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3884;
-      columns_begin_rest_q <= and_547_s1_q ? select_3886 : columns_begin_rest_q;
-      columns_begin_back_q <= and_547_s1_q ? select_3889 : columns_begin_back_q;
+      region_across_next_q <= select_3886;
+      columns_begin_rest_q <= and_547_s1_q ? select_3888 : columns_begin_rest_q;
+      columns_begin_back_q <= and_547_s1_q ? select_3891 : columns_begin_back_q;
     end
   end
 
@@ -2291,8 +2292,8 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s2_q;
   logic [4:0] patches_step_s2_q;
   logic patches_read_searches_s2_q;
+  logic [2:0] select_508_s2_q;
   logic row_starts_s2_q;
-  logic [2:0] select_509_s2_q;
   logic [7:0] select_512_s2_q;
   logic and_520_s2_q;
   logic and_521_s2_q;
@@ -2365,15 +2366,15 @@ module horopter_agreement (
   logic sum_1992_s2_q;
   logic and_2013_s2_q;
   logic and_2131_s2_q;
-  logic equal_2278_s2_q;
-  logic equal_2467_s2_q;
-  logic and_2594_s2_q;
-  logic equal_2679_s2_q;
-  logic less_3116_s2_q;
-  logic equal_3459_s2_q;
-  logic equal_3543_s2_q;
-  logic less_3869_s2_q;
-  logic equal_4088_s2_q;
+  logic equal_2280_s2_q;
+  logic equal_2469_s2_q;
+  logic and_2596_s2_q;
+  logic equal_2681_s2_q;
+  logic less_3118_s2_q;
+  logic equal_3461_s2_q;
+  logic equal_3545_s2_q;
+  logic less_3871_s2_q;
+  logic equal_4090_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -2405,8 +2406,8 @@ module horopter_agreement (
       patches_summed_down_by_s2_q <= patches_summed_down_by_q;
       patches_step_s2_q <= patches_step_q[4:0];
       patches_read_searches_s2_q <= patches_read_searches_q;
+      select_508_s2_q <= select_508_s1_q;
       row_starts_s2_q <= row_starts_s1_q;
-      select_509_s2_q <= select_509_s1_q;
       select_512_s2_q <= select_512_s1_q;
       and_520_s2_q <= and_520_s1_q;
       and_521_s2_q <= and_521;
@@ -2479,15 +2480,15 @@ module horopter_agreement (
       sum_1992_s2_q <= sum_1992[5];
       and_2013_s2_q <= or_577_s1_q & (left_rdata_q[69] & not_581_s1_q);
       and_2131_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
-      equal_2278_s2_q <= (last_s1_2_q | row_s1_q) == 6'h0;
-      equal_2467_s2_q <= equal_2467_s1_q;
-      and_2594_s2_q <= or_577_s1_q & (not_581_s1_q & and_605);
-      equal_2679_s2_q <= shift == 6'h0;
-      less_3116_s2_q <= 4'he < patches_column_s1_q[4:1];
-      equal_3459_s2_q <= patches_match_row_q == 4'h0;
-      equal_3543_s2_q <= patches_step_q[6:5] == 2'h2;
-      less_3869_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_4088_s2_q <= row_s1_q[5:3] == 3'h0;
+      equal_2280_s2_q <= (last_s1_2_q | row_s1_q) == 6'h0;
+      equal_2469_s2_q <= equal_2469_s1_q;
+      and_2596_s2_q <= or_577_s1_q & (not_581_s1_q & and_605);
+      equal_2681_s2_q <= shift == 6'h0;
+      less_3118_s2_q <= 4'he < patches_column_s1_q[4:1];
+      equal_3461_s2_q <= patches_match_row_q == 4'h0;
+      equal_3545_s2_q <= patches_step_q[6:5] == 2'h2;
+      less_3871_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_4090_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
@@ -2674,25 +2675,25 @@ module horopter_agreement (
   logic [10:0] seen_base_q;
   // hls/stages/census.hpp:117
   logic [11:0] select_524;
-  assign select_524 = select_509_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  assign select_524 = select_508_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
   // hls/stages/census.hpp:129
   logic [11:0] sum_528;
   assign sum_528 = select_524 + (equal_526_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
   // hls/stages/census.hpp:117
   logic [11:0] sum_530;
-  assign sum_530 = {4'h0, sample_pair_pixel_1_q} + (select_509_s2_q[0] ? averager_running_1_q : 12'h0);
+  assign sum_530 = {4'h0, sample_pair_pixel_1_q} + (select_508_s2_q[0] ? averager_running_1_q : 12'h0);
   // hls/stages/census.hpp:129
   logic [11:0] sum_532;
   assign sum_532 = sum_530 + (equal_526_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
   // hls/stages/agreement.hpp:418
   logic whole;
-  assign whole = select_509_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
+  assign whole = select_508_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
   // hls/stages/census.hpp:130
   logic and_536;
   assign and_536 = whole & (averager_memory_rdata_q[24] | equal_526_s2_q);
   // hls/stages/agreement.hpp:418
   logic all_of_skin;
-  assign all_of_skin = select_509_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  assign all_of_skin = select_508_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
   // hls/stages/census.hpp:131
   logic and_540;
   assign and_540 = all_of_skin & (averager_memory_rdata_q[25] | equal_526_s2_q);
@@ -2701,7 +2702,7 @@ module horopter_agreement (
   assign grey = and_520_s2_q ? sum_528[11:3] : 9'h0;
   // hls/stages/census.hpp:134
   logic equal_550;
-  assign equal_550 = select_509_s2_q == 3'h1;
+  assign equal_550 = select_508_s2_q == 3'h1;
   // hls/stages/census.hpp:219
   logic [10:0] total;
   assign total = {2'h0, grey} + (equal_550 ? 11'h0 : averager_total_0_q);
@@ -3462,277 +3463,277 @@ module horopter_agreement (
   logic and_2137;
   assign and_2137 = not_573_s2_q & (so_s2_q & and_2135);
   // hls/stages/agreement.hpp:276
-  logic [10:0] select_2169;
-  assign select_2169 = sample_pair_whole_s2_q ? (and_545_s2_q ? total : averager_total_0_q) : averager_total_0_q;
   logic [10:0] select_2171;
-  assign select_2171 = sample_pair_whole_s2_q ? (and_545_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2191;
-  assign select_2191 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  assign select_2171 = sample_pair_whole_s2_q ? (and_545_s2_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2173;
+  assign select_2173 = sample_pair_whole_s2_q ? (and_545_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
   logic select_2193;
-  assign select_2193 = sample_pair_whole_s2_q ? (and_545_s2_q ? select_560 : averager_mask_q) : averager_mask_q;
+  assign select_2193 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
   logic select_2195;
-  assign select_2195 = sample_pair_whole_s2_q ? (and_545_s2_q ? select_564 : averager_of_skin_q) : averager_of_skin_q;
+  assign select_2195 = sample_pair_whole_s2_q ? (and_545_s2_q ? select_560 : averager_mask_q) : averager_mask_q;
+  logic select_2197;
+  assign select_2197 = sample_pair_whole_s2_q ? (and_545_s2_q ? select_564 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/agreement.hpp:520
-  logic [8:0] select_2196;
-  assign select_2196 = and_547_s2_q ? select_553 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2197;
-  assign select_2197 = and_547_s2_q ? select_557 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2198;
+  assign select_2198 = and_547_s2_q ? select_553 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2199;
-  assign select_2199 = and_547_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2200;
-  assign select_2200 = and_547_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2201;
-  assign select_2201 = and_547_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  assign select_2199 = and_547_s2_q ? select_557 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2201;
+  assign select_2201 = and_547_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_2202;
-  assign select_2202 = and_547_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2203;
-  assign select_2203 = and_547_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2204;
-  assign select_2204 = and_547_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2205;
-  assign select_2205 = and_547_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_2206;
-  assign select_2206 = and_547_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2207;
-  assign select_2207 = and_547_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2208;
-  assign select_2208 = and_547_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  assign select_2202 = and_547_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2203;
+  assign select_2203 = and_547_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2204;
+  assign select_2204 = and_547_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2205;
+  assign select_2205 = and_547_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2206;
+  assign select_2206 = and_547_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2207;
+  assign select_2207 = and_547_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2208;
+  assign select_2208 = and_547_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_2209;
-  assign select_2209 = and_547_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2210;
-  assign select_2210 = and_547_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2211;
-  assign select_2211 = and_547_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  assign select_2209 = and_547_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2210;
+  assign select_2210 = and_547_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2211;
+  assign select_2211 = and_547_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
   logic [8:0] select_2212;
-  assign select_2212 = and_547_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2213;
-  assign select_2213 = and_547_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_2214;
-  assign select_2214 = and_547_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  assign select_2212 = and_547_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2213;
+  assign select_2213 = and_547_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2214;
+  assign select_2214 = and_547_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
   logic [8:0] select_2215;
-  assign select_2215 = and_547_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2216;
-  assign select_2216 = and_547_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_2217;
-  assign select_2217 = and_547_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  assign select_2215 = and_547_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2216;
+  assign select_2216 = and_547_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2217;
+  assign select_2217 = and_547_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
   logic [8:0] select_2218;
-  assign select_2218 = and_547_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2219;
-  assign select_2219 = and_547_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2220;
-  assign select_2220 = and_547_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2221;
-  assign select_2221 = and_547_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_2222;
-  assign select_2222 = and_547_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2223;
-  assign select_2223 = and_547_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2224;
-  assign select_2224 = and_547_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  assign select_2218 = and_547_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2219;
+  assign select_2219 = and_547_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2220;
+  assign select_2220 = and_547_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2221;
+  assign select_2221 = and_547_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2222;
+  assign select_2222 = and_547_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2223;
+  assign select_2223 = and_547_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2224;
+  assign select_2224 = and_547_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_2225;
-  assign select_2225 = and_547_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2226;
-  assign select_2226 = and_547_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2227;
-  assign select_2227 = and_547_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  assign select_2225 = and_547_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2226;
+  assign select_2226 = and_547_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_2227;
+  assign select_2227 = and_547_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
   logic [8:0] select_2228;
-  assign select_2228 = and_547_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2229;
-  assign select_2229 = and_547_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_2230;
-  assign select_2230 = and_547_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  assign select_2228 = and_547_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2229;
+  assign select_2229 = and_547_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  logic [8:0] select_2230;
+  assign select_2230 = and_547_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
   logic [8:0] select_2231;
-  assign select_2231 = and_547_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_2232;
-  assign select_2232 = and_547_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_2233;
-  assign select_2233 = and_547_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  assign select_2231 = and_547_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2232;
+  assign select_2232 = and_547_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic [8:0] select_2233;
+  assign select_2233 = and_547_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
   logic [8:0] select_2234;
-  assign select_2234 = and_547_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_2235;
-  assign select_2235 = and_547_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_2236;
-  assign select_2236 = and_547_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  assign select_2234 = and_547_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2235;
+  assign select_2235 = and_547_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2236;
+  assign select_2236 = and_547_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
   logic [8:0] select_2237;
-  assign select_2237 = and_547_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2238;
-  assign select_2238 = and_547_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_2239;
-  assign select_2239 = and_547_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  assign select_2237 = and_547_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2238;
+  assign select_2238 = and_547_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2239;
+  assign select_2239 = and_547_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
   logic [8:0] select_2240;
-  assign select_2240 = and_547_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2241;
-  assign select_2241 = and_547_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic select_2242;
-  assign select_2242 = and_547_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2243;
-  assign select_2243 = and_547_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
-  logic [8:0] select_2244;
-  assign select_2244 = and_547_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2245;
-  assign select_2245 = and_547_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_2246;
-  assign select_2246 = and_547_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2247;
-  assign select_2247 = and_547_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_2248;
-  assign select_2248 = and_547_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2249;
-  assign select_2249 = and_547_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_2250;
-  assign select_2250 = and_547_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_2251;
-  assign select_2251 = and_547_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  assign select_2240 = and_547_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2241;
+  assign select_2241 = and_547_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_2242;
+  assign select_2242 = and_547_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2243;
+  assign select_2243 = and_547_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_2244;
+  assign select_2244 = and_547_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2245;
+  assign select_2245 = and_547_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2246;
+  assign select_2246 = and_547_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2247;
+  assign select_2247 = and_547_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2248;
+  assign select_2248 = and_547_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2249;
+  assign select_2249 = and_547_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2250;
+  assign select_2250 = and_547_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2251;
+  assign select_2251 = and_547_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2252;
+  assign select_2252 = and_547_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2253;
+  assign select_2253 = and_547_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:286
-  logic [9:0] difference_2253;
-  assign difference_2253 = {1'b0, select_557} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2254;
-  assign xor_2254 = difference_2253[8:0] ^ {9{difference_2253[9]}};
-  logic [9:0] sum_2255;
-  assign sum_2255 = {9'h0, difference_2253[9]} + {1'b0, xor_2254};
-  logic [9:0] difference_2256;
-  assign difference_2256 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2257;
-  assign xor_2257 = difference_2256[8:0] ^ {9{difference_2256[9]}};
-  logic [9:0] sum_2258;
-  assign sum_2258 = {9'h0, difference_2256[9]} + {1'b0, xor_2257};
-  logic [9:0] difference_2260;
-  assign difference_2260 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2261;
-  assign xor_2261 = difference_2260[8:0] ^ {9{difference_2260[9]}};
-  logic [9:0] sum_2262;
-  assign sum_2262 = {9'h0, difference_2260[9]} + {1'b0, xor_2261};
-  logic [10:0] sum_2263;
-  assign sum_2263 = ({1'b0, sum_2255} + {1'b0, sum_2258}) + {1'b0, sum_2262};
-  logic [9:0] difference_2264;
-  assign difference_2264 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2265;
-  assign xor_2265 = difference_2264[8:0] ^ {9{difference_2264[9]}};
-  logic [9:0] sum_2266;
-  assign sum_2266 = {9'h0, difference_2264[9]} + {1'b0, xor_2265};
-  logic [9:0] difference_2268;
-  assign difference_2268 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2269;
-  assign xor_2269 = difference_2268[8:0] ^ {9{difference_2268[9]}};
+  logic [9:0] difference_2255;
+  assign difference_2255 = {1'b0, select_557} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2256;
+  assign xor_2256 = difference_2255[8:0] ^ {9{difference_2255[9]}};
+  logic [9:0] sum_2257;
+  assign sum_2257 = {9'h0, difference_2255[9]} + {1'b0, xor_2256};
+  logic [9:0] difference_2258;
+  assign difference_2258 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2259;
+  assign xor_2259 = difference_2258[8:0] ^ {9{difference_2258[9]}};
+  logic [9:0] sum_2260;
+  assign sum_2260 = {9'h0, difference_2258[9]} + {1'b0, xor_2259};
+  logic [9:0] difference_2262;
+  assign difference_2262 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2263;
+  assign xor_2263 = difference_2262[8:0] ^ {9{difference_2262[9]}};
+  logic [9:0] sum_2264;
+  assign sum_2264 = {9'h0, difference_2262[9]} + {1'b0, xor_2263};
+  logic [10:0] sum_2265;
+  assign sum_2265 = ({1'b0, sum_2257} + {1'b0, sum_2260}) + {1'b0, sum_2264};
+  logic [9:0] difference_2266;
+  assign difference_2266 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2267;
+  assign xor_2267 = difference_2266[8:0] ^ {9{difference_2266[9]}};
+  logic [9:0] sum_2268;
+  assign sum_2268 = {9'h0, difference_2266[9]} + {1'b0, xor_2267};
+  logic [9:0] difference_2270;
+  assign difference_2270 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2271;
+  assign xor_2271 = difference_2270[8:0] ^ {9{difference_2270[9]}};
   // hls/stages/moments.hpp:54
-  logic [13:0] sum_2290;
-  assign sum_2290 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
   logic [13:0] sum_2292;
-  assign sum_2292 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
+  assign sum_2292 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2294;
+  assign sum_2294 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
   // hls/stages/agreement.hpp:1142
-  logic equal_2293;
-  assign equal_2293 = x_s2_q[6:0] == 7'h70;
+  logic equal_2295;
+  assign equal_2295 = x_s2_q[6:0] == 7'h70;
   // hls/stages/moments.hpp:117
-  logic [13:0] select_2294;
-  assign select_2294 = equal_2293 ? sum_2290 : moments_before_0_q;
   logic [13:0] select_2296;
-  assign select_2296 = equal_2293 ? sum_2292 : moments_before_1_q;
+  assign select_2296 = equal_2295 ? sum_2292 : moments_before_0_q;
+  logic [13:0] select_2298;
+  assign select_2298 = equal_2295 ? sum_2294 : moments_before_1_q;
   // hls/stages/agreement.hpp:788
-  logic select_2299;
-  assign select_2299 = equal_572_s2_q ? (moments_has_before_q | equal_2293) : moments_has_before_q;
-  logic [13:0] select_2302;
-  assign select_2302 = equal_572_s2_q ? ((select_2296 < select_2294) ? select_2294 : select_2296) : moments_most_before_q;
+  logic select_2301;
+  assign select_2301 = equal_572_s2_q ? (moments_has_before_q | equal_2295) : moments_has_before_q;
+  logic [13:0] select_2304;
+  assign select_2304 = equal_572_s2_q ? ((select_2298 < select_2296) ? select_2296 : select_2298) : moments_most_before_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2303;
-  assign sum_2303 = {1'b0, moments_most_before_q} + 15'h3;
+  logic [14:0] sum_2305;
+  assign sum_2305 = {1'b0, moments_most_before_q} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2306;
-  assign select_2306 = equal_572_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2303)) : moments_left_begins_q;
+  logic select_2308;
+  assign select_2308 = equal_572_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2305)) : moments_left_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2307;
-  assign sum_2307 = {1'b0, sum_2292} + 15'h3;
+  logic [14:0] sum_2309;
+  assign sum_2309 = {1'b0, sum_2294} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2310;
-  assign select_2310 = equal_572_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2307)) : moments_left_alone_q;
-  logic select_2313;
-  assign select_2313 = equal_572_s2_q ? (~({3'h0, select_2296[13:2]} < sum_2307)) : moments_left_other_stops_q;
-  logic select_2316;
-  assign select_2316 = equal_572_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2303)) : moments_right_begins_q;
+  logic select_2312;
+  assign select_2312 = equal_572_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2309)) : moments_left_alone_q;
+  logic select_2315;
+  assign select_2315 = equal_572_s2_q ? (~({3'h0, select_2298[13:2]} < sum_2309)) : moments_left_other_stops_q;
+  logic select_2318;
+  assign select_2318 = equal_572_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2305)) : moments_right_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2317;
-  assign sum_2317 = {1'b0, sum_2290} + 15'h3;
+  logic [14:0] sum_2319;
+  assign sum_2319 = {1'b0, sum_2292} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2320;
-  assign select_2320 = equal_572_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2317)) : moments_right_alone_q;
-  logic select_2323;
-  assign select_2323 = equal_572_s2_q ? (~({3'h0, select_2294[13:2]} < sum_2317)) : moments_right_other_stops_q;
+  logic select_2322;
+  assign select_2322 = equal_572_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2319)) : moments_right_alone_q;
+  logic select_2325;
+  assign select_2325 = equal_572_s2_q ? (~({3'h0, select_2296[13:2]} < sum_2319)) : moments_right_other_stops_q;
   // hls/stages/moments.hpp:51
-  logic or_2326;
-  assign or_2326 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
+  logic or_2328;
+  assign or_2328 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
   // hls/stages/agreement.hpp:788
-  logic and_2334;
-  assign and_2334 = not_573_s2_q & (not_575_s2_q & (equal_576_s2_q & (inside_v_s2_q & and_1595)));
-  logic and_2338;
-  assign and_2338 = not_573_s2_q & (not_575_s2_q & (equal_576_s2_q & (inside_v_s2_q & and_1604)));
-  // hls/stages/moments.hpp:94
+  logic and_2336;
+  assign and_2336 = not_573_s2_q & (not_575_s2_q & (equal_576_s2_q & (inside_v_s2_q & and_1595)));
   logic and_2340;
-  assign and_2340 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
-  logic select_2343;
-  assign select_2343 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2340)) : and_2340;
+  assign and_2340 = not_573_s2_q & (not_575_s2_q & (equal_576_s2_q & (inside_v_s2_q & and_1604)));
+  // hls/stages/moments.hpp:94
+  logic and_2342;
+  assign and_2342 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
+  logic select_2345;
+  assign select_2345 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2342)) : and_2342;
   // hls/stages/agreement.hpp:788
-  logic and_2347;
-  assign and_2347 = equal_572_s2_q & (equal_2293 & (cfg_prove_i & (cfg_same_table_i & select_2343)));
+  logic and_2349;
+  assign and_2349 = equal_572_s2_q & (equal_2295 & (cfg_prove_i & (cfg_same_table_i & select_2345)));
   // hls/stages/moments.hpp:95
-  logic and_2350;
-  assign and_2350 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  logic and_2352;
+  assign and_2352 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
   // hls/stages/census.hpp:371
-  logic [9:0] difference_2364;
-  assign difference_2364 = {1'b0, select_553} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2366;
+  assign difference_2366 = {1'b0, select_553} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2364[9]} + (difference_2364[8:0] ^ {9{difference_2364[9]}});
-  logic [9:0] difference_2376;
-  assign difference_2376 = {1'b0, select_557} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_2366[9]} + (difference_2366[8:0] ^ {9{difference_2366[9]}});
+  logic [9:0] difference_2378;
+  assign difference_2378 = {1'b0, select_557} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2376[9]} + (difference_2376[8:0] ^ {9{difference_2376[9]}});
+  assign contrast_2 = {8'h0, difference_2378[9]} + (difference_2378[8:0] ^ {9{difference_2378[9]}});
   // hls/stages/agreement.hpp:239
-  logic [5:0] select_2567;
-  assign select_2567 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_2568;
-  assign select_2568 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
   logic [5:0] select_2569;
-  assign select_2569 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  assign select_2569 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
   logic [5:0] select_2570;
-  assign select_2570 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  assign select_2570 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
   logic [5:0] select_2571;
-  assign select_2571 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  assign select_2571 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
   logic [5:0] select_2572;
-  assign select_2572 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
-  logic [7:0] select_2576;
-  assign select_2576 = slot_s2_q[0] ? 8'h0 : sum_1009;
+  assign select_2572 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_2573;
+  assign select_2573 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_2574;
+  assign select_2574 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  logic [7:0] select_2578;
+  assign select_2578 = slot_s2_q[0] ? 8'h0 : sum_1009;
   // hls/stages/agreement.hpp:751
-  logic less_2577;
-  assign less_2577 = select_2576 < select_1509;
+  logic less_2579;
+  assign less_2579 = select_2578 < select_1509;
   // hls/stages/agreement.hpp:239
-  logic [6:0] select_2579;
-  assign select_2579 = slot_s2_q[0] ? 7'h0 : sum_1535;
+  logic [6:0] select_2581;
+  assign select_2581 = slot_s2_q[0] ? 7'h0 : sum_1535;
   // hls/stages/agreement.hpp:788
-  logic not_2584;
-  assign not_2584 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_2585;
-  assign less_2585 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  logic not_2586;
+  assign not_2586 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_2587;
+  assign less_2587 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
   // hls/stages/agreement.hpp:520
-  logic and_2592;
-  assign and_2592 = and_547_s2_q & (equal_677_s2_q & equal_2467_s2_q);
+  logic and_2594;
+  assign and_2594 = and_547_s2_q & (equal_677_s2_q & equal_2469_s2_q);
   // hls/stages/agreement.hpp:788
-  logic and_2598;
-  assign and_2598 = not_573_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_2594_s2_q)));
+  logic and_2600;
+  assign and_2600 = not_573_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_2596_s2_q)));
   // hls/stages/agreement.hpp:1030
-  logic and_2618;
-  assign and_2618 = seen_columns_rdata_q[15] & inside_v_s2_q;
-  logic and_2619;
-  assign and_2619 = seen_columns_rdata_q[11] & inside_v_s2_q;
   logic and_2620;
-  assign and_2620 = seen_columns_rdata_q[7] & inside_v_s2_q;
+  assign and_2620 = seen_columns_rdata_q[15] & inside_v_s2_q;
   logic and_2621;
-  assign and_2621 = seen_columns_rdata_q[2] & inside_v_s2_q;
+  assign and_2621 = seen_columns_rdata_q[11] & inside_v_s2_q;
+  logic and_2622;
+  assign and_2622 = seen_columns_rdata_q[7] & inside_v_s2_q;
+  logic and_2623;
+  assign and_2623 = seen_columns_rdata_q[2] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1088
-  logic [1:0] sum_2623;
-  assign sum_2623 = {1'b0, and_2620} + ({1'b0, explained} + {1'b0, and_2621});
+  logic [1:0] sum_2625;
+  assign sum_2625 = {1'b0, and_2622} + ({1'b0, explained} + {1'b0, and_2623});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2618} + ({2'h0, and_2619} + {1'b0, sum_2623});
+  assign explained_2 = {2'h0, and_2620} + ({2'h0, and_2621} + {1'b0, sum_2625});
   // hls/stages/agreement.hpp:788
-  logic and_2659;
-  assign and_2659 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2594_s2_q & and_2015)));
+  logic and_2661;
+  assign and_2661 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2596_s2_q & and_2015)));
   // hls/stages/agreement.hpp:986
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
@@ -3740,707 +3741,707 @@ module horopter_agreement (
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
   // hls/stages/agreement.hpp:988
-  logic [7:0] difference_2683;
-  assign difference_2683 = best_left_rdata_s2_q[16:9] - lower;
-  logic less_2686;
-  assign less_2686 = {2'h0, difference_2683[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
+  logic [7:0] difference_2685;
+  assign difference_2685 = best_left_rdata_s2_q[16:9] - lower;
+  logic less_2688;
+  assign less_2688 = {2'h0, difference_2685[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
   // hls/stages/agreement.hpp:247
-  logic and_2689;
-  assign and_2689 = not_581_s2_q & (((and_2013_s2_q & and_632) & equal_2679_s2_q) & (~less_2686));
+  logic and_2691;
+  assign and_2691 = not_581_s2_q & (((and_2013_s2_q & and_632) & equal_2681_s2_q) & (~less_2688));
   // hls/stages/agreement.hpp:788
-  logic and_2693;
-  assign and_2693 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_577_s2_q & and_2689)));
+  logic and_2695;
+  assign and_2695 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_577_s2_q & and_2691)));
   // hls/stages/agreement.hpp:149
-  logic and_2698;
-  assign and_2698 = not_581_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
-  // hls/stages/agreement.hpp:247
   logic and_2700;
-  assign and_2700 = not_581_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_2701;
-  assign select_2701 = or_577_s2_q ? {and_2700, and_2698} : 2'h0;
+  assign and_2700 = not_581_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
   // hls/stages/agreement.hpp:247
+  logic and_2702;
+  assign and_2702 = not_581_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
+  // hls/stages/agreement.hpp:149
   logic [1:0] select_2703;
-  assign select_2703 = less_580_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
+  assign select_2703 = or_577_s2_q ? {and_2702, and_2700} : 2'h0;
+  // hls/stages/agreement.hpp:247
+  logic [1:0] select_2705;
+  assign select_2705 = less_580_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
   // hls/stages/agreement.hpp:149
-  logic [1:0] select_2704;
-  assign select_2704 = or_577_s2_q ? select_2703 : 2'h0;
+  logic [1:0] select_2706;
+  assign select_2706 = or_577_s2_q ? select_2705 : 2'h0;
   // hls/stages/agreement.hpp:1027
-  logic and_2706;
-  assign and_2706 = and_634 & (select_2701[0] & select_2704[0]);
+  logic and_2708;
+  assign and_2708 = and_634 & (select_2703[0] & select_2706[0]);
   // hls/stages/agreement.hpp:788
-  logic and_2710;
-  assign and_2710 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2701[1] & and_2706)));
-  logic and_2711;
-  assign and_2711 = not_573_s2_q & and_2710;
-  logic and_2717;
-  assign and_2717 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2704[1] & and_2706)));
-  logic and_2718;
-  assign and_2718 = not_573_s2_q & and_2717;
+  logic and_2712;
+  assign and_2712 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2703[1] & and_2708)));
+  logic and_2713;
+  assign and_2713 = not_573_s2_q & and_2712;
+  logic and_2719;
+  assign and_2719 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2706[1] & and_2708)));
+  logic and_2720;
+  assign and_2720 = not_573_s2_q & and_2719;
   // hls/stages/registration.hpp:76
-  logic less_2721;
-  assign less_2721 = slot_s2_q < 3'h3;
+  logic less_2723;
+  assign less_2723 = slot_s2_q < 3'h3;
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_2723;
-  assign select_2723 = or_577_s2_q ? (less_580_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
   logic [7:0] select_2725;
-  assign select_2725 = or_577_s2_q ? (less_580_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  assign select_2725 = or_577_s2_q ? (less_580_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
   logic [7:0] select_2727;
-  assign select_2727 = or_577_s2_q ? (less_580_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  assign select_2727 = or_577_s2_q ? (less_580_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_2729;
+  assign select_2729 = or_577_s2_q ? (less_580_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_2725} - {1'b0, select_2727};
+  assign rise_2 = {1'b0, select_2727} - {1'b0, select_2729};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_2729;
-  assign select_2729 = rise_2[8] ? select_2725 : select_2727;
+  logic [7:0] select_2731;
+  assign select_2731 = rise_2[8] ? select_2727 : select_2729;
   logic [8:0] fall;
-  assign fall = {1'b0, select_2723} - {1'b0, select_2729};
+  assign fall = {1'b0, select_2725} - {1'b0, select_2731};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:37
-  logic not_2732;
-  assign not_2732 = ~registration_displacement_over_q[9];
+  logic not_2734;
+  assign not_2734 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2721 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2732};
+  assign left = less_2723 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2734};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_2734;
-  assign xor_2734 = rise_2[7:0] ^ {8{rise_2[8]}};
+  logic [7:0] xor_2736;
+  assign xor_2736 = rise_2[7:0] ^ {8{rise_2[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_2734};
+  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_2736};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_2740;
-  assign select_2740 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_2742;
+  assign select_2742 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_2721 ? {taken, 1'b1} : {not_2732, select_2740, not_2732};
+  assign taken_2 = less_2723 ? {taken, 1'b1} : {not_2734, select_2742, not_2734};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2742;
-  assign sum_2742 = {left, 1'b1} + {taken_2, less_2721};
+  logic [10:0] sum_2744;
+  assign sum_2744 = {left, 1'b1} + {taken_2, less_2723};
   // hls/stages/agreement.hpp:257
-  logic [4:0] select_2744;
-  assign select_2744 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  logic [4:0] select_2746;
+  assign select_2746 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_2746;
-  assign select_2746 = equal_572_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
-  logic [10:0] select_2748;
-  assign select_2748 = equal_572_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
+  logic [7:0] select_2748;
+  assign select_2748 = equal_572_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
+  logic [10:0] select_2750;
+  assign select_2750 = equal_572_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_2749;
-  assign equal_2749 = slot_s2_q == 3'h4;
+  logic equal_2751;
+  assign equal_2751 = slot_s2_q == 3'h4;
   // hls/stages/agreement.hpp:262
-  logic and_2753;
-  assign and_2753 = and_634 & less_1697_s2_q;
+  logic and_2755;
+  assign and_2755 = and_634 & less_1697_s2_q;
   // hls/stages/agreement.hpp:149
-  logic [2:0] select_2755;
-  assign select_2755 = or_577_s2_q ? (less_580_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
+  logic [2:0] select_2757;
+  assign select_2757 = or_577_s2_q ? (less_580_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_2759;
-  assign sum_2759 = select_2755[2:1] + 2'h3;
+  logic [1:0] sum_2761;
+  assign sum_2761 = select_2757[2:1] + 2'h3;
   // hls/stages/registration.hpp:102
-  logic [7:0] select_2762;
-  assign select_2762 = (select_2725 < select_2727) ? ({sum_2759, select_2755[0], 5'h0} - {3'h0, select_2744}) : {sum_2759, select_2755[0], select_2744};
-  logic [7:0] select_2763;
-  assign select_2763 = ((select_2755 == 3'h0) | (select_2755 == 3'h4)) ? {sum_2759, select_2755[0], 5'h0} : select_2762;
+  logic [7:0] select_2764;
+  assign select_2764 = (select_2727 < select_2729) ? ({sum_2761, select_2757[0], 5'h0} - {3'h0, select_2746}) : {sum_2761, select_2757[0], select_2746};
+  logic [7:0] select_2765;
+  assign select_2765 = ((select_2757 == 3'h0) | (select_2757 == 3'h4)) ? {sum_2761, select_2757[0], 5'h0} : select_2764;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2763[7]}}, select_2763} - {sum_1716[9], sum_1716, sum_1712[1]};
+  assign value_2 = {{4{select_2765[7]}}, select_2765} - {sum_1716[9], sum_1716, sum_1712[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_2766;
-  assign select_2766 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_2768;
+  assign select_2768 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2766[11:7])) ? 12'h7f : select_2766;
+  assign residual = ($signed(5'h0) < $signed(select_2768[11:7])) ? 12'h7f : select_2768;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_2787;
-  assign difference_2787 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_2789;
+  assign difference_2789 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_2789;
-  assign and_2789 = and_2753 & ($signed(difference_2787) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_2791;
+  assign and_2791 = and_2755 & ($signed(difference_2789) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_2802;
-  assign less_2802 = $signed(difference_2787) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic less_2804;
+  assign less_2804 = $signed(difference_2789) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/agreement.hpp:788
-  logic select_2810;
-  assign select_2810 = so_s2_q ? (equal_2749 ? right_2 : registration_of_right_q) : registration_of_right_q;
-  logic select_2813;
-  assign select_2813 = so_s2_q ? (equal_1698 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
+  logic select_2812;
+  assign select_2812 = so_s2_q ? (equal_2751 ? right_2 : registration_of_right_q) : registration_of_right_q;
+  logic select_2815;
+  assign select_2815 = so_s2_q ? (equal_1698 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_2818;
-  assign select_2818 = (sum_1611 == 2'h2) ? (registration_fresh_q & (~select_1658)) : registration_fresh_q;
-  // hls/stages/agreement.hpp:788
   logic [3:0] select_2820;
-  assign select_2820 = so_s2_q ? (and_1653 ? select_2818 : registration_fresh_q) : registration_fresh_q;
-  // hls/stages/registration.hpp:242
+  assign select_2820 = (sum_1611 == 2'h2) ? (registration_fresh_q & (~select_1658)) : registration_fresh_q;
+  // hls/stages/agreement.hpp:788
   logic [3:0] select_2822;
-  assign select_2822 = and_2592 ? 4'hf : (equal_572_s2_q ? registration_fresh_q : select_2820);
+  assign select_2822 = so_s2_q ? (and_1653 ? select_2820 : registration_fresh_q) : registration_fresh_q;
+  // hls/stages/registration.hpp:242
+  logic [3:0] select_2824;
+  assign select_2824 = and_2594 ? 4'hf : (equal_572_s2_q ? registration_fresh_q : select_2822);
   // hls/stages/agreement.hpp:1129
   logic [1:0] quarter_2;
   assign quarter_2 = all ? x_s2_q[1:0] : select_1608;
   // hls/stages/registration.hpp:258
-  logic not_2843;
-  assign not_2843 = ~quarter_2[1];
-  logic [3:0] select_2844;
-  assign select_2844 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2843, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2843};
+  logic not_2845;
+  assign not_2845 = ~quarter_2[1];
+  logic [3:0] select_2846;
+  assign select_2846 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2845, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2845};
   // hls/stages/patches.hpp:91
-  logic parity_2978;
-  assign parity_2978 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  logic parity_2980;
+  assign parity_2980 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
   // hls/stages/agreement.hpp:460
-  logic [15:0] select_2979;
-  assign select_2979 = equal_2467_s2_q ? {patches_chance_q[14:0], parity_2978} : patches_chance_q;
+  logic [15:0] select_2981;
+  assign select_2981 = equal_2469_s2_q ? {patches_chance_q[14:0], parity_2980} : patches_chance_q;
   // hls/stages/patches.hpp:346
-  logic not_2981;
-  assign not_2981 = ~and_1772;
+  logic not_2983;
+  assign not_2983 = ~and_1772;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
   // hls/stages/patches.hpp:110
-  logic [4:0] select_2983;
-  assign select_2983 = right_3 ? last_s2_q[5:1] : 5'h0;
+  logic [4:0] select_2985;
+  assign select_2985 = right_3 ? last_s2_q[5:1] : 5'h0;
   logic [5:0] from;
-  assign from = {1'b0, of_32} + {1'b0, select_2983};
+  assign from = {1'b0, of_32} + {1'b0, select_2985};
   // hls/stages/agreement.hpp:788
-  logic and_2989;
-  assign and_2989 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {2'h0, from}))));
+  logic and_2991;
+  assign and_2991 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {2'h0, from}))));
   // hls/stages/patches.hpp:157
-  logic and_2993;
-  assign and_2993 = not_2981 & (patches_fixed_q | ((not_573_s2_q & and_2989) & and_1744));
+  logic and_2995;
+  assign and_2995 = not_2983 & (patches_fixed_q | ((not_573_s2_q & and_2991) & and_1744));
   // hls/stages/patches.hpp:355
-  logic not_3005;
-  assign not_3005 = ~select_1687[1];
+  logic not_3007;
+  assign not_3007 = ~select_1687[1];
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3007;
-  assign select_3007 = sample_pair_whole_s2_q ? (equal_1688 ? select_1687 : {not_3005, 1'b0}) : patches_fetch_q;
+  logic [1:0] select_3009;
+  assign select_3009 = sample_pair_whole_s2_q ? (equal_1688 ? select_1687 : {not_3007, 1'b0}) : patches_fetch_q;
   // hls/stages/patches.hpp:523
   logic [55:0] other;
   assign other = new_row_s2_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
   // hls/stages/patches.hpp:185
-  logic [51:0] select_3106;
-  assign select_3106 = or_1780_s2_q ? {and_1925_s2_q, and_1922_s2_q, and_1906_s2_q, and_1903, patches_codes_at_q[51:4]} : patches_codes_at_q;
   logic [51:0] select_3108;
-  assign select_3108 = equal_1774_s2_q ? patches_codes_at_q : (equal_1776_s2_q ? other[55:4] : select_3106);
+  assign select_3108 = or_1780_s2_q ? {and_1925_s2_q, and_1922_s2_q, and_1906_s2_q, and_1903, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3110;
+  assign select_3110 = equal_1774_s2_q ? patches_codes_at_q : (equal_1776_s2_q ? other[55:4] : select_3108);
   // hls/stages/patches.hpp:506
   logic [27:0] word;
   assign word = or_1879_s2_q ? patches_right_codes_rdata_q : 28'h0;
   // hls/stages/patches.hpp:522
-  logic [27:0] select_3111;
-  assign select_3111 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
-  // hls/stages/patches.hpp:185
   logic [27:0] select_3113;
-  assign select_3113 = equal_1776_s2_q ? (new_row_s2_q ? word : select_3111) : patches_codes_further_q;
+  assign select_3113 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
+  // hls/stages/patches.hpp:185
+  logic [27:0] select_3115;
+  assign select_3115 = equal_1776_s2_q ? (new_row_s2_q ? word : select_3113) : patches_codes_further_q;
   // hls/stages/patches.hpp:524
-  logic [55:0] select_3115;
-  assign select_3115 = less_1866_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:494
   logic [55:0] select_3117;
-  assign select_3117 = less_3116_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:185
+  assign select_3117 = less_1866_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:494
   logic [55:0] select_3119;
-  assign select_3119 = or_1780_s2_q ? (equal_1779_s2_q ? patches_next_codes_q : select_3117) : patches_next_codes_q;
+  assign select_3119 = less_3118_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:185
   logic [55:0] select_3121;
-  assign select_3121 = equal_1774_s2_q ? patches_next_codes_q : (equal_1776_s2_q ? select_3115 : select_3119);
+  assign select_3121 = or_1780_s2_q ? (equal_1779_s2_q ? patches_next_codes_q : select_3119) : patches_next_codes_q;
+  logic [55:0] select_3123;
+  assign select_3123 = equal_1774_s2_q ? patches_next_codes_q : (equal_1776_s2_q ? select_3117 : select_3121);
   // hls/stages/count_bits.hpp:24
-  logic parity_3126;
-  assign parity_3126 = ^{and_1925_s2_q, and_1922_s2_q, and_1906_s2_q, and_1903};
+  logic parity_3128;
+  assign parity_3128 = ^{and_1925_s2_q, and_1922_s2_q, and_1906_s2_q, and_1903};
   // hls/stages/count_bits.hpp:25
-  logic or_3130;
-  assign or_3130 = ({and_1906_s2_q, and_1903} == 2'h3) | (and_1922_s2_q & (and_1906_s2_q | and_1903));
-  logic and_3131;
-  assign and_3131 = and_1925_s2_q & (^{and_1922_s2_q, and_1906_s2_q, and_1903});
-  // hls/stages/count_bits.hpp:24
-  logic xor_3132;
-  assign xor_3132 = or_3130 ^ and_3131;
-  // hls/stages/count_bits.hpp:27
+  logic or_3132;
+  assign or_3132 = ({and_1906_s2_q, and_1903} == 2'h3) | (and_1922_s2_q & (and_1906_s2_q | and_1903));
   logic and_3133;
-  assign and_3133 = or_3130 & and_3131;
+  assign and_3133 = and_1925_s2_q & (^{and_1922_s2_q, and_1906_s2_q, and_1903});
+  // hls/stages/count_bits.hpp:24
+  logic xor_3134;
+  assign xor_3134 = or_3132 ^ and_3133;
+  // hls/stages/count_bits.hpp:27
+  logic and_3135;
+  assign and_3135 = or_3132 & and_3133;
   // hls/stages/patches.hpp:185
-  logic [2:0] select_3135;
-  assign select_3135 = or_1780_s2_q ? (and_1948_s2_q ? {and_3133, xor_3132, parity_3126} : 3'h0) : 3'h0;
+  logic [2:0] select_3137;
+  assign select_3137 = or_1780_s2_q ? (and_1948_s2_q ? {and_3135, xor_3134, parity_3128} : 3'h0) : 3'h0;
   // hls/stages/patches.hpp:168
-  logic [9:0] sum_3139;
-  assign sum_3139 = {7'h0, patches_set_q} + (equal_1779_s2_q ? 10'h0 : patches_size_q);
+  logic [9:0] sum_3141;
+  assign sum_3141 = {7'h0, patches_set_q} + (equal_1779_s2_q ? 10'h0 : patches_size_q);
   // hls/stages/patches.hpp:523
-  logic [47:0] select_3149;
-  assign select_3149 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
-  // hls/stages/patches.hpp:185
   logic [47:0] select_3151;
-  assign select_3151 = equal_1774_s2_q ? patches_left_row_q : (equal_1776_s2_q ? select_3149 : patches_left_row_q);
+  assign select_3151 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  // hls/stages/patches.hpp:185
+  logic [47:0] select_3153;
+  assign select_3153 = equal_1774_s2_q ? patches_left_row_q : (equal_1776_s2_q ? select_3151 : patches_left_row_q);
   // hls/stages/patches.hpp:525
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3149;
+  assign bits = other[47:0] ^ select_3151;
   // hls/stages/count_bits.hpp:24
-  logic xor_3155;
-  assign xor_3155 = bits[17] ^ (^{select_3149[16:15], other[16:15]});
-  logic xor_3158;
-  assign xor_3158 = bits[11] ^ (^{select_3149[10:9], other[10:9]});
-  logic xor_3161;
-  assign xor_3161 = bits[14] ^ (^{select_3149[13:12], other[13:12]});
-  logic xor_3164;
-  assign xor_3164 = xor_3155 ^ (^{select_3149[14:9], other[14:9]});
-  logic xor_3167;
-  assign xor_3167 = bits[47] ^ (^{select_3149[46:45], other[46:45]});
-  logic xor_3170;
-  assign xor_3170 = bits[8] ^ (^{select_3149[7:6], other[7:6]});
-  logic xor_3173;
-  assign xor_3173 = bits[2] ^ (^{select_3149[1:0], other[1:0]});
-  logic xor_3176;
-  assign xor_3176 = bits[5] ^ (^{select_3149[4:3], other[4:3]});
-  logic xor_3179;
-  assign xor_3179 = xor_3170 ^ (^{select_3149[5:0], other[5:0]});
-  logic parity_3181;
-  assign parity_3181 = ^{select_3149[47:45], select_3149[8:0], other[47:45], other[8:0]};
-  logic xor_3182;
-  assign xor_3182 = xor_3164 ^ parity_3181;
-  logic xor_3185;
-  assign xor_3185 = bits[44] ^ (^{select_3149[43:42], other[43:42]});
-  logic xor_3188;
-  assign xor_3188 = bits[38] ^ (^{select_3149[37:36], other[37:36]});
-  logic xor_3191;
-  assign xor_3191 = bits[41] ^ (^{select_3149[40:39], other[40:39]});
-  logic xor_3197;
-  assign xor_3197 = bits[26] ^ (^{select_3149[25:24], other[25:24]});
-  logic xor_3200;
-  assign xor_3200 = bits[20] ^ (^{select_3149[19:18], other[19:18]});
-  logic xor_3203;
-  assign xor_3203 = bits[23] ^ (^{select_3149[22:21], other[22:21]});
-  logic xor_3206;
-  assign xor_3206 = xor_3197 ^ (^{select_3149[23:18], other[23:18]});
-  logic xor_3209;
-  assign xor_3209 = bits[35] ^ (^{select_3149[34:33], other[34:33]});
-  logic xor_3212;
-  assign xor_3212 = bits[29] ^ (^{select_3149[28:27], other[28:27]});
-  logic xor_3215;
-  assign xor_3215 = bits[32] ^ (^{select_3149[31:30], other[31:30]});
-  logic xor_3218;
-  assign xor_3218 = xor_3209 ^ (^{select_3149[32:27], other[32:27]});
-  logic xor_3219;
-  assign xor_3219 = xor_3206 ^ xor_3218;
+  logic xor_3157;
+  assign xor_3157 = bits[17] ^ (^{select_3151[16:15], other[16:15]});
+  logic xor_3160;
+  assign xor_3160 = bits[11] ^ (^{select_3151[10:9], other[10:9]});
+  logic xor_3163;
+  assign xor_3163 = bits[14] ^ (^{select_3151[13:12], other[13:12]});
+  logic xor_3166;
+  assign xor_3166 = xor_3157 ^ (^{select_3151[14:9], other[14:9]});
+  logic xor_3169;
+  assign xor_3169 = bits[47] ^ (^{select_3151[46:45], other[46:45]});
+  logic xor_3172;
+  assign xor_3172 = bits[8] ^ (^{select_3151[7:6], other[7:6]});
+  logic xor_3175;
+  assign xor_3175 = bits[2] ^ (^{select_3151[1:0], other[1:0]});
+  logic xor_3178;
+  assign xor_3178 = bits[5] ^ (^{select_3151[4:3], other[4:3]});
+  logic xor_3181;
+  assign xor_3181 = xor_3172 ^ (^{select_3151[5:0], other[5:0]});
+  logic parity_3183;
+  assign parity_3183 = ^{select_3151[47:45], select_3151[8:0], other[47:45], other[8:0]};
+  logic xor_3184;
+  assign xor_3184 = xor_3166 ^ parity_3183;
+  logic xor_3187;
+  assign xor_3187 = bits[44] ^ (^{select_3151[43:42], other[43:42]});
+  logic xor_3190;
+  assign xor_3190 = bits[38] ^ (^{select_3151[37:36], other[37:36]});
+  logic xor_3193;
+  assign xor_3193 = bits[41] ^ (^{select_3151[40:39], other[40:39]});
+  logic xor_3199;
+  assign xor_3199 = bits[26] ^ (^{select_3151[25:24], other[25:24]});
+  logic xor_3202;
+  assign xor_3202 = bits[20] ^ (^{select_3151[19:18], other[19:18]});
+  logic xor_3205;
+  assign xor_3205 = bits[23] ^ (^{select_3151[22:21], other[22:21]});
+  logic xor_3208;
+  assign xor_3208 = xor_3199 ^ (^{select_3151[23:18], other[23:18]});
+  logic xor_3211;
+  assign xor_3211 = bits[35] ^ (^{select_3151[34:33], other[34:33]});
+  logic xor_3214;
+  assign xor_3214 = bits[29] ^ (^{select_3151[28:27], other[28:27]});
+  logic xor_3217;
+  assign xor_3217 = bits[32] ^ (^{select_3151[31:30], other[31:30]});
+  logic xor_3220;
+  assign xor_3220 = xor_3211 ^ (^{select_3151[32:27], other[32:27]});
+  logic xor_3221;
+  assign xor_3221 = xor_3208 ^ xor_3220;
   // hls/stages/count_bits.hpp:25
-  logic or_3227;
-  assign or_3227 = (xor_3158 & xor_3161) | (xor_3155 & (xor_3158 | xor_3161));
-  logic or_3231;
-  assign or_3231 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3235;
-  assign or_3235 = (xor_3173 & xor_3176) | (xor_3170 & (xor_3173 | xor_3176));
+  logic or_3229;
+  assign or_3229 = (xor_3160 & xor_3163) | (xor_3157 & (xor_3160 | xor_3163));
+  logic or_3233;
+  assign or_3233 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+  logic or_3237;
+  assign or_3237 = (xor_3175 & xor_3178) | (xor_3172 & (xor_3175 | xor_3178));
   // hls/stages/count_bits.hpp:23
-  logic or_3242;
-  assign or_3242 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  logic or_3244;
+  assign or_3244 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
   // hls/stages/count_bits.hpp:25
-  logic or_3246;
-  assign or_3246 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-  logic or_3250;
-  assign or_3250 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+  logic or_3248;
+  assign or_3248 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  logic or_3252;
+  assign or_3252 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3253;
-  assign parity_3253 = ^{or_3250, or_3246, or_3242};
+  logic parity_3255;
+  assign parity_3255 = ^{or_3252, or_3248, or_3244};
   // hls/stages/count_bits.hpp:23
-  logic or_3257;
-  assign or_3257 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+  logic or_3259;
+  assign or_3259 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
   // hls/stages/count_bits.hpp:25
-  logic or_3261;
-  assign or_3261 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-  logic or_3265;
-  assign or_3265 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+  logic or_3263;
+  assign or_3263 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3267;
+  assign or_3267 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3268;
-  assign parity_3268 = ^{or_3265, or_3261, or_3257};
-  logic parity_3271;
-  assign parity_3271 = ^{or_3265, or_3261, or_3257, or_3250, or_3246, or_3242, or_3235, or_3231, or_3227};
+  logic parity_3270;
+  assign parity_3270 = ^{or_3267, or_3263, or_3259};
+  logic parity_3273;
+  assign parity_3273 = ^{or_3267, or_3263, or_3259, or_3252, or_3248, or_3244, or_3237, or_3233, or_3229};
   // hls/stages/count_bits.hpp:23
-  logic or_3275;
-  assign or_3275 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  logic or_3277;
+  assign or_3277 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
   // hls/stages/count_bits.hpp:25
-  logic or_3279;
-  assign or_3279 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3283;
-  assign or_3283 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+  logic or_3281;
+  assign or_3281 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3285;
+  assign or_3285 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
   // hls/stages/count_bits.hpp:23
-  logic or_3291;
-  assign or_3291 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+  logic or_3293;
+  assign or_3293 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_3295;
-  assign or_3295 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-  logic or_3299;
-  assign or_3299 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+  logic or_3297;
+  assign or_3297 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  logic or_3301;
+  assign or_3301 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3302;
-  assign parity_3302 = ^{or_3299, or_3295, or_3291};
+  logic parity_3304;
+  assign parity_3304 = ^{or_3301, or_3297, or_3293};
   // hls/stages/count_bits.hpp:23
-  logic or_3306;
-  assign or_3306 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+  logic or_3308;
+  assign or_3308 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
   // hls/stages/count_bits.hpp:25
-  logic or_3310;
-  assign or_3310 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-  logic or_3314;
-  assign or_3314 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  logic or_3312;
+  assign or_3312 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3316;
+  assign or_3316 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3317;
-  assign parity_3317 = ^{or_3314, or_3310, or_3306};
-  logic parity_3320;
-  assign parity_3320 = ^{or_3314, or_3310, or_3306, or_3299, or_3295, or_3291, or_3283, or_3279, or_3275};
+  logic parity_3319;
+  assign parity_3319 = ^{or_3316, or_3312, or_3308};
+  logic parity_3322;
+  assign parity_3322 = ^{or_3316, or_3312, or_3308, or_3301, or_3297, or_3293, or_3285, or_3281, or_3277};
   // hls/stages/count_bits.hpp:25
-  logic or_3324;
-  assign or_3324 = (xor_3188 & xor_3191) | (xor_3185 & (xor_3188 | xor_3191));
-  logic or_3328;
-  assign or_3328 = (xor_3200 & xor_3203) | (xor_3197 & (xor_3200 | xor_3203));
-  logic or_3332;
-  assign or_3332 = (xor_3212 & xor_3215) | (xor_3209 & (xor_3212 | xor_3215));
+  logic or_3326;
+  assign or_3326 = (xor_3190 & xor_3193) | (xor_3187 & (xor_3190 | xor_3193));
+  logic or_3330;
+  assign or_3330 = (xor_3202 & xor_3205) | (xor_3199 & (xor_3202 | xor_3205));
+  logic or_3334;
+  assign or_3334 = (xor_3214 & xor_3217) | (xor_3211 & (xor_3214 | xor_3217));
   // hls/stages/count_bits.hpp:24
-  logic parity_3335;
-  assign parity_3335 = ^{or_3332, or_3328, or_3324};
+  logic parity_3337;
+  assign parity_3337 = ^{or_3334, or_3330, or_3326};
   // hls/stages/count_bits.hpp:25
-  logic and_3336;
-  assign and_3336 = xor_3182 & (^{xor_3219, select_3149[44:36], other[44:36]});
-  logic or_3340;
-  assign or_3340 = (xor_3167 & xor_3179) | (xor_3164 & (xor_3167 | xor_3179));
-  logic and_3343;
-  assign and_3343 = (xor_3185 ^ (^{select_3149[41:36], other[41:36]})) & (xor_3206 | xor_3218);
-  logic or_3344;
-  assign or_3344 = (xor_3206 & xor_3218) | and_3343;
+  logic and_3338;
+  assign and_3338 = xor_3184 & (^{xor_3221, select_3151[44:36], other[44:36]});
+  logic or_3342;
+  assign or_3342 = (xor_3169 & xor_3181) | (xor_3166 & (xor_3169 | xor_3181));
+  logic and_3345;
+  assign and_3345 = (xor_3187 ^ (^{select_3151[41:36], other[41:36]})) & (xor_3208 | xor_3220);
+  logic or_3346;
+  assign or_3346 = (xor_3208 & xor_3220) | and_3345;
   // hls/stages/count_bits.hpp:24
-  logic parity_3347;
-  assign parity_3347 = ^{or_3344, or_3340, and_3336};
-  logic parity_3350;
-  assign parity_3350 = ^{or_3344, or_3340, and_3336, or_3332, or_3328, or_3324, or_3314, or_3310, or_3306, or_3299, or_3295, or_3291, or_3283, or_3279, or_3275};
+  logic parity_3349;
+  assign parity_3349 = ^{or_3346, or_3342, and_3338};
   logic parity_3352;
-  assign parity_3352 = ^{or_3344, or_3340, and_3336, or_3332, or_3328, or_3324, or_3314, or_3310, or_3306, or_3299, or_3295, or_3291, or_3283, or_3279, or_3275, or_3265, or_3261, or_3257, or_3250, or_3246, or_3242, or_3235, or_3231, or_3227};
+  assign parity_3352 = ^{or_3346, or_3342, and_3338, or_3334, or_3330, or_3326, or_3316, or_3312, or_3308, or_3301, or_3297, or_3293, or_3285, or_3281, or_3277};
+  logic parity_3354;
+  assign parity_3354 = ^{or_3346, or_3342, and_3338, or_3334, or_3330, or_3326, or_3316, or_3312, or_3308, or_3301, or_3297, or_3293, or_3285, or_3281, or_3277, or_3267, or_3263, or_3259, or_3252, or_3248, or_3244, or_3237, or_3233, or_3229};
   // hls/stages/count_bits.hpp:25
-  logic and_3353;
-  assign and_3353 = parity_3271 & parity_3350;
-  logic or_3357;
-  assign or_3357 = (parity_3253 & parity_3268) | ((^{or_3235, or_3231, or_3227}) & (parity_3253 | parity_3268));
-  logic or_3361;
-  assign or_3361 = (parity_3335 & parity_3347) | (parity_3320 & (parity_3335 | parity_3347));
-  logic or_3368;
-  assign or_3368 = (parity_3302 & parity_3317) | ((^{or_3283, or_3279, or_3275}) & (parity_3302 | parity_3317));
-  logic or_3372;
-  assign or_3372 = (or_3328 & or_3332) | (or_3324 & (or_3328 | or_3332));
-  logic or_3376;
-  assign or_3376 = (or_3340 & or_3344) | (and_3336 & (or_3340 | or_3344));
+  logic and_3355;
+  assign and_3355 = parity_3273 & parity_3352;
+  logic or_3359;
+  assign or_3359 = (parity_3255 & parity_3270) | ((^{or_3237, or_3233, or_3229}) & (parity_3255 | parity_3270));
+  logic or_3363;
+  assign or_3363 = (parity_3337 & parity_3349) | (parity_3322 & (parity_3337 | parity_3349));
+  logic or_3370;
+  assign or_3370 = (parity_3304 & parity_3319) | ((^{or_3285, or_3281, or_3277}) & (parity_3304 | parity_3319));
+  logic or_3374;
+  assign or_3374 = (or_3330 & or_3334) | (or_3326 & (or_3330 | or_3334));
+  logic or_3378;
+  assign or_3378 = (or_3342 & or_3346) | (and_3338 & (or_3342 | or_3346));
   // hls/stages/count_bits.hpp:23
-  logic or_3383;
-  assign or_3383 = (or_3279 & or_3283) | (or_3275 & (or_3279 | or_3283));
+  logic or_3385;
+  assign or_3385 = (or_3281 & or_3285) | (or_3277 & (or_3281 | or_3285));
   // hls/stages/count_bits.hpp:25
-  logic or_3387;
-  assign or_3387 = (or_3295 & or_3299) | (or_3291 & (or_3295 | or_3299));
-  logic or_3391;
-  assign or_3391 = (or_3310 & or_3314) | (or_3306 & (or_3310 | or_3314));
+  logic or_3389;
+  assign or_3389 = (or_3297 & or_3301) | (or_3293 & (or_3297 | or_3301));
+  logic or_3393;
+  assign or_3393 = (or_3312 & or_3316) | (or_3308 & (or_3312 | or_3316));
   // hls/stages/count_bits.hpp:24
-  logic parity_3394;
-  assign parity_3394 = ^{or_3391, or_3387, or_3383};
+  logic parity_3396;
+  assign parity_3396 = ^{or_3393, or_3389, or_3385};
   // hls/stages/count_bits.hpp:23
-  logic or_3398;
-  assign or_3398 = (or_3231 & or_3235) | (or_3227 & (or_3231 | or_3235));
+  logic or_3400;
+  assign or_3400 = (or_3233 & or_3237) | (or_3229 & (or_3233 | or_3237));
   // hls/stages/count_bits.hpp:25
-  logic or_3402;
-  assign or_3402 = (or_3246 & or_3250) | (or_3242 & (or_3246 | or_3250));
-  logic or_3406;
-  assign or_3406 = (or_3261 & or_3265) | (or_3257 & (or_3261 | or_3265));
+  logic or_3404;
+  assign or_3404 = (or_3248 & or_3252) | (or_3244 & (or_3248 | or_3252));
+  logic or_3408;
+  assign or_3408 = (or_3263 & or_3267) | (or_3259 & (or_3263 | or_3267));
   // hls/stages/count_bits.hpp:24
-  logic parity_3409;
-  assign parity_3409 = ^{or_3406, or_3402, or_3398};
-  logic parity_3412;
-  assign parity_3412 = ^{or_3406, or_3402, or_3398, or_3391, or_3387, or_3383, or_3376, or_3372, or_3368};
+  logic parity_3411;
+  assign parity_3411 = ^{or_3408, or_3404, or_3400};
   logic parity_3414;
-  assign parity_3414 = ^{or_3406, or_3402, or_3398, or_3391, or_3387, or_3383, or_3376, or_3372, or_3368, or_3361, or_3357, and_3353};
+  assign parity_3414 = ^{or_3408, or_3404, or_3400, or_3393, or_3389, or_3385, or_3378, or_3374, or_3370};
+  logic parity_3416;
+  assign parity_3416 = ^{or_3408, or_3404, or_3400, or_3393, or_3389, or_3385, or_3378, or_3374, or_3370, or_3363, or_3359, and_3355};
   // hls/stages/count_bits.hpp:25
-  logic or_3418;
-  assign or_3418 = (or_3372 & or_3376) | (or_3368 & (or_3372 | or_3376));
-  logic or_3422;
-  assign or_3422 = (or_3387 & or_3391) | (or_3383 & (or_3387 | or_3391));
-  logic or_3426;
-  assign or_3426 = (or_3402 & or_3406) | (or_3398 & (or_3402 | or_3406));
+  logic or_3420;
+  assign or_3420 = (or_3374 & or_3378) | (or_3370 & (or_3374 | or_3378));
+  logic or_3424;
+  assign or_3424 = (or_3389 & or_3393) | (or_3385 & (or_3389 | or_3393));
+  logic or_3428;
+  assign or_3428 = (or_3404 & or_3408) | (or_3400 & (or_3404 | or_3408));
   // hls/stages/count_bits.hpp:24
-  logic parity_3429;
-  assign parity_3429 = ^{or_3426, or_3422, or_3418};
+  logic parity_3431;
+  assign parity_3431 = ^{or_3428, or_3424, or_3420};
   // hls/stages/count_bits.hpp:25
-  logic and_3430;
-  assign and_3430 = (^{or_3361, or_3357, and_3353}) & parity_3412;
-  logic or_3434;
-  assign or_3434 = (or_3357 & or_3361) | (and_3353 & (or_3357 | or_3361));
-  logic or_3438;
-  assign or_3438 = (parity_3394 & parity_3409) | ((^{or_3376, or_3372, or_3368}) & (parity_3394 | parity_3409));
+  logic and_3432;
+  assign and_3432 = (^{or_3363, or_3359, and_3355}) & parity_3414;
+  logic or_3436;
+  assign or_3436 = (or_3359 & or_3363) | (and_3355 & (or_3359 | or_3363));
+  logic or_3440;
+  assign or_3440 = (parity_3396 & parity_3411) | ((^{or_3378, or_3374, or_3370}) & (parity_3396 | parity_3411));
   // hls/stages/count_bits.hpp:24
-  logic parity_3441;
-  assign parity_3441 = ^{or_3438, or_3434, and_3430};
+  logic parity_3443;
+  assign parity_3443 = ^{or_3440, or_3436, and_3432};
   // hls/stages/count_bits.hpp:25
-  logic and_3443;
-  assign and_3443 = parity_3429 & parity_3441;
-  logic or_3447;
-  assign or_3447 = (or_3422 & or_3426) | (or_3418 & (or_3422 | or_3426));
-  logic or_3451;
-  assign or_3451 = (or_3434 & or_3438) | (and_3430 & (or_3434 | or_3438));
+  logic and_3445;
+  assign and_3445 = parity_3431 & parity_3443;
+  logic or_3449;
+  assign or_3449 = (or_3424 & or_3428) | (or_3420 & (or_3424 | or_3428));
+  logic or_3453;
+  assign or_3453 = (or_3436 & or_3440) | (and_3432 & (or_3436 | or_3440));
   // hls/stages/patches.hpp:185
-  logic [4:0] select_3496;
-  assign select_3496 = equal_1776_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
-  logic select_3499;
-  assign select_3499 = equal_1774_s2_q ? patches_summed_first_q : (equal_1776_s2_q ? new_row_s2_q : patches_summed_first_q);
+  logic [4:0] select_3498;
+  assign select_3498 = equal_1776_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
+  logic select_3501;
+  assign select_3501 = equal_1774_s2_q ? patches_summed_first_q : (equal_1776_s2_q ? new_row_s2_q : patches_summed_first_q);
   // hls/stages/patches.hpp:557
-  logic [9:0] select_3506;
-  assign select_3506 = less_1954_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
+  logic [9:0] select_3508;
+  assign select_3508 = less_1954_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
   // hls/stages/patches.hpp:561
-  logic [9:0] select_3509;
-  assign select_3509 = equal_1957_s2_q ? (less_1954_s2_q ? (equal_1957_s2_q ? 10'h0 : select_3506) : 10'h0) : select_3506;
   logic [9:0] select_3511;
-  assign select_3511 = less_1954_s2_q ? (equal_1955_s2_q ? 10'h0 : select_3509) : select_3509;
+  assign select_3511 = equal_1957_s2_q ? (less_1954_s2_q ? (equal_1957_s2_q ? 10'h0 : select_3508) : 10'h0) : select_3508;
+  logic [9:0] select_3513;
+  assign select_3513 = less_1954_s2_q ? (equal_1955_s2_q ? 10'h0 : select_3511) : select_3511;
   // hls/stages/patches.hpp:557
-  logic [4:0] select_3513;
-  assign select_3513 = less_1954_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
+  logic [4:0] select_3515;
+  assign select_3515 = less_1954_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
   // hls/stages/patches.hpp:561
-  logic [4:0] select_3516;
-  assign select_3516 = equal_1957_s2_q ? (less_1954_s2_q ? (equal_1957_s2_q ? 5'h0 : select_3513) : 5'h0) : select_3513;
   logic [4:0] select_3518;
-  assign select_3518 = less_1954_s2_q ? (equal_1955_s2_q ? 5'h0 : select_3516) : select_3516;
-  // hls/stages/patches.hpp:557
+  assign select_3518 = equal_1957_s2_q ? (less_1954_s2_q ? (equal_1957_s2_q ? 5'h0 : select_3515) : 5'h0) : select_3515;
   logic [4:0] select_3520;
-  assign select_3520 = less_1954_s2_q ? patches_step_s2_q : 5'h0;
-  // hls/stages/patches.hpp:561
-  logic [4:0] select_3523;
-  assign select_3523 = equal_1957_s2_q ? (less_1954_s2_q ? (equal_1957_s2_q ? 5'h0 : select_3520) : 5'h0) : select_3520;
-  logic [4:0] select_3525;
-  assign select_3525 = less_1954_s2_q ? (equal_1955_s2_q ? 5'h0 : select_3523) : select_3523;
+  assign select_3520 = less_1954_s2_q ? (equal_1955_s2_q ? 5'h0 : select_3518) : select_3518;
   // hls/stages/patches.hpp:557
-  logic and_3528;
-  assign and_3528 = less_1954_s2_q & (patches_step_s2_q == 5'h0);
+  logic [4:0] select_3522;
+  assign select_3522 = less_1954_s2_q ? patches_step_s2_q : 5'h0;
   // hls/stages/patches.hpp:561
-  logic select_3531;
-  assign select_3531 = equal_1957_s2_q ? (less_1954_s2_q ? (not_1958_s2_q & and_3528) : and_3528) : and_3528;
+  logic [4:0] select_3525;
+  assign select_3525 = equal_1957_s2_q ? (less_1954_s2_q ? (equal_1957_s2_q ? 5'h0 : select_3522) : 5'h0) : select_3522;
+  logic [4:0] select_3527;
+  assign select_3527 = less_1954_s2_q ? (equal_1955_s2_q ? 5'h0 : select_3525) : select_3525;
+  // hls/stages/patches.hpp:557
+  logic and_3530;
+  assign and_3530 = less_1954_s2_q & (patches_step_s2_q == 5'h0);
+  // hls/stages/patches.hpp:561
+  logic select_3533;
+  assign select_3533 = equal_1957_s2_q ? (less_1954_s2_q ? (not_1958_s2_q & and_3530) : and_3530) : and_3530;
   // hls/stages/patches.hpp:185
-  logic select_3534;
-  assign select_3534 = equal_1774_s2_q ? (less_1954_s2_q ? (not_1956_s2_q & select_3531) : select_3531) : patches_read_first_q;
+  logic select_3536;
+  assign select_3536 = equal_1774_s2_q ? (less_1954_s2_q ? (not_1956_s2_q & select_3533) : select_3533) : patches_read_first_q;
   // hls/stages/patches.hpp:179
-  logic or_3545;
-  assign or_3545 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3546;
-  assign and_3546 = patches_read_searches_s2_q & or_3545;
+  logic or_3547;
+  assign or_3547 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3548;
+  assign and_3548 = patches_read_searches_s2_q & or_3547;
   // hls/stages/patches.hpp:541
-  logic [4:0] select_3547;
-  assign select_3547 = and_3546 ? patches_read_at_q : patches_peak_row_q;
+  logic [4:0] select_3549;
+  assign select_3549 = and_3548 ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:548
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3547};
+  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3549};
   // hls/stages/patches.hpp:557
-  logic and_3551;
-  assign and_3551 = less_1954_s2_q & (equal_3543_s2_q & (away == 6'h3f));
+  logic and_3553;
+  assign and_3553 = less_1954_s2_q & (equal_3545_s2_q & (away == 6'h3f));
   // hls/stages/patches.hpp:561
-  logic select_3554;
-  assign select_3554 = equal_1957_s2_q ? (less_1954_s2_q ? (not_1958_s2_q & and_3551) : and_3551) : and_3551;
+  logic select_3556;
+  assign select_3556 = equal_1957_s2_q ? (less_1954_s2_q ? (not_1958_s2_q & and_3553) : and_3553) : and_3553;
   // hls/stages/patches.hpp:185
-  logic select_3557;
-  assign select_3557 = equal_1774_s2_q ? (less_1954_s2_q ? (not_1956_s2_q & select_3554) : select_3554) : patches_read_above_q;
+  logic select_3559;
+  assign select_3559 = equal_1774_s2_q ? (less_1954_s2_q ? (not_1956_s2_q & select_3556) : select_3556) : patches_read_above_q;
   // hls/stages/patches.hpp:557
-  logic and_3560;
-  assign and_3560 = less_1954_s2_q & (equal_3543_s2_q & (away == 6'h1));
+  logic and_3562;
+  assign and_3562 = less_1954_s2_q & (equal_3545_s2_q & (away == 6'h1));
   // hls/stages/patches.hpp:561
-  logic select_3563;
-  assign select_3563 = equal_1957_s2_q ? (less_1954_s2_q ? (not_1958_s2_q & and_3560) : and_3560) : and_3560;
+  logic select_3565;
+  assign select_3565 = equal_1957_s2_q ? (less_1954_s2_q ? (not_1958_s2_q & and_3562) : and_3562) : and_3562;
   // hls/stages/patches.hpp:185
-  logic select_3566;
-  assign select_3566 = equal_1774_s2_q ? (less_1954_s2_q ? (not_1956_s2_q & select_3563) : select_3563) : patches_read_below_q;
+  logic select_3568;
+  assign select_3568 = equal_1774_s2_q ? (less_1954_s2_q ? (not_1956_s2_q & select_3565) : select_3565) : patches_read_below_q;
   // hls/stages/patches.hpp:554
-  logic [6:0] sum_3567;
-  assign sum_3567 = {away[5], away} + 7'h7d;
+  logic [6:0] sum_3569;
+  assign sum_3569 = {away[5], away} + 7'h7d;
   // hls/stages/patches.hpp:555
-  logic [9:0] select_3570;
-  assign select_3570 = (equal_3543_s2_q & ({sum_3567[6], sum_3567} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  logic [9:0] select_3572;
+  assign select_3572 = (equal_3545_s2_q & ({sum_3569[6], sum_3569} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
   // hls/stages/patches.hpp:557
-  logic [9:0] select_3571;
-  assign select_3571 = less_1954_s2_q ? select_3570 : 10'h3ff;
-  // hls/stages/patches.hpp:558
   logic [9:0] select_3573;
-  assign select_3573 = less_1954_s2_q ? (equal_1957_s2_q ? 10'h3ff : select_3571) : 10'h3ff;
+  assign select_3573 = less_1954_s2_q ? select_3572 : 10'h3ff;
+  // hls/stages/patches.hpp:558
+  logic [9:0] select_3575;
+  assign select_3575 = less_1954_s2_q ? (equal_1957_s2_q ? 10'h3ff : select_3573) : 10'h3ff;
   // hls/stages/patches.hpp:561
-  logic [9:0] select_3574;
-  assign select_3574 = equal_1957_s2_q ? select_3573 : select_3571;
   logic [9:0] select_3576;
-  assign select_3576 = less_1954_s2_q ? (equal_1955_s2_q ? 10'h3ff : select_3574) : select_3574;
+  assign select_3576 = equal_1957_s2_q ? select_3575 : select_3573;
+  logic [9:0] select_3578;
+  assign select_3578 = less_1954_s2_q ? (equal_1955_s2_q ? 10'h3ff : select_3576) : select_3576;
   // hls/stages/patches.hpp:540
-  logic [14:0] select_3578;
-  assign select_3578 = and_3546 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  logic [14:0] select_3580;
+  assign select_3580 = and_3548 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/patches.hpp:185
-  logic [9:0] select_3579;
-  assign select_3579 = equal_1774_s2_q ? select_3578[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3580;
-  assign select_3580 = equal_1774_s2_q ? select_3578[14:10] : patches_peak_best_column_q;
+  logic [9:0] select_3581;
+  assign select_3581 = equal_1774_s2_q ? select_3580[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3582;
+  assign select_3582 = equal_1774_s2_q ? select_3580[14:10] : patches_peak_best_column_q;
   // hls/stages/patches.hpp:542
-  logic [9:0] select_3582;
-  assign select_3582 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
-  // hls/stages/patches.hpp:543
   logic [9:0] select_3584;
-  assign select_3584 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  assign select_3584 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
+  // hls/stages/patches.hpp:543
+  logic [9:0] select_3586;
+  assign select_3586 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
   // hls/stages/patches.hpp:544
-  logic [9:0] select_3587;
-  assign select_3587 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
-  logic [9:0] select_3588;
-  assign select_3588 = patches_read_first_q ? patches_read_far_q : select_3587;
+  logic [9:0] select_3589;
+  assign select_3589 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
+  logic [9:0] select_3590;
+  assign select_3590 = patches_read_first_q ? patches_read_far_q : select_3589;
   // hls/stages/patches.hpp:595
-  logic [9:0] difference_3591;
-  assign difference_3591 = select_3588 - select_3578[9:0];
+  logic [9:0] difference_3593;
+  assign difference_3593 = select_3590 - select_3580[9:0];
   // hls/stages/patches.hpp:580
-  logic less_3621;
-  assign less_3621 = select_3582 < select_3584;
+  logic less_3623;
+  assign less_3623 = select_3584 < select_3586;
   // hls/stages/patches.hpp:586
-  logic [1:0] sum_3622;
-  assign sum_3622 = select_3547[4:3] + 2'h3;
+  logic [1:0] sum_3624;
+  assign sum_3624 = select_3549[4:3] + 2'h3;
   // hls/stages/patches.hpp:581
   logic [9:0] high;
-  assign high = less_3621 ? select_3584 : select_3582;
+  assign high = less_3623 ? select_3586 : select_3584;
   logic [9:0] low;
-  assign low = (select_3584 < select_3582) ? select_3584 : select_3582;
+  assign low = (select_3586 < select_3584) ? select_3586 : select_3584;
   // hls/stages/patches.hpp:582
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall_2;
-  assign fall_2 = high - select_3578[9:0];
+  assign fall_2 = high - select_3580[9:0];
   // hls/stages/patches.hpp:584
-  logic not_3629;
-  assign not_3629 = ~({eight, 3'h0} < {3'h0, fall_2});
-  logic [10:0] sum_3630;
-  assign sum_3630 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
-  logic not_3632;
-  assign not_3632 = ~({eight, 3'h0} < {1'b0, sum_3630, fall_2[0]});
-  logic [1:0] sum_3633;
-  assign sum_3633 = {1'b0, not_3629} + {1'b0, not_3632};
+  logic not_3631;
+  assign not_3631 = ~({eight, 3'h0} < {3'h0, fall_2});
+  logic [10:0] sum_3632;
+  assign sum_3632 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
+  logic not_3634;
+  assign not_3634 = ~({eight, 3'h0} < {1'b0, sum_3632, fall_2[0]});
+  logic [1:0] sum_3635;
+  assign sum_3635 = {1'b0, not_3631} + {1'b0, not_3634};
   // hls/stages/patches.hpp:585
-  logic [10:0] sum_3634;
-  assign sum_3634 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
-  logic not_3636;
-  assign not_3636 = ~({eight, 3'h0} < {sum_3634, fall_2[1:0]});
-  logic not_3639;
-  assign not_3639 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
-  logic [1:0] sum_3640;
-  assign sum_3640 = {1'b0, not_3636} + {1'b0, not_3639};
+  logic [10:0] sum_3636;
+  assign sum_3636 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
+  logic not_3638;
+  assign not_3638 = ~({eight, 3'h0} < {sum_3636, fall_2[1:0]});
+  logic not_3641;
+  assign not_3641 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
+  logic [1:0] sum_3642;
+  assign sum_3642 = {1'b0, not_3638} + {1'b0, not_3641};
   // hls/stages/patches.hpp:584
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3633} + {1'b0, sum_3640};
+  assign fraction = {1'b0, sum_3635} + {1'b0, sum_3642};
   // hls/stages/patches.hpp:587
-  logic [7:0] select_3643;
-  assign select_3643 = less_3621 ? ({sum_3622, select_3547[2:0], 3'h0} - {5'h0, fraction}) : {sum_3622, select_3547[2:0], fraction};
+  logic [7:0] select_3645;
+  assign select_3645 = less_3623 ? ({sum_3624, select_3549[2:0], 3'h0} - {5'h0, fraction}) : {sum_3624, select_3549[2:0], fraction};
   // hls/stages/agreement.hpp:788
-  logic select_3866;
-  assign select_3866 = equal_572_s2_q ? shown_shown_q : (so_s2_q ? select_2025 : shown_shown_q);
   logic select_3868;
-  assign select_3868 = equal_572_s2_q ? shown_nearer_q : (so_s2_q ? select_2028 : shown_nearer_q);
+  assign select_3868 = equal_572_s2_q ? shown_shown_q : (so_s2_q ? select_2025 : shown_shown_q);
+  logic select_3870;
+  assign select_3870 = equal_572_s2_q ? shown_nearer_q : (so_s2_q ? select_2028 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_3870;
-  assign sum_3870 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_3872;
+  assign sum_3872 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:460
-  logic [2:0] select_3872;
-  assign select_3872 = less_3869_s2_q ? (sum_3870[7] ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_3874;
-  assign select_3874 = equal_2467_s2_q ? (equal_677_s2_q ? 3'h0 : select_3872) : region_row_q;
+  assign select_3874 = less_3871_s2_q ? (sum_3872[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_3876;
+  assign select_3876 = equal_2469_s2_q ? (equal_677_s2_q ? 3'h0 : select_3874) : region_row_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3879;
-  assign select_3879 = equal_572_s2_q ? select_1979 : (so_s2_q ? (ends_cell_s2_q ? select_2078 : select_1979) : 8'h1);
+  logic [7:0] select_3881;
+  assign select_3881 = equal_572_s2_q ? select_1979 : (so_s2_q ? (ends_cell_s2_q ? select_2078 : select_1979) : 8'h1);
   // hls/stages/agreement.hpp:460
-  logic [8:0] select_3893;
-  assign select_3893 = equal_677_s2_q ? {{2{difference_3891[6]}}, difference_3891} : (less_3869_s2_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:520
   logic [8:0] select_3895;
-  assign select_3895 = and_547_s2_q ? (equal_2467_s2_q ? select_3893 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:460
-  logic [6:0] select_3897;
-  assign select_3897 = equal_677_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  assign select_3895 = equal_677_s2_q ? {{2{difference_3893[6]}}, difference_3893} : (less_3871_s2_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:520
+  logic [8:0] select_3897;
+  assign select_3897 = and_547_s2_q ? (equal_2469_s2_q ? select_3895 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:460
   logic [6:0] select_3899;
-  assign select_3899 = and_547_s2_q ? (equal_2467_s2_q ? select_3897 : region_down_back_q) : region_down_back_q;
+  assign select_3899 = equal_677_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:520
+  logic [6:0] select_3901;
+  assign select_3901 = and_547_s2_q ? (equal_2469_s2_q ? select_3899 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3900;
-  assign sum_3900 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_3902;
+  assign sum_3902 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3901;
-  assign select_3901 = sum_3870[7] ? {1'b1, sum_3870[6:0], region_down_rest_q[0]} : sum_3900;
+  logic [8:0] select_3903;
+  assign select_3903 = sum_3872[7] ? {1'b1, sum_3872[6:0], region_down_rest_q[0]} : sum_3902;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3870[7];
+  assign next = ~sum_3872[7];
   // hls/stages/agreement.hpp:460
-  logic select_3905;
-  assign select_3905 = equal_2467_s2_q ? (equal_677_s2_q | (less_3869_s2_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_3907;
+  assign select_3907 = equal_2469_s2_q ? (equal_677_s2_q | (less_3871_s2_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:205
-  logic or_3910;
-  assign or_3910 = segment_starts_q | not_575_s2_q;
+  logic or_3912;
+  assign or_3912 = segment_starts_q | not_575_s2_q;
   // hls/stages/agreement.hpp:1030
-  logic select_3913;
-  assign select_3913 = inside_v_s2_q ? (sum_1992_s2_q ? (equal_1767 & or_1994) : or_1994) : or_3910;
+  logic select_3915;
+  assign select_3915 = inside_v_s2_q ? (sum_1992_s2_q ? (equal_1767 & or_1994) : or_1994) : or_3912;
   // hls/stages/agreement.hpp:788
-  logic select_3916;
-  assign select_3916 = equal_572_s2_q ? or_3910 : (so_s2_q ? (ends_cell_s2_q ? select_3913 : or_3910) : or_3910);
+  logic select_3918;
+  assign select_3918 = equal_572_s2_q ? or_3912 : (so_s2_q ? (ends_cell_s2_q ? select_3915 : or_3912) : or_3912);
   // hls/stages/agreement.hpp:1147
-  logic equal_3940;
-  assign equal_3940 = x_s2_q[6:0] == 7'h7f;
+  logic equal_3942;
+  assign equal_3942 = x_s2_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:788
-  logic select_4076;
-  assign select_4076 = so_s2_q ? (ends_cell_s2_q ? and_2066 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4079;
-  assign select_4079 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4078;
+  assign select_4078 = so_s2_q ? (ends_cell_s2_q ? and_2066 : centres_values_0_textured_q) : centres_values_0_textured_q;
   logic select_4081;
-  assign select_4081 = equal_572_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4079 : centres_values_0_of_skin_q);
-  logic select_4082;
-  assign select_4082 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  assign select_4081 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4083;
+  assign select_4083 = equal_572_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4081 : centres_values_0_of_skin_q);
   logic select_4084;
-  assign select_4084 = equal_572_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4082 : centres_values_1_textured_q);
-  logic select_4085;
-  assign select_4085 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  assign select_4084 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4086;
+  assign select_4086 = equal_572_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4084 : centres_values_1_textured_q);
   logic select_4087;
-  assign select_4087 = equal_572_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4085 : centres_values_1_of_skin_q);
+  assign select_4087 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4089;
+  assign select_4089 = equal_572_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4087 : centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:460
-  logic [10:0] select_4091;
-  assign select_4091 = equal_2467_s2_q ? (equal_4088_s2_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
+  logic [10:0] select_4093;
+  assign select_4093 = equal_2469_s2_q ? (equal_4090_s2_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:520
-  logic [5:0] select_4094;
-  assign select_4094 = and_547_s2_q ? (equal_2467_s2_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
+  logic [5:0] select_4096;
+  assign select_4096 = and_547_s2_q ? (equal_2469_s2_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
   // hls/stages/agreement.hpp:1271
-  logic xor_4095;
-  assign xor_4095 = write_half_q ^ done_q;
+  logic xor_4097;
+  assign xor_4097 = write_half_q ^ done_q;
   // hls/stages/agreement.hpp:438
-  logic select_4097;
-  assign select_4097 = and_1971_s2_q ? (left_first_s2_q ? xor_4095 : write_half_q) : write_half_q;
-  // hls/stages/agreement.hpp:278
   logic select_4099;
-  assign select_4099 = and_1971_s2_q ? (left_first_s2_q ? xor_4095 : select_4097) : write_half_q;
+  assign select_4099 = and_1971_s2_q ? (left_first_s2_q ? xor_4097 : write_half_q) : write_half_q;
+  // hls/stages/agreement.hpp:278
   logic select_4101;
-  assign select_4101 = left_first_s2_q ? select_2031 : (and_1971_s2_q ? select_2032 : read_half_q);
-  logic and_4105;
-  assign and_4105 = (~drew_q) & (done_q | said_q);
-  logic [9:0] select_4114;
-  assign select_4114 = left_first_s2_q ? 10'h1 : (and_1971_s2_q ? select_2036 : rows_passed_q);
-  logic [8:0] select_4117;
-  assign select_4117 = left_first_s2_q ? {select_2034[7:0], or_2033} : (and_1971_s2_q ? {select_2034[7:0], or_2033} : columns_passed_q);
-  logic select_4120;
-  assign select_4120 = left_first_s2_q ? marks_last_s2_q : (and_1971_s2_q ? marks_last_s2_q : line_ended_q);
-  logic select_4123;
-  assign select_4123 = left_first_s2_q ? and_2050 : (and_1971_s2_q ? and_2050 : began_q);
-  logic [2:0] select_4126;
-  assign select_4126 = left_first_s2_q ? select_2052 : (and_1971_s2_q ? select_2052 : seen_x_q);
+  assign select_4101 = and_1971_s2_q ? (left_first_s2_q ? xor_4097 : select_4099) : write_half_q;
+  logic select_4103;
+  assign select_4103 = left_first_s2_q ? select_2031 : (and_1971_s2_q ? select_2032 : read_half_q);
+  logic and_4107;
+  assign and_4107 = (~drew_q) & (done_q | said_q);
+  logic [9:0] select_4116;
+  assign select_4116 = left_first_s2_q ? 10'h1 : (and_1971_s2_q ? select_2036 : rows_passed_q);
+  logic [8:0] select_4119;
+  assign select_4119 = left_first_s2_q ? {select_2034[7:0], or_2033} : (and_1971_s2_q ? {select_2034[7:0], or_2033} : columns_passed_q);
+  logic select_4122;
+  assign select_4122 = left_first_s2_q ? marks_last_s2_q : (and_1971_s2_q ? marks_last_s2_q : line_ended_q);
+  logic select_4125;
+  assign select_4125 = left_first_s2_q ? and_2050 : (and_1971_s2_q ? and_2050 : began_q);
+  logic [2:0] select_4128;
+  assign select_4128 = left_first_s2_q ? select_2052 : (and_1971_s2_q ? select_2052 : seen_x_q);
   // hls/stages/agreement.hpp:1300
-  logic [2:0] select_4131;
-  assign select_4131 = left_first_s2_q ? 3'h0 : (and_2037 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
-  // hls/stages/agreement.hpp:278
   logic [2:0] select_4133;
-  assign select_4133 = left_first_s2_q ? 3'h0 : (and_1971_s2_q ? select_4131 : seen_y_q);
-  logic [7:0] select_4136;
-  assign select_4136 = left_first_s2_q ? select_2045 : (and_1971_s2_q ? select_2045 : seen_column_q);
-  // hls/stages/agreement.hpp:436
-  logic [7:0] select_4142;
-  assign select_4142 = left_first_s2_q ? select_4140 : (seen_rows_left_q - {7'h0, was_next_row_q});
+  assign select_4133 = left_first_s2_q ? 3'h0 : (and_2037 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
   // hls/stages/agreement.hpp:278
+  logic [2:0] select_4135;
+  assign select_4135 = left_first_s2_q ? 3'h0 : (and_1971_s2_q ? select_4133 : seen_y_q);
+  logic [7:0] select_4138;
+  assign select_4138 = left_first_s2_q ? select_2045 : (and_1971_s2_q ? select_2045 : seen_column_q);
+  // hls/stages/agreement.hpp:436
   logic [7:0] select_4144;
-  assign select_4144 = left_first_s2_q ? select_4140 : (and_1971_s2_q ? select_4142 : seen_rows_left_q);
-  // hls/stages/agreement.hpp:436
-  logic and_4149;
-  assign and_4149 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
+  assign select_4144 = left_first_s2_q ? select_4142 : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/agreement.hpp:278
-  logic select_4151;
-  assign select_4151 = left_first_s2_q ? and_4149 : (and_1971_s2_q ? and_4149 : at_cell_end_q);
-  logic select_4154;
-  assign select_4154 = left_first_s2_q ? next_row : (and_1971_s2_q ? next_row : was_next_row_q);
-  logic [10:0] select_4157;
-  assign select_4157 = left_first_s2_q ? 11'h0 : (and_1971_s2_q ? select_2042 : seen_base_q);
+  logic [7:0] select_4146;
+  assign select_4146 = left_first_s2_q ? select_4142 : (and_1971_s2_q ? select_4144 : seen_rows_left_q);
+  // hls/stages/agreement.hpp:436
+  logic and_4151;
+  assign and_4151 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
+  // hls/stages/agreement.hpp:278
+  logic select_4153;
+  assign select_4153 = left_first_s2_q ? and_4151 : (and_1971_s2_q ? and_4151 : at_cell_end_q);
+  logic select_4156;
+  assign select_4156 = left_first_s2_q ? next_row : (and_1971_s2_q ? next_row : was_next_row_q);
+  logic [10:0] select_4159;
+  assign select_4159 = left_first_s2_q ? 11'h0 : (and_1971_s2_q ? select_2042 : seen_base_q);
   // hls/stages/registration.hpp:258
-  logic not_4230;
-  assign not_4230 = ~quarter[1];
-  logic [3:0] select_4231;
-  assign select_4231 = quarter[0] ? {quarter[1], 1'b0, not_4230, 1'b0} : {1'b0, quarter[1], 1'b0, not_4230};
+  logic not_4232;
+  assign not_4232 = ~quarter[1];
+  logic [3:0] select_4233;
+  assign select_4233 = quarter[0] ? {quarter[1], 1'b0, not_4232, 1'b0} : {1'b0, quarter[1], 1'b0, not_4232};
 
   // Memory registration_sums, 12 x 32, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4862,107 +4863,107 @@ module horopter_agreement (
       sample_pair_pixel_1_q <= pixel_0_s2_q;
       sample_of_skin_q <= mask_s2_q;
       averager_running_mask_q <= sample_pair_whole_s2_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2191;
-      averager_mask_q <= select_2193;
-      averager_of_skin_q <= select_2195;
+      averager_running_of_skin_q <= select_2193;
+      averager_mask_q <= select_2195;
+      averager_of_skin_q <= select_2197;
       census_filled_q <= and_547_s2_q ? {select_680[2:0], 1'b1} : census_filled_q;
-      moments_turned_0_q <= sum_2290;
-      moments_turned_1_q <= sum_2292;
-      moments_before_0_q <= equal_572_s2_q ? select_2294 : moments_before_0_q;
-      moments_before_1_q <= equal_572_s2_q ? select_2296 : moments_before_1_q;
-      moments_has_before_q <= select_2299;
-      moments_most_before_q <= select_2302;
-      moments_left_begins_q <= select_2306;
-      moments_left_alone_q <= select_2310;
-      moments_left_other_stops_q <= select_2313;
-      moments_right_begins_q <= select_2316;
-      moments_right_alone_q <= select_2320;
-      moments_right_other_stops_q <= select_2323;
-      moments_out_of_step_q <= or_2326;
-      moments_turns_0_q <= and_2334;
-      moments_turns_1_q <= and_2338;
-      moments_begins_alone_q <= and_2347;
-      moments_ends_q <= equal_572_s2_q & (equal_2293 & (not_2348 | and_2350));
+      moments_turned_0_q <= sum_2292;
+      moments_turned_1_q <= sum_2294;
+      moments_before_0_q <= equal_572_s2_q ? select_2296 : moments_before_0_q;
+      moments_before_1_q <= equal_572_s2_q ? select_2298 : moments_before_1_q;
+      moments_has_before_q <= select_2301;
+      moments_most_before_q <= select_2304;
+      moments_left_begins_q <= select_2308;
+      moments_left_alone_q <= select_2312;
+      moments_left_other_stops_q <= select_2315;
+      moments_right_begins_q <= select_2318;
+      moments_right_alone_q <= select_2322;
+      moments_right_other_stops_q <= select_2325;
+      moments_out_of_step_q <= or_2328;
+      moments_turns_0_q <= and_2336;
+      moments_turns_1_q <= and_2340;
+      moments_begins_alone_q <= and_2349;
+      moments_ends_q <= equal_572_s2_q & (equal_2295 & (not_2350 | and_2352));
       rows_passed_above_q <= and_547_s2_q ? select_679 : rows_passed_above_q;
-      chosen_score_q <= less_2577 ? select_1509 : select_2576;
-      chosen_near_q <= (select_2579 < select_1544) ? select_1544 : select_2579;
-      chosen_place_q <= less_2577 ? {select_1517, not_1516} : 3'h2;
-      before_0_q <= select_2576;
+      chosen_score_q <= less_2579 ? select_1509 : select_2578;
+      chosen_near_q <= (select_2581 < select_1544) ? select_1544 : select_2581;
+      chosen_place_q <= less_2579 ? {select_1517, not_1516} : 3'h2;
+      before_0_q <= select_2578;
       before_1_q <= sum_1259;
       before_2_q <= sum_1507;
-      shift_allowed_q <= not_2584 & (~less_2585);
+      shift_allowed_q <= not_2586 & (~less_2587);
       shift_not_right_q <= $signed(run_shift_s2_q) < $signed(6'h1);
-      counts_turned_left_q <= and_2592 ? 14'h0 : (counts_turned_left_q + {13'h0, and_2711});
-      counts_turned_right_q <= and_2592 ? 14'h0 : (counts_turned_right_q + {13'h0, and_2718});
-      registration_displacement_over_q <= so_s2_q ? sum_2742[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2744;
-      registration_slope_here_q <= select_2746;
-      registration_expected_q <= select_2748;
-      registration_of_right_q <= equal_572_s2_q ? registration_of_right_q : select_2810;
-      registration_was_inside_q <= equal_572_s2_q ? registration_was_inside_q : select_2813;
-      registration_fresh_q <= select_2822;
-      patches_chance_q <= and_547_s2_q ? select_2979 : patches_chance_q;
-      patches_fixed_q <= and_2993;
-      patches_choice_valid_q <= and_1772 ? (select_1745 & not_2981) : select_1745;
+      counts_turned_left_q <= and_2594 ? 14'h0 : (counts_turned_left_q + {13'h0, and_2713});
+      counts_turned_right_q <= and_2594 ? 14'h0 : (counts_turned_right_q + {13'h0, and_2720});
+      registration_displacement_over_q <= so_s2_q ? sum_2744[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2746;
+      registration_slope_here_q <= select_2748;
+      registration_expected_q <= select_2750;
+      registration_of_right_q <= equal_572_s2_q ? registration_of_right_q : select_2812;
+      registration_was_inside_q <= equal_572_s2_q ? registration_was_inside_q : select_2815;
+      registration_fresh_q <= select_2824;
+      patches_chance_q <= and_547_s2_q ? select_2981 : patches_chance_q;
+      patches_fixed_q <= and_2995;
+      patches_choice_valid_q <= and_1772 ? (select_1745 & not_2983) : select_1745;
       patches_choice_column_q <= select_1750;
       patches_choice_shift_q <= select_1755;
       patches_choice_slope_q <= select_1766;
       patches_band_q <= sample_pair_whole_s2_q ? select_1787 : patches_band_q;
-      patches_fetch_q <= select_3007;
-      patches_codes_at_q <= select_3108;
-      patches_codes_further_q <= equal_1774_s2_q ? patches_codes_further_q : select_3113;
-      patches_next_codes_q <= select_3121;
-      patches_set_q <= equal_1774_s2_q ? 3'h0 : (equal_1776_s2_q ? 3'h0 : select_3135);
-      patches_size_q <= sum_3139;
-      patches_left_row_q <= select_3151;
-      patches_summed_row_column_q <= equal_1774_s2_q ? patches_summed_row_column_q : select_3496;
-      patches_summed_first_q <= select_3499;
-      patches_read_row_differing_q <= equal_1774_s2_q ? select_3511 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_1774_s2_q ? select_3518 : patches_read_row_column_q;
-      patches_read_at_q <= equal_1774_s2_q ? select_3525 : patches_read_at_q;
-      patches_read_first_q <= select_3534;
-      patches_read_above_q <= select_3557;
-      patches_read_below_q <= select_3566;
-      patches_read_far_q <= equal_1774_s2_q ? select_3576 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_3579;
-      patches_peak_best_column_q <= select_3580;
-      patches_peak_row_q <= equal_1774_s2_q ? select_3547 : patches_peak_row_q;
-      patches_peak_above_q <= equal_1774_s2_q ? select_3582 : patches_peak_above_q;
-      patches_peak_below_q <= equal_1774_s2_q ? select_3584 : patches_peak_below_q;
-      patches_peak_far_q <= equal_1774_s2_q ? select_3588 : patches_peak_far_q;
-      patches_frame_ended_q <= equal_572_s2_q & equal_2293;
-      shown_shown_q <= select_3866;
-      shown_nearer_q <= select_3868;
-      region_row_q <= and_547_s2_q ? select_3874 : region_row_q;
+      patches_fetch_q <= select_3009;
+      patches_codes_at_q <= select_3110;
+      patches_codes_further_q <= equal_1774_s2_q ? patches_codes_further_q : select_3115;
+      patches_next_codes_q <= select_3123;
+      patches_set_q <= equal_1774_s2_q ? 3'h0 : (equal_1776_s2_q ? 3'h0 : select_3137);
+      patches_size_q <= sum_3141;
+      patches_left_row_q <= select_3153;
+      patches_summed_row_column_q <= equal_1774_s2_q ? patches_summed_row_column_q : select_3498;
+      patches_summed_first_q <= select_3501;
+      patches_read_row_differing_q <= equal_1774_s2_q ? select_3513 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_1774_s2_q ? select_3520 : patches_read_row_column_q;
+      patches_read_at_q <= equal_1774_s2_q ? select_3527 : patches_read_at_q;
+      patches_read_first_q <= select_3536;
+      patches_read_above_q <= select_3559;
+      patches_read_below_q <= select_3568;
+      patches_read_far_q <= equal_1774_s2_q ? select_3578 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_3581;
+      patches_peak_best_column_q <= select_3582;
+      patches_peak_row_q <= equal_1774_s2_q ? select_3549 : patches_peak_row_q;
+      patches_peak_above_q <= equal_1774_s2_q ? select_3584 : patches_peak_above_q;
+      patches_peak_below_q <= equal_1774_s2_q ? select_3586 : patches_peak_below_q;
+      patches_peak_far_q <= equal_1774_s2_q ? select_3590 : patches_peak_far_q;
+      patches_frame_ended_q <= equal_572_s2_q & equal_2295;
+      shown_shown_q <= select_3868;
+      shown_nearer_q <= select_3870;
+      region_row_q <= and_547_s2_q ? select_3876 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_3879;
-      region_down_rest_q <= select_3895;
-      region_down_back_q <= select_3899;
-      region_down_next_q <= select_3901;
-      region_fresh_q <= and_547_s2_q ? select_3905 : region_fresh_q;
-      segment_starts_q <= select_3916;
-      centres_values_0_textured_q <= equal_572_s2_q ? centres_values_0_textured_q : select_4076;
-      centres_values_0_of_skin_q <= select_4081;
-      centres_values_1_textured_q <= select_4084;
-      centres_values_1_of_skin_q <= select_4087;
-      map_row_q <= and_547_s2_q ? select_4091 : map_row_q;
-      map_width_q <= select_4094;
-      write_half_q <= select_4099;
-      read_half_q <= and_1971_s2_q ? select_4101 : read_half_q;
-      done_q <= and_1971_s2_q ? (not_2048 & and_4105) : and_4105;
+      region_columns_q <= select_3881;
+      region_down_rest_q <= select_3897;
+      region_down_back_q <= select_3901;
+      region_down_next_q <= select_3903;
+      region_fresh_q <= and_547_s2_q ? select_3907 : region_fresh_q;
+      segment_starts_q <= select_3918;
+      centres_values_0_textured_q <= equal_572_s2_q ? centres_values_0_textured_q : select_4078;
+      centres_values_0_of_skin_q <= select_4083;
+      centres_values_1_textured_q <= select_4086;
+      centres_values_1_of_skin_q <= select_4089;
+      map_row_q <= and_547_s2_q ? select_4093 : map_row_q;
+      map_width_q <= select_4096;
+      write_half_q <= select_4101;
+      read_half_q <= and_1971_s2_q ? select_4103 : read_half_q;
+      done_q <= and_1971_s2_q ? (not_2048 & and_4107) : and_4107;
       drew_q <= so_s2_q;
-      said_q <= equal_572_s2_q & equal_3940;
-      rows_passed_q <= and_1971_s2_q ? select_4114 : rows_passed_q;
-      columns_passed_q <= and_1971_s2_q ? select_4117 : columns_passed_q;
-      line_ended_q <= and_1971_s2_q ? select_4120 : line_ended_q;
-      began_q <= and_1971_s2_q ? select_4123 : began_q;
-      seen_x_q <= and_1971_s2_q ? select_4126 : seen_x_q;
-      seen_y_q <= and_1971_s2_q ? select_4133 : seen_y_q;
-      seen_column_q <= and_1971_s2_q ? select_4136 : seen_column_q;
-      seen_rows_left_q <= and_1971_s2_q ? select_4144 : seen_rows_left_q;
-      at_cell_end_q <= and_1971_s2_q ? select_4151 : at_cell_end_q;
-      was_next_row_q <= and_1971_s2_q ? select_4154 : was_next_row_q;
-      seen_base_q <= and_1971_s2_q ? select_4157 : seen_base_q;
+      said_q <= equal_572_s2_q & equal_3942;
+      rows_passed_q <= and_1971_s2_q ? select_4116 : rows_passed_q;
+      columns_passed_q <= and_1971_s2_q ? select_4119 : columns_passed_q;
+      line_ended_q <= and_1971_s2_q ? select_4122 : line_ended_q;
+      began_q <= and_1971_s2_q ? select_4125 : began_q;
+      seen_x_q <= and_1971_s2_q ? select_4128 : seen_x_q;
+      seen_y_q <= and_1971_s2_q ? select_4135 : seen_y_q;
+      seen_column_q <= and_1971_s2_q ? select_4138 : seen_column_q;
+      seen_rows_left_q <= and_1971_s2_q ? select_4146 : seen_rows_left_q;
+      at_cell_end_q <= and_1971_s2_q ? select_4153 : at_cell_end_q;
+      was_next_row_q <= and_1971_s2_q ? select_4156 : was_next_row_q;
+      seen_base_q <= and_1971_s2_q ? select_4159 : seen_base_q;
     end
   end
 
@@ -5051,73 +5052,73 @@ module horopter_agreement (
       left_pixel_q <= and_1971_s2_q ? left_pixel_q : pixel_0_s2_q;
       averager_running_0_q <= sample_pair_whole_s2_q ? select_524 : averager_running_0_q;
       averager_running_1_q <= sample_pair_whole_s2_q ? sum_530 : averager_running_1_q;
-      averager_total_0_q <= select_2169;
-      averager_total_1_q <= select_2171;
-      census_columns_values_0_cell_0_left_q <= select_2196;
-      census_columns_values_0_cell_0_right_q <= select_2197;
+      averager_total_0_q <= select_2171;
+      averager_total_1_q <= select_2173;
+      census_columns_values_0_cell_0_left_q <= select_2198;
+      census_columns_values_0_cell_0_right_q <= select_2199;
       census_columns_values_0_cell_0_mask_q <= and_547_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2199;
-      census_columns_values_0_cell_1_right_q <= select_2200;
-      census_columns_values_0_cell_1_mask_q <= select_2201;
-      census_columns_values_0_cell_2_left_q <= select_2202;
-      census_columns_values_0_cell_2_right_q <= select_2203;
-      census_columns_values_0_cell_2_mask_q <= select_2204;
-      census_columns_values_0_cell_2_of_skin_q <= select_2205;
-      census_columns_values_0_cell_3_left_q <= select_2206;
-      census_columns_values_0_cell_3_right_q <= select_2207;
-      census_columns_values_0_cell_3_mask_q <= select_2208;
-      census_columns_values_0_cell_4_left_q <= select_2209;
-      census_columns_values_0_cell_4_right_q <= select_2210;
-      census_columns_values_0_cell_4_mask_q <= select_2211;
-      census_columns_values_1_cell_0_left_q <= select_2212;
-      census_columns_values_1_cell_0_right_q <= select_2213;
-      census_columns_values_1_cell_0_mask_q <= select_2214;
-      census_columns_values_1_cell_1_left_q <= select_2215;
-      census_columns_values_1_cell_1_right_q <= select_2216;
-      census_columns_values_1_cell_1_mask_q <= select_2217;
-      census_columns_values_1_cell_2_left_q <= select_2218;
-      census_columns_values_1_cell_2_right_q <= select_2219;
-      census_columns_values_1_cell_2_mask_q <= select_2220;
-      census_columns_values_1_cell_2_of_skin_q <= select_2221;
-      census_columns_values_1_cell_3_left_q <= select_2222;
-      census_columns_values_1_cell_3_right_q <= select_2223;
-      census_columns_values_1_cell_3_mask_q <= select_2224;
-      census_columns_values_1_cell_4_left_q <= select_2225;
-      census_columns_values_1_cell_4_right_q <= select_2226;
-      census_columns_values_1_cell_4_mask_q <= select_2227;
-      census_columns_values_2_cell_0_left_q <= select_2228;
-      census_columns_values_2_cell_0_right_q <= select_2229;
-      census_columns_values_2_cell_0_mask_q <= select_2230;
-      census_columns_values_2_cell_1_left_q <= select_2231;
-      census_columns_values_2_cell_1_right_q <= select_2232;
-      census_columns_values_2_cell_1_mask_q <= select_2233;
-      census_columns_values_2_cell_2_left_q <= select_2234;
-      census_columns_values_2_cell_2_right_q <= select_2235;
-      census_columns_values_2_cell_2_mask_q <= select_2236;
-      census_columns_values_2_cell_3_left_q <= select_2237;
-      census_columns_values_2_cell_3_right_q <= select_2238;
-      census_columns_values_2_cell_3_mask_q <= select_2239;
-      census_columns_values_2_cell_4_left_q <= select_2240;
-      census_columns_values_2_cell_4_right_q <= select_2241;
-      census_columns_values_2_cell_4_mask_q <= select_2242;
-      census_columns_values_3_cell_0_mask_q <= select_2243;
-      census_columns_values_3_cell_1_left_q <= select_2244;
-      census_columns_values_3_cell_1_right_q <= select_2245;
-      census_columns_values_3_cell_1_mask_q <= select_2246;
-      census_columns_values_3_cell_2_mask_q <= select_2247;
-      census_columns_values_3_cell_3_left_q <= select_2248;
-      census_columns_values_3_cell_3_right_q <= select_2249;
-      census_columns_values_3_cell_3_mask_q <= select_2250;
-      census_columns_values_3_cell_4_mask_q <= select_2251;
+      census_columns_values_0_cell_1_left_q <= select_2201;
+      census_columns_values_0_cell_1_right_q <= select_2202;
+      census_columns_values_0_cell_1_mask_q <= select_2203;
+      census_columns_values_0_cell_2_left_q <= select_2204;
+      census_columns_values_0_cell_2_right_q <= select_2205;
+      census_columns_values_0_cell_2_mask_q <= select_2206;
+      census_columns_values_0_cell_2_of_skin_q <= select_2207;
+      census_columns_values_0_cell_3_left_q <= select_2208;
+      census_columns_values_0_cell_3_right_q <= select_2209;
+      census_columns_values_0_cell_3_mask_q <= select_2210;
+      census_columns_values_0_cell_4_left_q <= select_2211;
+      census_columns_values_0_cell_4_right_q <= select_2212;
+      census_columns_values_0_cell_4_mask_q <= select_2213;
+      census_columns_values_1_cell_0_left_q <= select_2214;
+      census_columns_values_1_cell_0_right_q <= select_2215;
+      census_columns_values_1_cell_0_mask_q <= select_2216;
+      census_columns_values_1_cell_1_left_q <= select_2217;
+      census_columns_values_1_cell_1_right_q <= select_2218;
+      census_columns_values_1_cell_1_mask_q <= select_2219;
+      census_columns_values_1_cell_2_left_q <= select_2220;
+      census_columns_values_1_cell_2_right_q <= select_2221;
+      census_columns_values_1_cell_2_mask_q <= select_2222;
+      census_columns_values_1_cell_2_of_skin_q <= select_2223;
+      census_columns_values_1_cell_3_left_q <= select_2224;
+      census_columns_values_1_cell_3_right_q <= select_2225;
+      census_columns_values_1_cell_3_mask_q <= select_2226;
+      census_columns_values_1_cell_4_left_q <= select_2227;
+      census_columns_values_1_cell_4_right_q <= select_2228;
+      census_columns_values_1_cell_4_mask_q <= select_2229;
+      census_columns_values_2_cell_0_left_q <= select_2230;
+      census_columns_values_2_cell_0_right_q <= select_2231;
+      census_columns_values_2_cell_0_mask_q <= select_2232;
+      census_columns_values_2_cell_1_left_q <= select_2233;
+      census_columns_values_2_cell_1_right_q <= select_2234;
+      census_columns_values_2_cell_1_mask_q <= select_2235;
+      census_columns_values_2_cell_2_left_q <= select_2236;
+      census_columns_values_2_cell_2_right_q <= select_2237;
+      census_columns_values_2_cell_2_mask_q <= select_2238;
+      census_columns_values_2_cell_3_left_q <= select_2239;
+      census_columns_values_2_cell_3_right_q <= select_2240;
+      census_columns_values_2_cell_3_mask_q <= select_2241;
+      census_columns_values_2_cell_4_left_q <= select_2242;
+      census_columns_values_2_cell_4_right_q <= select_2243;
+      census_columns_values_2_cell_4_mask_q <= select_2244;
+      census_columns_values_3_cell_0_mask_q <= select_2245;
+      census_columns_values_3_cell_1_left_q <= select_2246;
+      census_columns_values_3_cell_1_right_q <= select_2247;
+      census_columns_values_3_cell_1_mask_q <= select_2248;
+      census_columns_values_3_cell_2_mask_q <= select_2249;
+      census_columns_values_3_cell_3_left_q <= select_2250;
+      census_columns_values_3_cell_3_right_q <= select_2251;
+      census_columns_values_3_cell_3_mask_q <= select_2252;
+      census_columns_values_3_cell_4_mask_q <= select_2253;
       sharpness_last_mean_0_q <= and_547_s2_q ? select_553 : sharpness_last_mean_0_q;
       sharpness_last_mean_1_q <= and_547_s2_q ? select_557 : sharpness_last_mean_1_q;
       middle_sum_columns_values_0_q <= slot_s2_q[0] ? middle_sum_columns_values_0_q : column_s2_q;
-      middle_sum_columns_values_1_q <= select_2567;
-      middle_sum_columns_values_2_q <= select_2568;
-      middle_sum_columns_values_3_q <= select_2569;
-      middle_sum_columns_values_4_q <= select_2570;
-      middle_sum_columns_values_5_q <= select_2571;
-      middle_sum_columns_values_6_q <= select_2572;
+      middle_sum_columns_values_1_q <= select_2569;
+      middle_sum_columns_values_2_q <= select_2570;
+      middle_sum_columns_values_3_q <= select_2571;
+      middle_sum_columns_values_4_q <= select_2572;
+      middle_sum_columns_values_5_q <= select_2573;
+      middle_sum_columns_values_6_q <= select_2574;
       middle_sum_sum_sums_values_0_q <= slot_s2_q[0] ? middle_sum_sum_sums_values_0_q : sum_1009;
       sums_0_sum_sums_values_0_q <= sum_1259;
       sums_0_sum_sums_values_1_q <= equal_1257 ? 8'h0 : sums_0_sum_sums_values_0_q;
@@ -5154,8 +5155,8 @@ module horopter_agreement (
   logic centres_values_1_textured_s3_q;
   logic centres_values_1_of_skin_s3_q;
   logic done_s3_q;
+  logic [2:0] select_508_s3_q;
   logic row_starts_s3_q;
-  logic [2:0] select_509_s3_q;
   logic [5:0] select_541_s3_q;
   logic [5:0] last_s3_q;
   logic and_545_s3_q;
@@ -5253,38 +5254,38 @@ module horopter_agreement (
   logic [2:0] shown_2_s3_q;
   logic [2:0] near_2_s3_q;
   logic and_2137_s3_q;
-  logic [11:0] sum_2267_s3_q;
-  logic [9:0] sum_2270_s3_q;
-  logic equal_2278_s3_q;
+  logic [11:0] sum_2269_s3_q;
+  logic [9:0] sum_2272_s3_q;
+  logic equal_2280_s3_q;
   logic [8:0] contrast_s3_q;
   logic [8:0] contrast_2_s3_q;
-  logic and_2592_s3_q;
-  logic and_2598_s3_q;
+  logic and_2594_s3_q;
+  logic and_2600_s3_q;
   logic [2:0] explained_2_s3_q;
-  logic and_2660_s3_q;
-  logic and_2694_s3_q;
-  logic and_2752_s3_q;
-  logic and_2753_s3_q;
+  logic and_2662_s3_q;
+  logic and_2696_s3_q;
+  logic and_2754_s3_q;
+  logic and_2755_s3_q;
   logic [7:0] residual_s3_q;
-  logic and_2789_s3_q;
-  logic and_2803_s3_q;
-  logic equal_2846_s3_q;
-  logic parity_3223_s3_q;
-  logic parity_3352_s3_q;
-  logic parity_3414_s3_q;
-  logic xor_3442_s3_q;
-  logic parity_3454_s3_q;
-  logic or_3458_s3_q;
-  logic equal_3459_s3_q;
-  logic [4:0] select_3578_s3_q;
-  logic equal_3590_s3_q;
-  logic less_3592_s3_q;
-  logic less_3593_s3_q;
-  logic or_3598_s3_q;
-  logic [7:0] select_3643_s3_q;
-  logic equal_3940_s3_q;
-  logic and_4160_s3_q;
-  logic equal_4233_s3_q;
+  logic and_2791_s3_q;
+  logic and_2805_s3_q;
+  logic equal_2848_s3_q;
+  logic parity_3225_s3_q;
+  logic parity_3354_s3_q;
+  logic parity_3416_s3_q;
+  logic xor_3444_s3_q;
+  logic parity_3456_s3_q;
+  logic or_3460_s3_q;
+  logic equal_3461_s3_q;
+  logic [4:0] select_3580_s3_q;
+  logic equal_3592_s3_q;
+  logic less_3594_s3_q;
+  logic less_3595_s3_q;
+  logic or_3600_s3_q;
+  logic [7:0] select_3645_s3_q;
+  logic equal_3942_s3_q;
+  logic and_4162_s3_q;
+  logic equal_4235_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       saturated_s3_q <= saturated_s2_q;
@@ -5315,8 +5316,8 @@ module horopter_agreement (
       centres_values_1_textured_s3_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s3_q <= centres_values_1_of_skin_q;
       done_s3_q <= done_q;
+      select_508_s3_q <= select_508_s2_q;
       row_starts_s3_q <= row_starts_s2_q;
-      select_509_s3_q <= select_509_s2_q;
       select_541_s3_q <= select_541_s2_q;
       last_s3_q <= last_s2_2_q;
       and_545_s3_q <= and_545_s2_q;
@@ -5414,38 +5415,38 @@ module horopter_agreement (
       shown_2_s3_q <= shown_2;
       near_2_s3_q <= near_2;
       and_2137_s3_q <= and_2137;
-      sum_2267_s3_q <= {1'b0, sum_2263} + {2'h0, sum_2266};
-      sum_2270_s3_q <= {9'h0, difference_2268[9]} + {1'b0, xor_2269};
-      equal_2278_s3_q <= equal_2278_s2_q;
+      sum_2269_s3_q <= {1'b0, sum_2265} + {2'h0, sum_2268};
+      sum_2272_s3_q <= {9'h0, difference_2270[9]} + {1'b0, xor_2271};
+      equal_2280_s3_q <= equal_2280_s2_q;
       contrast_s3_q <= contrast;
       contrast_2_s3_q <= contrast_2;
-      and_2592_s3_q <= and_2592;
-      and_2598_s3_q <= and_2598;
+      and_2594_s3_q <= and_2594;
+      and_2600_s3_q <= and_2600;
       explained_2_s3_q <= explained_2;
-      and_2660_s3_q <= not_573_s2_q & and_2659;
-      and_2694_s3_q <= not_573_s2_q & and_2693;
-      and_2752_s3_q <= not_573_s2_q & (so_s2_q & (half_ends & equal_2749));
-      and_2753_s3_q <= and_2753;
+      and_2662_s3_q <= not_573_s2_q & and_2661;
+      and_2696_s3_q <= not_573_s2_q & and_2695;
+      and_2754_s3_q <= not_573_s2_q & (so_s2_q & (half_ends & equal_2751));
+      and_2755_s3_q <= and_2755;
       residual_s3_q <= residual[7:0];
-      and_2789_s3_q <= and_2789;
-      and_2803_s3_q <= and_2753 & less_2802;
-      equal_2846_s3_q <= (registration_fresh_q & select_2844) == 4'h0;
-      parity_3223_s3_q <= ^{xor_3219, xor_3182, select_3149[44:36], other[44:36]};
-      parity_3352_s3_q <= parity_3352;
-      parity_3414_s3_q <= parity_3414;
-      xor_3442_s3_q <= parity_3429 ^ parity_3441;
-      parity_3454_s3_q <= ^{or_3451, or_3447, and_3443};
-      or_3458_s3_q <= (or_3447 & or_3451) | (and_3443 & (or_3447 | or_3451));
-      equal_3459_s3_q <= equal_3459_s2_q;
-      select_3578_s3_q <= select_3578[14:10];
-      equal_3590_s3_q <= select_3547[3:0] == 4'h0;
-      less_3592_s3_q <= {difference_3591, 3'h0} < {3'h0, sum_3139};
-      less_3593_s3_q <= select_3588 < select_3578[9:0];
-      or_3598_s3_q <= (sum_3139 < 10'h39) | ({1'b0, sum_3139[9:1]} < select_3578[9:0]);
-      select_3643_s3_q <= select_3643;
-      equal_3940_s3_q <= equal_3940;
-      and_4160_s3_q <= and_2137 & (sum_2063 == sum_2047);
-      equal_4233_s3_q <= (registration_fresh_q & select_4231) == 4'h0;
+      and_2791_s3_q <= and_2791;
+      and_2805_s3_q <= and_2755 & less_2804;
+      equal_2848_s3_q <= (registration_fresh_q & select_2846) == 4'h0;
+      parity_3225_s3_q <= ^{xor_3221, xor_3184, select_3151[44:36], other[44:36]};
+      parity_3354_s3_q <= parity_3354;
+      parity_3416_s3_q <= parity_3416;
+      xor_3444_s3_q <= parity_3431 ^ parity_3443;
+      parity_3456_s3_q <= ^{or_3453, or_3449, and_3445};
+      or_3460_s3_q <= (or_3449 & or_3453) | (and_3445 & (or_3449 | or_3453));
+      equal_3461_s3_q <= equal_3461_s2_q;
+      select_3580_s3_q <= select_3580[14:10];
+      equal_3592_s3_q <= select_3549[3:0] == 4'h0;
+      less_3594_s3_q <= {difference_3593, 3'h0} < {3'h0, sum_3141};
+      less_3595_s3_q <= select_3590 < select_3580[9:0];
+      or_3600_s3_q <= (sum_3141 < 10'h39) | ({1'b0, sum_3141[9:1]} < select_3580[9:0]);
+      select_3645_s3_q <= select_3645;
+      equal_3942_s3_q <= equal_3942;
+      and_4162_s3_q <= and_2137 & (sum_2063 == sum_2047);
+      equal_4235_s3_q <= (registration_fresh_q & select_4233) == 4'h0;
     end
   end
 
@@ -5666,7 +5667,7 @@ module horopter_agreement (
   assign select_1792 = equal_1688_s3_q ? patches_place_0_valid_q : (select_1687_s3_q ? patches_place_0_valid_q : select_1790[0]);
   // hls/stages/patches.hpp:132
   logic [7:0] sum_1793;
-  assign sum_1793 = {1'b0, select_541_s3_q, select_509_s3_q[2]} + 8'h3;
+  assign sum_1793 = {1'b0, select_541_s3_q, select_508_s3_q[2]} + 8'h3;
   // hls/stages/patches.hpp:355
   logic [21:0] select_1794;
   assign select_1794 = select_1687_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1790[22:1];
@@ -5680,7 +5681,7 @@ module horopter_agreement (
   assign sum_1797 = select_1795 + {{2{select_1796[5]}}, select_1796};
   // hls/stages/patches.hpp:132
   logic equal_1798;
-  assign equal_1798 = {sum_1797, sum_1793[0], select_509_s3_q[1:0]} == {1'b0, sum_1793[7:1], 3'h0};
+  assign equal_1798 = {sum_1797, sum_1793[0], select_508_s3_q[1:0]} == {1'b0, sum_1793[7:1], 3'h0};
   // hls/stages/patches.hpp:134
   logic or_1800;
   assign or_1800 = row_starts_s3_q | (select_1792 & equal_1798);
@@ -5709,7 +5710,7 @@ module horopter_agreement (
   assign sum_1825 = select_1823 + {{2{select_1824[5]}}, select_1824};
   // hls/stages/patches.hpp:132
   logic equal_1826;
-  assign equal_1826 = {sum_1825[7], sum_1793, select_509_s3_q[1:0]} == {1'b0, sum_1825[6:0], 3'h0};
+  assign equal_1826 = {sum_1825[7], sum_1793, select_508_s3_q[1:0]} == {1'b0, sum_1825[6:0], 3'h0};
   // hls/stages/patches.hpp:134
   logic or_1828;
   assign or_1828 = row_starts_s3_q | (select_1821 & equal_1826);
@@ -5727,7 +5728,7 @@ module horopter_agreement (
   assign sum_1839 = select_1795[6:0] + 7'h7f;
   // hls/stages/patches.hpp:133
   logic equal_1840;
-  assign equal_1840 = {sum_1839[6], select_541_s3_q, select_509_s3_q} == {1'b0, sum_1839[5:0], 3'h4};
+  assign equal_1840 = {sum_1839[6], select_541_s3_q, select_508_s3_q} == {1'b0, sum_1839[5:0], 3'h4};
   // hls/stages/patches.hpp:135
   logic or_1842;
   assign or_1842 = row_starts_s3_q | (select_1792 & equal_1840);
@@ -5738,7 +5739,7 @@ module horopter_agreement (
   assign sum_1844 = select_1823[6:0] + 7'h7f;
   // hls/stages/patches.hpp:133
   logic equal_1845;
-  assign equal_1845 = {sum_1844[6], select_541_s3_q, select_509_s3_q} == {1'b0, sum_1844[5:0], 3'h4};
+  assign equal_1845 = {sum_1844[6], select_541_s3_q, select_508_s3_q} == {1'b0, sum_1844[5:0], 3'h4};
   // hls/stages/patches.hpp:135
   logic [4:0] select_1848;
   assign select_1848 = (row_starts_s3_q | (select_1821 & equal_1845)) ? {row_starts_s3_q, 4'h0} : patches_left_next_1_q;
@@ -5841,1056 +5842,1056 @@ module horopter_agreement (
   logic and_2127;
   assign and_2127 = is_seen & ({1'b0, around[4:1]} < n);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_2161;
-  assign select_2161 = sample_pair_whole_s3_q ? (and_545_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_2163;
-  assign select_2163 = sample_pair_whole_s3_q ? (and_545_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  assign select_2163 = sample_pair_whole_s3_q ? (and_545_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_2165;
-  assign select_2165 = sample_pair_whole_s3_q ? (and_545_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  assign select_2165 = sample_pair_whole_s3_q ? (and_545_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
   logic [8:0] select_2167;
-  assign select_2167 = sample_pair_whole_s3_q ? (and_545_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  assign select_2167 = sample_pair_whole_s3_q ? (and_545_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2169;
+  assign select_2169 = sample_pair_whole_s3_q ? (and_545_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2172;
-  assign sum_2172 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
-  logic [9:0] difference_2173;
-  assign difference_2173 = {1'b0, sum_2172[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_2174;
+  assign sum_2174 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
+  logic [9:0] difference_2175;
+  assign difference_2175 = {1'b0, sum_2174[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2174;
-  assign xor_2174 = {difference_2173[8:0], sum_2172[0]} ^ {10{difference_2173[9]}};
+  logic [9:0] xor_2176;
+  assign xor_2176 = {difference_2175[8:0], sum_2174[0]} ^ {10{difference_2175[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2173[9]} + {1'b0, xor_2174};
+  assign size = {10'h0, difference_2175[9]} + {1'b0, xor_2176};
   // hls/stages/census.hpp:222
   logic [13:0] detail;
   assign detail = {3'h0, size} + (equal_550_s3_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2179;
-  assign select_2179 = sample_pair_whole_s3_q ? (and_545_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2181;
+  assign select_2181 = sample_pair_whole_s3_q ? (and_545_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2180;
-  assign sum_2180 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
-  logic [9:0] difference_2181;
-  assign difference_2181 = {1'b0, sum_2180[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_2182;
+  assign sum_2182 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
+  logic [9:0] difference_2183;
+  assign difference_2183 = {1'b0, sum_2182[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2182;
-  assign xor_2182 = {difference_2181[8:0], sum_2180[0]} ^ {10{difference_2181[9]}};
+  logic [9:0] xor_2184;
+  assign xor_2184 = {difference_2183[8:0], sum_2182[0]} ^ {10{difference_2183[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2181[9]} + {1'b0, xor_2182};
+  assign size_2 = {10'h0, difference_2183[9]} + {1'b0, xor_2184};
   // hls/stages/census.hpp:222
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_2} + (equal_550_s3_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2187;
-  assign select_2187 = sample_pair_whole_s3_q ? (and_545_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2189;
+  assign select_2189 = sample_pair_whole_s3_q ? (and_545_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/census.hpp:286
-  logic [11:0] sum_2271;
-  assign sum_2271 = sum_2267_s3_q + {2'h0, sum_2270_s3_q};
+  logic [11:0] sum_2273;
+  assign sum_2273 = sum_2269_s3_q + {2'h0, sum_2272_s3_q};
   // hls/stages/agreement.hpp:520
-  logic [11:0] select_2273;
-  assign select_2273 = and_547_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2274;
-  assign select_2274 = and_547_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
   logic [11:0] select_2275;
-  assign select_2275 = and_547_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  assign select_2275 = and_547_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_2276;
-  assign select_2276 = and_547_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  assign select_2276 = and_547_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2277;
+  assign select_2277 = and_547_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2278;
+  assign select_2278 = and_547_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:296
-  logic [12:0] sum_2279;
-  assign sum_2279 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2271};
-  logic [13:0] sum_2281;
-  assign sum_2281 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2279});
+  logic [12:0] sum_2281;
+  assign sum_2281 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2273};
+  logic [13:0] sum_2283;
+  assign sum_2283 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2281});
   // hls/stages/census.hpp:323
-  logic and_2283;
-  assign and_2283 = and_706_s3_q & (9'h4 < sum_2281[13:5]);
+  logic and_2285;
+  assign and_2285 = and_706_s3_q & (9'h4 < sum_2283[13:5]);
   // hls/stages/census.hpp:324
-  logic and_2284;
-  assign and_2284 = and_706_s3_q & less_730;
+  logic and_2286;
+  assign and_2286 = and_706_s3_q & less_730;
   // hls/stages/census.hpp:325
-  logic [19:0] sum_2285;
-  assign sum_2285 = census_left_misses_q + {{17{and_2284}}, and_2283, 1'b0, and_2283};
+  logic [19:0] sum_2287;
+  assign sum_2287 = census_left_misses_q + {{17{and_2286}}, and_2285, 1'b0, and_2285};
   // hls/stages/agreement.hpp:520
-  logic [19:0] select_2287;
-  assign select_2287 = and_547_s3_q ? (equal_2278_s3_q ? 20'h0 : sum_2285) : census_left_misses_q;
+  logic [19:0] select_2289;
+  assign select_2289 = and_547_s3_q ? (equal_2280_s3_q ? 20'h0 : sum_2287) : census_left_misses_q;
   // hls/stages/agreement.hpp:276
-  logic [27:0] select_2357;
-  assign select_2357 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
+  logic [27:0] select_2359;
+  assign select_2359 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
   // hls/stages/agreement.hpp:520
-  logic select_2360;
-  assign select_2360 = and_547_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic select_2362;
+  assign select_2362 = and_547_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:373
-  logic and_2363;
-  assign and_2363 = whole_2_s3_q & (~(last_s3_q[5:1] == 5'h0));
+  logic and_2365;
+  assign and_2365 = whole_2_s3_q & (~(last_s3_q[5:1] == 5'h0));
   // hls/stages/agreement.hpp:457
-  logic and_2369;
-  assign and_2369 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
-  logic and_2370;
-  assign and_2370 = and_2363 & and_2369;
+  logic and_2371;
+  assign and_2371 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
+  logic and_2372;
+  assign and_2372 = and_2365 & and_2371;
   // hls/stages/census.hpp:372
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2357[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2359[13:0]};
   // hls/stages/census.hpp:374
-  logic [12:0] select_2372;
-  assign select_2372 = and_2370 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2374;
+  assign select_2374 = and_2372 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:375
-  logic [23:0] select_2374;
-  assign select_2374 = equal_2278_s3_q ? {11'h0, select_2372} : (sharpness_sums_detail_0_q + {11'h0, select_2372});
+  logic [23:0] select_2376;
+  assign select_2376 = equal_2280_s3_q ? {11'h0, select_2374} : (sharpness_sums_detail_0_q + {11'h0, select_2374});
   // hls/stages/agreement.hpp:457
-  logic and_2381;
-  assign and_2381 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
-  logic and_2382;
-  assign and_2382 = and_2363 & and_2381;
+  logic and_2383;
+  assign and_2383 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
+  logic and_2384;
+  assign and_2384 = and_2365 & and_2383;
   // hls/stages/census.hpp:372
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2357[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2359[27:14]};
   // hls/stages/census.hpp:374
-  logic [12:0] select_2384;
-  assign select_2384 = and_2382 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2386;
+  assign select_2386 = and_2384 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:375
-  logic [23:0] select_2386;
-  assign select_2386 = equal_2278_s3_q ? {11'h0, select_2384} : (sharpness_sums_detail_1_q + {11'h0, select_2384});
-  logic [8:0] select_2389;
-  assign select_2389 = and_2370 ? contrast_s3_q : 9'h0;
-  logic [23:0] sum_2390;
-  assign sum_2390 = (equal_2278_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2389};
-  logic [8:0] select_2393;
-  assign select_2393 = and_2382 ? contrast_2_s3_q : 9'h0;
-  logic [23:0] sum_2394;
-  assign sum_2394 = (equal_2278_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2393};
+  logic [23:0] select_2388;
+  assign select_2388 = equal_2280_s3_q ? {11'h0, select_2386} : (sharpness_sums_detail_1_q + {11'h0, select_2386});
+  logic [8:0] select_2391;
+  assign select_2391 = and_2372 ? contrast_s3_q : 9'h0;
+  logic [23:0] sum_2392;
+  assign sum_2392 = (equal_2280_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2391};
+  logic [8:0] select_2395;
+  assign select_2395 = and_2384 ? contrast_2_s3_q : 9'h0;
+  logic [23:0] sum_2396;
+  assign sum_2396 = (equal_2280_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2395};
   // hls/stages/agreement.hpp:211
-  logic equal_2396;
-  assign equal_2396 = x_s3_q[7:3] == 5'h0;
+  logic equal_2398;
+  assign equal_2398 = x_s3_q[7:3] == 5'h0;
   // hls/stages/census.hpp:388
-  logic less_2397;
-  assign less_2397 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
+  logic less_2399;
+  assign less_2399 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
   // hls/stages/census.hpp:427
-  logic less_2398;
-  assign less_2398 = x_s3_q[4:0] < 5'h3;
-  logic not_2399;
-  assign not_2399 = ~x_s3_q[1];
-  logic [2:0] select_2400;
-  assign select_2400 = x_s3_q[0] ? {1'b0, not_2399, 1'b0} : {x_s3_q[1], 1'b0, not_2399};
-  logic [5:0] select_2401;
-  assign select_2401 = slot_s3_q[2] ? {select_2400[2], 1'b0, select_2400[1], 1'b0, select_2400[0], 1'b0} : {1'b0, select_2400[2], 1'b0, select_2400[1], 1'b0, select_2400[0]};
-  logic [11:0] select_2402;
-  assign select_2402 = slot_s3_q[1] ? {select_2401[5], 1'b0, select_2401[4], 1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0], 1'b0} : {1'b0, select_2401[5], 1'b0, select_2401[4], 1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0]};
-  logic [23:0] select_2403;
-  assign select_2403 = slot_s3_q[0] ? {select_2402[11], 1'b0, select_2402[10], 1'b0, select_2402[9], 1'b0, select_2402[8], 1'b0, select_2402[7], 1'b0, select_2402[6], 1'b0, select_2402[5], 1'b0, select_2402[4], 1'b0, select_2402[3], 1'b0, select_2402[2], 1'b0, select_2402[1], 1'b0, select_2402[0], 1'b0} : {1'b0, select_2402[11], 1'b0, select_2402[10], 1'b0, select_2402[9], 1'b0, select_2402[8], 1'b0, select_2402[7], 1'b0, select_2402[6], 1'b0, select_2402[5], 1'b0, select_2402[4], 1'b0, select_2402[3], 1'b0, select_2402[2], 1'b0, select_2402[1], 1'b0, select_2402[0]};
+  logic less_2400;
+  assign less_2400 = x_s3_q[4:0] < 5'h3;
+  logic not_2401;
+  assign not_2401 = ~x_s3_q[1];
+  logic [2:0] select_2402;
+  assign select_2402 = x_s3_q[0] ? {1'b0, not_2401, 1'b0} : {x_s3_q[1], 1'b0, not_2401};
+  logic [5:0] select_2403;
+  assign select_2403 = slot_s3_q[2] ? {select_2402[2], 1'b0, select_2402[1], 1'b0, select_2402[0], 1'b0} : {1'b0, select_2402[2], 1'b0, select_2402[1], 1'b0, select_2402[0]};
+  logic [11:0] select_2404;
+  assign select_2404 = slot_s3_q[1] ? {select_2403[5], 1'b0, select_2403[4], 1'b0, select_2403[3], 1'b0, select_2403[2], 1'b0, select_2403[1], 1'b0, select_2403[0], 1'b0} : {1'b0, select_2403[5], 1'b0, select_2403[4], 1'b0, select_2403[3], 1'b0, select_2403[2], 1'b0, select_2403[1], 1'b0, select_2403[0]};
+  logic [23:0] select_2405;
+  assign select_2405 = slot_s3_q[0] ? {select_2404[11], 1'b0, select_2404[10], 1'b0, select_2404[9], 1'b0, select_2404[8], 1'b0, select_2404[7], 1'b0, select_2404[6], 1'b0, select_2404[5], 1'b0, select_2404[4], 1'b0, select_2404[3], 1'b0, select_2404[2], 1'b0, select_2404[1], 1'b0, select_2404[0], 1'b0} : {1'b0, select_2404[11], 1'b0, select_2404[10], 1'b0, select_2404[9], 1'b0, select_2404[8], 1'b0, select_2404[7], 1'b0, select_2404[6], 1'b0, select_2404[5], 1'b0, select_2404[4], 1'b0, select_2404[3], 1'b0, select_2404[2], 1'b0, select_2404[1], 1'b0, select_2404[0]};
   // hls/stages/census.hpp:390
-  logic and_2407;
-  assign and_2407 = less_2398 & (~((sharpness_sums_contrast_1_q & select_2403) == 24'h0));
+  logic and_2409;
+  assign and_2409 = less_2400 & (~((sharpness_sums_contrast_1_q & select_2405) == 24'h0));
   // hls/stages/census.hpp:395
-  logic [17:0] select_2409;
-  assign select_2409 = (less_2397 & and_2407) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2411;
+  assign select_2411 = (less_2399 & and_2409) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2409};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2411};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2412;
-  assign select_2412 = equal_2396 ? (less_2397 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_2414;
+  assign select_2414 = equal_2398 ? (less_2399 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:390
-  logic and_2417;
-  assign and_2417 = less_2398 & (~((sharpness_sums_contrast_0_q & select_2403) == 24'h0));
+  logic and_2419;
+  assign and_2419 = less_2400 & (~((sharpness_sums_contrast_0_q & select_2405) == 24'h0));
   // hls/stages/census.hpp:395
-  logic [17:0] select_2419;
-  assign select_2419 = (less_2397 & and_2417) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2421;
+  assign select_2421 = (less_2399 & and_2419) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2419};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2421};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2422;
-  assign select_2422 = equal_2396 ? (less_2397 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2424;
-  assign select_2424 = equal_2396 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [17:0] select_2424;
+  assign select_2424 = equal_2398 ? (less_2399 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
   logic [2:0] select_2426;
-  assign select_2426 = equal_2396 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2428;
-  assign select_2428 = equal_2396 ? {sharpness_comparing_contrast_0_q[0], and_2417} : sharpness_comparing_contrast_0_q;
+  assign select_2426 = equal_2398 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2428;
+  assign select_2428 = equal_2398 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
   logic [1:0] select_2430;
-  assign select_2430 = equal_2396 ? {sharpness_comparing_contrast_1_q[0], and_2407} : sharpness_comparing_contrast_1_q;
+  assign select_2430 = equal_2398 ? {sharpness_comparing_contrast_0_q[0], and_2419} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2432;
+  assign select_2432 = equal_2398 ? {sharpness_comparing_contrast_1_q[0], and_2409} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2435;
-  assign select_2435 = drew_q ? (equal_2396 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2437;
+  assign select_2437 = drew_q ? (equal_2398 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2439;
-  assign select_2439 = drew_q ? (equal_2396 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  logic select_2441;
+  assign select_2441 = drew_q ? (equal_2398 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:387
-  logic equal_2440;
-  assign equal_2440 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
+  logic equal_2442;
+  assign equal_2442 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
   // hls/stages/census.hpp:403
-  logic xor_2441;
-  assign xor_2441 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2444;
-  assign select_2444 = (equal_2440 | xor_2441) ? (five_times[0] & xor_2441) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:216
+  logic xor_2443;
+  assign xor_2443 = sharpness_comparing_product_0_q[2] ^ five_times[0];
   logic select_2446;
-  assign select_2446 = drew_q ? (equal_2396 ? select_2444 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  assign select_2446 = (equal_2442 | xor_2443) ? (five_times[0] & xor_2443) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/agreement.hpp:216
+  logic select_2448;
+  assign select_2448 = drew_q ? (equal_2398 ? select_2446 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
   // hls/stages/census.hpp:403
-  logic xor_2447;
-  assign xor_2447 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2450;
-  assign select_2450 = (equal_2440 | xor_2447) ? (five_times_2[0] & xor_2447) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:216
+  logic xor_2449;
+  assign xor_2449 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
   logic select_2452;
-  assign select_2452 = drew_q ? (equal_2396 ? select_2450 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/census.hpp:404
-  logic xor_2453;
-  assign xor_2453 = sharpness_comparing_contrast_0_q[1] ^ and_2407;
-  logic select_2456;
-  assign select_2456 = (equal_2440 | xor_2453) ? (and_2407 & xor_2453) : sharpness_comparing_less_contrast_0_q;
+  assign select_2452 = (equal_2442 | xor_2449) ? (five_times_2[0] & xor_2449) : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:216
+  logic select_2454;
+  assign select_2454 = drew_q ? (equal_2398 ? select_2452 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/census.hpp:404
+  logic xor_2455;
+  assign xor_2455 = sharpness_comparing_contrast_0_q[1] ^ and_2409;
   logic select_2458;
-  assign select_2458 = drew_q ? (equal_2396 ? select_2456 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:404
-  logic xor_2459;
-  assign xor_2459 = sharpness_comparing_contrast_1_q[1] ^ and_2417;
-  logic select_2462;
-  assign select_2462 = (equal_2440 | xor_2459) ? (and_2417 & xor_2459) : sharpness_comparing_less_contrast_1_q;
+  assign select_2458 = (equal_2442 | xor_2455) ? (and_2409 & xor_2455) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:216
+  logic select_2460;
+  assign select_2460 = drew_q ? (equal_2398 ? select_2458 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:404
+  logic xor_2461;
+  assign xor_2461 = sharpness_comparing_contrast_1_q[1] ^ and_2419;
   logic select_2464;
-  assign select_2464 = drew_q ? (equal_2396 ? select_2462 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  assign select_2464 = (equal_2442 | xor_2461) ? (and_2419 & xor_2461) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:216
+  logic select_2466;
+  assign select_2466 = drew_q ? (equal_2398 ? select_2464 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2600;
-  assign select_2600 = and_2592_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2598_s3_q});
+  logic [13:0] select_2602;
+  assign select_2602 = and_2594_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2600_s3_q});
   // hls/stages/agreement.hpp:788
-  logic and_2603;
-  assign and_2603 = not_573_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
-  logic and_2608;
-  assign and_2608 = not_573_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
-  logic and_2613;
-  assign and_2613 = not_573_s3_q & (drew_q & (ends_cell_s3_q & and_2017_s3_q));
+  logic and_2605;
+  assign and_2605 = not_573_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
+  logic and_2610;
+  assign and_2610 = not_573_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
+  logic and_2615;
+  assign and_2615 = not_573_s3_q & (drew_q & (ends_cell_s3_q & and_2017_s3_q));
   // hls/stages/agreement.hpp:1105
-  logic not_2617;
-  assign not_2617 = ~(x_s3_q[7:1] == 7'h0);
+  logic not_2619;
+  assign not_2619 = ~(x_s3_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:1095
-  logic [2:0] select_2626;
-  assign select_2626 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2627;
-  assign difference_2627 = {1'b0, explained_2_s3_q} - {1'b0, select_2626};
+  logic [2:0] select_2628;
+  assign select_2628 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2629;
+  assign difference_2629 = {1'b0, explained_2_s3_q} - {1'b0, select_2628};
   logic [4:0] e;
-  assign e = {difference_2627[3], difference_2627} + (equal_567_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  assign e = {difference_2629[3], difference_2629} + (equal_567_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1102
-  logic [5:0] sum_2630;
-  assign sum_2630 = {1'b0, e} + {2'h0, e[4:1]};
+  logic [5:0] sum_2632;
+  assign sum_2632 = {1'b0, e} + {2'h0, e[4:1]};
   // hls/stages/agreement.hpp:1106
-  logic not_2634;
-  assign not_2634 = ~(equal_2076 ? and_2097 : (~({sum_2630, e[0]} < {2'h0, t})));
+  logic not_2636;
+  assign not_2636 = ~(equal_2076 ? and_2097 : (~({sum_2632, e[0]} < {2'h0, t})));
   // hls/stages/agreement.hpp:788
-  logic and_2637;
-  assign and_2637 = ends_cell_s3_q & (not_2617 & (centres_values_1_textured_s3_q & not_2634));
   logic and_2639;
-  assign and_2639 = not_573_s3_q & (drew_q & and_2637);
+  assign and_2639 = ends_cell_s3_q & (not_2619 & (centres_values_1_textured_s3_q & not_2636));
+  logic and_2641;
+  assign and_2641 = not_573_s3_q & (drew_q & and_2639);
   // hls/stages/agreement.hpp:1132
-  logic less_2642;
-  assign less_2642 = region_row_s3_q < x_s3_q[5:3];
-  logic [9:0] select_2643;
-  assign select_2643 = less_2642 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_2646;
-  assign select_2646 = less_2642 ? 10'h0 : regions_rdata_q[19:10];
+  logic less_2644;
+  assign less_2644 = region_row_s3_q < x_s3_q[5:3];
+  logic [9:0] select_2645;
+  assign select_2645 = less_2644 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_2648;
+  assign select_2648 = less_2644 ? 10'h0 : regions_rdata_q[19:10];
   // hls/stages/agreement.hpp:1133
-  logic [10:0] sum_2647;
-  assign sum_2647 = {1'b0, select_2646} + {3'h0, select_2646[9:2]};
-  logic and_2649;
-  assign and_2649 = (~(select_2643[9:4] == 6'h0)) & ({sum_2647, select_2646[1:0]} < {3'h0, select_2643});
+  logic [10:0] sum_2649;
+  assign sum_2649 = {1'b0, select_2648} + {3'h0, select_2648[9:2]};
+  logic and_2651;
+  assign and_2651 = (~(select_2645[9:4] == 6'h0)) & ({sum_2649, select_2648[1:0]} < {3'h0, select_2645});
   // hls/stages/agreement.hpp:1142
-  logic [9:0] select_2652;
-  assign select_2652 = x_s3_q[6] ? (equal_1605_s3_q ? 10'h0 : (and_2649 ? select_2643 : 10'h0)) : 10'h0;
+  logic [9:0] select_2654;
+  assign select_2654 = x_s3_q[6] ? (equal_1605_s3_q ? 10'h0 : (and_2651 ? select_2645 : 10'h0)) : 10'h0;
   // hls/stages/agreement.hpp:788
-  logic [9:0] select_2653;
-  assign select_2653 = equal_572_s3_q ? select_2652 : 10'h0;
+  logic [9:0] select_2655;
+  assign select_2655 = equal_572_s3_q ? select_2654 : 10'h0;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2655;
-  assign select_2655 = and_2592_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2653});
-  logic [13:0] select_2662;
-  assign select_2662 = and_2592_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2660_s3_q});
+  logic [13:0] select_2657;
+  assign select_2657 = and_2594_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2655});
+  logic [13:0] select_2664;
+  assign select_2664 = and_2594_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2662_s3_q});
   // hls/stages/agreement.hpp:1110
-  logic and_2664;
-  assign and_2664 = not_2617 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
+  logic and_2666;
+  assign and_2666 = not_2619 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
   // hls/stages/agreement.hpp:788
-  logic and_2667;
-  assign and_2667 = not_573_s3_q & (drew_q & (ends_cell_s3_q & and_2664));
+  logic and_2669;
+  assign and_2669 = not_573_s3_q & (drew_q & (ends_cell_s3_q & and_2666));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2669;
-  assign select_2669 = and_2592_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2667});
+  logic [13:0] select_2671;
+  assign select_2671 = and_2594_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2669});
   // hls/stages/agreement.hpp:1110
-  logic and_2671;
-  assign and_2671 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_2634);
+  logic and_2673;
+  assign and_2673 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_2636);
   // hls/stages/agreement.hpp:788
-  logic and_2675;
-  assign and_2675 = not_573_s3_q & (drew_q & (ends_cell_s3_q & (not_2617 & and_2671)));
+  logic and_2677;
+  assign and_2677 = not_573_s3_q & (drew_q & (ends_cell_s3_q & (not_2619 & and_2673)));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2677;
-  assign select_2677 = and_2592_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2675});
-  logic [13:0] select_2696;
-  assign select_2696 = and_2592_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2694_s3_q});
+  logic [13:0] select_2679;
+  assign select_2679 = and_2594_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2677});
+  logic [13:0] select_2698;
+  assign select_2698 = and_2594_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2696_s3_q});
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_2771;
-  assign select_2771 = drew_q ? (equal_1698_s3_q ? (and_2753_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2772;
-  assign select_2772 = equal_572_s3_q ? 8'h0 : select_2771;
+  logic [7:0] select_2773;
+  assign select_2773 = drew_q ? (equal_1698_s3_q ? (and_2755_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_2774;
+  assign select_2774 = equal_572_s3_q ? 8'h0 : select_2773;
   // hls/stages/registration.hpp:134
-  logic [13:0] select_2774;
-  assign select_2774 = and_2752_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_2772[7]}}, select_2772});
+  logic [13:0] select_2776;
+  assign select_2776 = and_2754_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_2774[7]}}, select_2774});
   // hls/stages/agreement.hpp:788
-  logic and_2777;
-  assign and_2777 = not_573_s3_q & (drew_q & (and_2753_s3_q & equal_1698_s3_q));
+  logic and_2779;
+  assign and_2779 = not_573_s3_q & (drew_q & (and_2755_s3_q & equal_1698_s3_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_2779;
-  assign select_2779 = and_2752_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2777});
+  logic [5:0] select_2781;
+  assign select_2781 = and_2754_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2779});
   // hls/stages/registration.hpp:107
-  logic and_2781;
-  assign and_2781 = and_2753_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
+  logic and_2783;
+  assign and_2783 = and_2755_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_2783;
-  assign select_2783 = drew_q ? (equal_1698_s3_q ? {and_2781, and_2753_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2784;
-  assign select_2784 = equal_572_s3_q ? 2'h0 : select_2783;
+  logic [1:0] select_2785;
+  assign select_2785 = drew_q ? (equal_1698_s3_q ? {and_2783, and_2755_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2786;
+  assign select_2786 = equal_572_s3_q ? 2'h0 : select_2785;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2785;
-  assign sum_2785 = registration_half_votes_down_q + {{5{select_2784[1]}}, select_2784};
+  logic [6:0] sum_2787;
+  assign sum_2787 = registration_half_votes_down_q + {{5{select_2786[1]}}, select_2786};
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_2791;
-  assign select_2791 = drew_q ? (equal_1698_s3_q ? {and_2789_s3_q, and_2753_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2792;
-  assign select_2792 = equal_572_s3_q ? 2'h0 : select_2791;
+  logic [1:0] select_2793;
+  assign select_2793 = drew_q ? (equal_1698_s3_q ? {and_2791_s3_q, and_2755_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2794;
+  assign select_2794 = equal_572_s3_q ? 2'h0 : select_2793;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2793;
-  assign sum_2793 = registration_half_votes_up_q + {{5{select_2792[1]}}, select_2792};
+  logic [6:0] sum_2795;
+  assign sum_2795 = registration_half_votes_up_q + {{5{select_2794[1]}}, select_2794};
   // hls/stages/registration.hpp:107
-  logic and_2796;
-  assign and_2796 = and_2753_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
+  logic and_2798;
+  assign and_2798 = and_2755_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_2798;
-  assign select_2798 = drew_q ? (equal_1698_s3_q ? {and_2796, and_2753_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2799;
-  assign select_2799 = equal_572_s3_q ? 2'h0 : select_2798;
+  logic [1:0] select_2800;
+  assign select_2800 = drew_q ? (equal_1698_s3_q ? {and_2798, and_2755_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2801;
+  assign select_2801 = equal_572_s3_q ? 2'h0 : select_2800;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2800;
-  assign sum_2800 = registration_half_half_votes_down_q + {{5{select_2799[1]}}, select_2799};
+  logic [6:0] sum_2802;
+  assign sum_2802 = registration_half_half_votes_down_q + {{5{select_2801[1]}}, select_2801};
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_2805;
-  assign select_2805 = drew_q ? (equal_1698_s3_q ? {and_2803_s3_q, and_2753_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2806;
-  assign select_2806 = equal_572_s3_q ? 2'h0 : select_2805;
+  logic [1:0] select_2807;
+  assign select_2807 = drew_q ? (equal_1698_s3_q ? {and_2805_s3_q, and_2755_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2808;
+  assign select_2808 = equal_572_s3_q ? 2'h0 : select_2807;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2807;
-  assign sum_2807 = registration_half_half_votes_up_q + {{5{select_2806[1]}}, select_2806};
+  logic [6:0] sum_2809;
+  assign sum_2809 = registration_half_half_votes_up_q + {{5{select_2808[1]}}, select_2808};
   // hls/stages/agreement.hpp:788
-  logic and_2841;
-  assign and_2841 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q & less_1636_s3_q));
+  logic and_2843;
+  assign and_2843 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q & less_1636_s3_q));
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2848;
-  assign select_2848 = or_1640_s3_q ? 12'h0 : (equal_2846_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  logic [11:0] select_2850;
+  assign select_2850 = or_1640_s3_q ? 12'h0 : (equal_2848_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
   // hls/stages/agreement.hpp:1142
-  logic [11:0] select_2851;
-  assign select_2851 = x_s3_q[6] ? (equal_1605_s3_q ? 12'h0 : (less_1636_s3_q ? select_2848 : 12'h0)) : 12'h0;
+  logic [11:0] select_2853;
+  assign select_2853 = x_s3_q[6] ? (equal_1605_s3_q ? 12'h0 : (less_1636_s3_q ? select_2850 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:788
-  logic [11:0] select_2852;
-  assign select_2852 = equal_572_s3_q ? select_2851 : 12'h0;
+  logic [11:0] select_2854;
+  assign select_2854 = equal_572_s3_q ? select_2853 : 12'h0;
   // hls/stages/registration.hpp:153
-  logic and_2853;
-  assign and_2853 = x_s3_q[1] & all_s3_q;
+  logic and_2855;
+  assign and_2855 = x_s3_q[1] & all_s3_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2856;
-  assign and_2856 = not_1990_s3_q & (less_1636_s3_q & ({and_2853, x_s3_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:788
   logic and_2858;
-  assign and_2858 = equal_572_s3_q & (x_s3_q[6] & and_2856);
+  assign and_2858 = not_1990_s3_q & (less_1636_s3_q & ({and_2855, x_s3_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:788
+  logic and_2860;
+  assign and_2860 = equal_572_s3_q & (x_s3_q[6] & and_2858);
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_2860;
-  assign sum_2860 = {{2{select_2852[11]}}, select_2852} + (and_2858 ? 14'h0 : registration_down_q);
+  logic [13:0] sum_2862;
+  assign sum_2862 = {{2{select_2854[11]}}, select_2854} + (and_2860 ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2863;
-  assign select_2863 = or_1640_s3_q ? 12'h0 : (equal_2846_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  logic [11:0] select_2865;
+  assign select_2865 = or_1640_s3_q ? 12'h0 : (equal_2848_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
   // hls/stages/agreement.hpp:1142
-  logic [11:0] select_2866;
-  assign select_2866 = x_s3_q[6] ? (equal_1605_s3_q ? 12'h0 : (less_1636_s3_q ? select_2863 : 12'h0)) : 12'h0;
+  logic [11:0] select_2868;
+  assign select_2868 = x_s3_q[6] ? (equal_1605_s3_q ? 12'h0 : (less_1636_s3_q ? select_2865 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:788
-  logic [11:0] select_2867;
-  assign select_2867 = equal_572_s3_q ? select_2866 : 12'h0;
+  logic [11:0] select_2869;
+  assign select_2869 = equal_572_s3_q ? select_2868 : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_2869;
-  assign sum_2869 = {{2{select_2867[11]}}, select_2867} + (and_2858 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2871;
+  assign sum_2871 = {{2{select_2869[11]}}, select_2869} + (and_2860 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:150
-  logic not_2871;
-  assign not_2871 = ~all_s3_q;
+  logic not_2873;
+  assign not_2873 = ~all_s3_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2874;
-  assign and_2874 = not_1990_s3_q & (less_1636_s3_q & (x_s3_q[2:0] == {all_s3_q, not_2871, 1'b0}));
+  logic and_2876;
+  assign and_2876 = not_1990_s3_q & (less_1636_s3_q & (x_s3_q[2:0] == {all_s3_q, not_2873, 1'b0}));
   // hls/stages/agreement.hpp:788
-  logic and_2880;
-  assign and_2880 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q & (less_1636_s3_q & all_s3_q)));
+  logic and_2882;
+  assign and_2882 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q & (less_1636_s3_q & all_s3_q)));
   // hls/stages/registration.hpp:246
-  logic not_2881;
-  assign not_2881 = ~and_2880;
-  logic less_2882;
-  assign less_2882 = $signed({9'h1, {2{not_2881}}, and_2880}) < $signed(registration_up_q[13:2]);
-  logic select_2883;
-  assign select_2883 = (equal_572_s3_q & (x_s3_q[6] & and_2874)) ? less_2882 : registration_enough_q;
+  logic not_2883;
+  assign not_2883 = ~and_2882;
+  logic less_2884;
+  assign less_2884 = $signed({9'h1, {2{not_2883}}, and_2882}) < $signed(registration_up_q[13:2]);
+  logic select_2885;
+  assign select_2885 = (equal_572_s3_q & (x_s3_q[6] & and_2876)) ? less_2884 : registration_enough_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2887;
-  assign and_2887 = x_s3_q[6] & (not_1990_s3_q & (less_1636_s3_q & (x_s3_q[2:0] == 3'h4)));
+  logic and_2889;
+  assign and_2889 = x_s3_q[6] & (not_1990_s3_q & (less_1636_s3_q & (x_s3_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:788
-  logic and_2888;
-  assign and_2888 = equal_572_s3_q & and_2887;
+  logic and_2890;
+  assign and_2890 = equal_572_s3_q & and_2889;
   // hls/stages/registration.hpp:242
-  logic less_2889;
-  assign less_2889 = $signed(14'h0) < $signed(registration_down_q);
   logic less_2891;
-  assign less_2891 = $signed(14'h0) < $signed(registration_up_q);
+  assign less_2891 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2893;
+  assign less_2893 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_2893;
-  assign equal_2893 = x_s3_q[2:0] == 3'h7;
+  logic equal_2895;
+  assign equal_2895 = x_s3_q[2:0] == 3'h7;
   // hls/stages/agreement.hpp:788
-  logic and_2897;
-  assign and_2897 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q & (less_1636_s3_q & equal_2893)));
+  logic and_2899;
+  assign and_2899 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q & (less_1636_s3_q & equal_2895)));
   // hls/stages/agreement.hpp:1142
-  logic and_2904;
-  assign and_2904 = x_s3_q[6] & (not_1990_s3_q & (less_1636_s3_q & (x_s3_q[5:0] == 6'h0)));
+  logic and_2906;
+  assign and_2906 = x_s3_q[6] & (not_1990_s3_q & (less_1636_s3_q & (x_s3_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
-  logic equal_2907;
-  assign equal_2907 = x_s3_q[2:0] == 3'h6;
+  logic equal_2909;
+  assign equal_2909 = x_s3_q[2:0] == 3'h6;
   // hls/stages/agreement.hpp:1142
-  logic and_2910;
-  assign and_2910 = not_1990_s3_q & (less_1636_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_2907));
+  logic and_2912;
+  assign and_2912 = not_1990_s3_q & (less_1636_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_2909));
   // hls/stages/registration.hpp:244
-  logic and_2914;
-  assign and_2914 = (equal_572_s3_q & (x_s3_q[6] & and_2910)) & (less_2891 | less_2889);
+  logic and_2916;
+  assign and_2916 = (equal_572_s3_q & (x_s3_q[6] & and_2912)) & (less_2893 | less_2891);
   // hls/stages/agreement.hpp:1142
-  logic and_2919;
-  assign and_2919 = not_1990_s3_q & (less_1636_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_2907)));
+  logic and_2921;
+  assign and_2921 = not_1990_s3_q & (less_1636_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_2909)));
   // hls/stages/registration.hpp:244
-  logic and_2922;
-  assign and_2922 = registration_votes_up_q & registration_other_down_q;
-  logic select_2924;
-  assign select_2924 = registration_votes_down_q ? (registration_other_up_q | and_2922) : and_2922;
+  logic and_2924;
+  assign and_2924 = registration_votes_up_q & registration_other_down_q;
+  logic select_2926;
+  assign select_2926 = registration_votes_down_q ? (registration_other_up_q | and_2924) : and_2924;
   // hls/stages/registration.hpp:138
-  logic and_2926;
-  assign and_2926 = (equal_572_s3_q & (x_s3_q[6] & and_2919)) & (registration_other_enough_q & select_2924);
+  logic and_2928;
+  assign and_2928 = (equal_572_s3_q & (x_s3_q[6] & and_2921)) & (registration_other_enough_q & select_2926);
   // hls/stages/registration.hpp:245
-  logic or_2929;
-  assign or_2929 = registration_moved_q | (registration_enough_q & (and_2914 | and_2926));
+  logic or_2931;
+  assign or_2931 = registration_moved_q | (registration_enough_q & (and_2916 | and_2928));
   // hls/stages/agreement.hpp:276
-  logic [7:0] select_3012;
-  assign select_3012 = sample_pair_whole_s3_q ? (equal_1688_s3_q ? patches_place_0_slope_q : select_1794[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3017;
-  assign select_3017 = sample_pair_whole_s3_q ? (equal_1688_s3_q ? patches_place_1_slope_q : select_1822[21:14]) : patches_place_1_slope_q;
+  logic [7:0] select_3014;
+  assign select_3014 = sample_pair_whole_s3_q ? (equal_1688_s3_q ? patches_place_0_slope_q : select_1794[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3019;
+  assign select_3019 = sample_pair_whole_s3_q ? (equal_1688_s3_q ? patches_place_1_slope_q : select_1822[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:127
-  logic select_3019;
-  assign select_3019 = equal_1688_s3_q ? patches_valid_0_q : (select_1687_s3_q ? patches_valid_0_q : select_1790[0]);
+  logic select_3021;
+  assign select_3021 = equal_1688_s3_q ? patches_valid_0_q : (select_1687_s3_q ? patches_valid_0_q : select_1790[0]);
   // hls/stages/agreement.hpp:276
-  logic select_3022;
-  assign select_3022 = sample_pair_whole_s3_q ? (and_1813 ? (sample_present_s3_q & select_3019) : select_3019) : patches_valid_0_q;
-  // hls/stages/patches.hpp:127
   logic select_3024;
-  assign select_3024 = equal_1688_s3_q ? patches_valid_1_q : (select_1687_s3_q ? select_1790[0] : patches_valid_1_q);
+  assign select_3024 = sample_pair_whole_s3_q ? (and_1813 ? (sample_present_s3_q & select_3021) : select_3021) : patches_valid_0_q;
+  // hls/stages/patches.hpp:127
+  logic select_3026;
+  assign select_3026 = equal_1688_s3_q ? patches_valid_1_q : (select_1687_s3_q ? select_1790[0] : patches_valid_1_q);
   // hls/stages/agreement.hpp:276
-  logic select_3027;
-  assign select_3027 = sample_pair_whole_s3_q ? (and_1832 ? (sample_present_s3_q & select_3024) : select_3024) : patches_valid_1_q;
-  logic [5:0] select_3030;
-  assign select_3030 = sample_pair_whole_s3_q ? (select_1811[5] ? {1'b1, select_1811[4:0]} : (select_1811 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3033;
-  assign select_3033 = sample_pair_whole_s3_q ? (select_1830[5] ? {1'b1, select_1830[4:0]} : (select_1830 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3036;
-  assign select_3036 = sample_pair_whole_s3_q ? (select_1843[4] ? {1'b1, select_1843[3:0]} : (select_1843 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3039;
-  assign select_3039 = sample_pair_whole_s3_q ? (select_1848[4] ? {1'b1, select_1848[3:0]} : (select_1848 + 5'h1)) : patches_left_next_1_q;
+  logic select_3029;
+  assign select_3029 = sample_pair_whole_s3_q ? (and_1832 ? (sample_present_s3_q & select_3026) : select_3026) : patches_valid_1_q;
+  logic [5:0] select_3032;
+  assign select_3032 = sample_pair_whole_s3_q ? (select_1811[5] ? {1'b1, select_1811[4:0]} : (select_1811 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3035;
+  assign select_3035 = sample_pair_whole_s3_q ? (select_1830[5] ? {1'b1, select_1830[4:0]} : (select_1830 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3038;
+  assign select_3038 = sample_pair_whole_s3_q ? (select_1843[4] ? {1'b1, select_1843[3:0]} : (select_1843 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3041;
+  assign select_3041 = sample_pair_whole_s3_q ? (select_1848[4] ? {1'b1, select_1848[3:0]} : (select_1848 + 5'h1)) : patches_left_next_1_q;
   // hls/stages/patches.hpp:526
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3458_s3_q, parity_3454_s3_q, xor_3442_s3_q, parity_3414_s3_q, parity_3352_s3_q, parity_3223_s3_q} + (equal_3459_s3_q ? 10'h0 : patches_sums_values_16_q);
+  assign sum_3 = {4'h0, or_3460_s3_q, parity_3456_s3_q, xor_3444_s3_q, parity_3416_s3_q, parity_3354_s3_q, parity_3225_s3_q} + (equal_3461_s3_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/patches.hpp:185
-  logic [9:0] select_3463;
-  assign select_3463 = equal_1774_s3_q ? patches_sums_values_0_q : (equal_1776_s3_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3464;
-  assign select_3464 = equal_1776_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3465;
+  assign select_3465 = equal_1774_s3_q ? patches_sums_values_0_q : (equal_1776_s3_q ? sum_3 : patches_sums_values_0_q);
   logic [9:0] select_3466;
-  assign select_3466 = equal_1776_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  assign select_3466 = equal_1776_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
   logic [9:0] select_3468;
-  assign select_3468 = equal_1776_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  assign select_3468 = equal_1776_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
   logic [9:0] select_3470;
-  assign select_3470 = equal_1776_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  assign select_3470 = equal_1776_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
   logic [9:0] select_3472;
-  assign select_3472 = equal_1776_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  assign select_3472 = equal_1776_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
   logic [9:0] select_3474;
-  assign select_3474 = equal_1776_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  assign select_3474 = equal_1776_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
   logic [9:0] select_3476;
-  assign select_3476 = equal_1776_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  assign select_3476 = equal_1776_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
   logic [9:0] select_3478;
-  assign select_3478 = equal_1776_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  assign select_3478 = equal_1776_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
   logic [9:0] select_3480;
-  assign select_3480 = equal_1776_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  assign select_3480 = equal_1776_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
   logic [9:0] select_3482;
-  assign select_3482 = equal_1776_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  assign select_3482 = equal_1776_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
   logic [9:0] select_3484;
-  assign select_3484 = equal_1776_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  assign select_3484 = equal_1776_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
   logic [9:0] select_3486;
-  assign select_3486 = equal_1776_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  assign select_3486 = equal_1776_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
   logic [9:0] select_3488;
-  assign select_3488 = equal_1776_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  assign select_3488 = equal_1776_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
   logic [9:0] select_3490;
-  assign select_3490 = equal_1776_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  assign select_3490 = equal_1776_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
   logic [9:0] select_3492;
-  assign select_3492 = equal_1776_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  assign select_3492 = equal_1776_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
   logic [9:0] select_3494;
-  assign select_3494 = equal_1776_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  assign select_3494 = equal_1776_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3496;
+  assign select_3496 = equal_1776_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
   // hls/stages/patches.hpp:600
-  logic or_3599;
-  assign or_3599 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_3598_s3_q;
-  logic or_3602;
-  assign or_3602 = equal_3590_s3_q | (less_3592_s3_q | (less_3593_s3_q | or_3599));
+  logic or_3601;
+  assign or_3601 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_3600_s3_q;
+  logic or_3604;
+  assign or_3604 = equal_3592_s3_q | (less_3594_s3_q | (less_3595_s3_q | or_3601));
   // hls/stages/patches.hpp:580
-  logic not_3603;
-  assign not_3603 = ~or_3602;
+  logic not_3605;
+  assign not_3605 = ~or_3604;
   // hls/stages/patches.hpp:561
-  logic and_3604;
-  assign and_3604 = equal_1957_s3_q & not_3603;
+  logic and_3606;
+  assign and_3606 = equal_1957_s3_q & not_3605;
   // hls/stages/patches.hpp:185
-  logic and_3607;
-  assign and_3607 = equal_1774_s3_q & (less_1954_s3_q ? (not_1956_s3_q & and_3604) : and_3604);
+  logic and_3609;
+  assign and_3609 = equal_1774_s3_q & (less_1954_s3_q ? (not_1956_s3_q & and_3606) : and_3606);
   // hls/stages/patches.hpp:658
-  logic not_3608;
-  assign not_3608 = ~patches_lower_s3_q;
+  logic not_3610;
+  assign not_3610 = ~patches_lower_s3_q;
   // hls/stages/patches.hpp:561
-  logic and_3610;
-  assign and_3610 = equal_1957_s3_q & (patches_second_s3_q & not_3603);
+  logic and_3612;
+  assign and_3612 = equal_1957_s3_q & (patches_second_s3_q & not_3605);
   // hls/stages/patches.hpp:185
-  logic and_3613;
-  assign and_3613 = equal_1774_s3_q & (less_1954_s3_q ? (not_1956_s3_q & and_3610) : and_3610);
+  logic and_3615;
+  assign and_3615 = equal_1774_s3_q & (less_1954_s3_q ? (not_1956_s3_q & and_3612) : and_3612);
   // hls/stages/patches.hpp:658
-  logic not_3614;
-  assign not_3614 = ~and_3613;
+  logic not_3616;
+  assign not_3616 = ~and_3615;
   // hls/stages/patches.hpp:189
-  logic and_3616;
-  assign and_3616 = and_3607 & (not_3608 & not_3614);
+  logic and_3618;
+  assign and_3618 = and_3609 & (not_3610 & not_3616);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_3618;
-  assign sum_3618 = {7'h0, and_3616} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  logic [7:0] sum_3620;
+  assign sum_3620 = {7'h0, and_3618} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:598
-  logic [7:0] select_3644;
-  assign select_3644 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  logic [7:0] select_3646;
+  assign select_3646 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
   // hls/stages/patches.hpp:597
-  logic [5:0] select_3645;
-  assign select_3645 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_3646;
-  assign sum_3646 = {2'h0, select_3578_s3_q[4:3]} + 4'hf;
-  logic [6:0] sum_3647;
-  assign sum_3647 = {select_3645[5], select_3645} + {{3{sum_3646[3]}}, sum_3646};
+  logic [5:0] select_3647;
+  assign select_3647 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_3648;
+  assign sum_3648 = {2'h0, select_3580_s3_q[4:3]} + 4'hf;
+  logic [6:0] sum_3649;
+  assign sum_3649 = {select_3647[5], select_3647} + {{3{sum_3648[3]}}, sum_3648};
   // hls/stages/patches.hpp:598
-  logic [17:0] product_3648;
-  assign product_3648 = $signed({{10{select_3644[7]}}, select_3644}) * $signed({{8{sum_3647[6]}}, sum_3647, select_3578_s3_q[2:0]});
+  logic [17:0] product_3650;
+  assign product_3650 = $signed({{10{select_3646[7]}}, select_3646}) * $signed({{8{sum_3649[6]}}, sum_3649, select_3580_s3_q[2:0]});
   // hls/stages/patches.hpp:599
-  logic [13:0] difference_3649;
-  assign difference_3649 = {{6{select_3643_s3_q[7]}}, select_3643_s3_q} - {product_3648[17], product_3648[17:5]};
+  logic [13:0] difference_3651;
+  assign difference_3651 = {{6{select_3645_s3_q[7]}}, select_3645_s3_q} - {product_3650[17], product_3650[17:5]};
   // hls/stages/patches.hpp:605
-  logic less_3650;
-  assign less_3650 = $signed({{7{difference_3620[6]}}, difference_3620}) < $signed(difference_3649);
+  logic less_3652;
+  assign less_3652 = $signed({{7{difference_3622[6]}}, difference_3622}) < $signed(difference_3651);
   // hls/stages/patches.hpp:561
-  logic and_3653;
-  assign and_3653 = equal_1957_s3_q & (not_3603 & (~less_3650));
+  logic and_3655;
+  assign and_3655 = equal_1957_s3_q & (not_3605 & (~less_3652));
   // hls/stages/patches.hpp:185
-  logic and_3656;
-  assign and_3656 = equal_1774_s3_q & (less_1954_s3_q ? (not_1956_s3_q & and_3653) : and_3653);
+  logic and_3658;
+  assign and_3658 = equal_1774_s3_q & (less_1954_s3_q ? (not_1956_s3_q & and_3655) : and_3655);
   // hls/stages/patches.hpp:661
-  logic and_3657;
-  assign and_3657 = and_3656 & and_3616;
-  logic [7:0] sum_3658;
-  assign sum_3658 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3657};
+  logic and_3659;
+  assign and_3659 = and_3658 & and_3618;
+  logic [7:0] sum_3660;
+  assign sum_3660 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3659};
   // hls/stages/patches.hpp:561
-  logic and_3662;
-  assign and_3662 = not_3603 & (~($signed(difference_3649) < $signed({8'h0, cfg_patch_limit_i})));
-  logic and_3663;
-  assign and_3663 = equal_1957_s3_q & and_3662;
+  logic and_3664;
+  assign and_3664 = not_3605 & (~($signed(difference_3651) < $signed({8'h0, cfg_patch_limit_i})));
+  logic and_3665;
+  assign and_3665 = equal_1957_s3_q & and_3664;
   // hls/stages/patches.hpp:185
-  logic and_3666;
-  assign and_3666 = equal_1774_s3_q & (less_1954_s3_q ? (not_1956_s3_q & and_3663) : and_3663);
+  logic and_3668;
+  assign and_3668 = equal_1774_s3_q & (less_1954_s3_q ? (not_1956_s3_q & and_3665) : and_3665);
   // hls/stages/patches.hpp:662
-  logic and_3667;
-  assign and_3667 = and_3666 & and_3616;
-  logic [7:0] sum_3668;
-  assign sum_3668 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3667};
+  logic and_3669;
+  assign and_3669 = and_3668 & and_3618;
+  logic [7:0] sum_3670;
+  assign sum_3670 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3669};
   // hls/stages/patches.hpp:189
-  logic and_3670;
-  assign and_3670 = and_3607 & (and_3613 & not_3608);
+  logic and_3672;
+  assign and_3672 = and_3609 & (and_3615 & not_3610);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_3672;
-  assign sum_3672 = {7'h0, and_3670} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  logic [7:0] sum_3674;
+  assign sum_3674 = {7'h0, and_3672} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
   // hls/stages/patches.hpp:661
-  logic and_3674;
-  assign and_3674 = and_3656 & and_3670;
-  logic [7:0] sum_3675;
-  assign sum_3675 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3674};
+  logic and_3676;
+  assign and_3676 = and_3658 & and_3672;
+  logic [7:0] sum_3677;
+  assign sum_3677 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3676};
   // hls/stages/patches.hpp:662
-  logic and_3677;
-  assign and_3677 = and_3666 & and_3670;
-  logic [7:0] sum_3678;
-  assign sum_3678 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3677};
+  logic and_3679;
+  assign and_3679 = and_3668 & and_3672;
+  logic [7:0] sum_3680;
+  assign sum_3680 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3679};
   // hls/stages/patches.hpp:189
-  logic and_3680;
-  assign and_3680 = and_3607 & (patches_lower_s3_q & not_3614);
+  logic and_3682;
+  assign and_3682 = and_3609 & (patches_lower_s3_q & not_3616);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_3682;
-  assign sum_3682 = {7'h0, and_3680} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  logic [7:0] sum_3684;
+  assign sum_3684 = {7'h0, and_3682} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
   // hls/stages/patches.hpp:661
-  logic and_3684;
-  assign and_3684 = and_3656 & and_3680;
-  logic [7:0] sum_3685;
-  assign sum_3685 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3684};
+  logic and_3686;
+  assign and_3686 = and_3658 & and_3682;
+  logic [7:0] sum_3687;
+  assign sum_3687 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3686};
   // hls/stages/patches.hpp:662
-  logic and_3687;
-  assign and_3687 = and_3666 & and_3680;
-  logic [7:0] sum_3688;
-  assign sum_3688 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3687};
+  logic and_3689;
+  assign and_3689 = and_3668 & and_3682;
+  logic [7:0] sum_3690;
+  assign sum_3690 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3689};
   // hls/stages/patches.hpp:189
-  logic and_3690;
-  assign and_3690 = and_3607 & (patches_lower_s3_q & and_3613);
+  logic and_3692;
+  assign and_3692 = and_3609 & (patches_lower_s3_q & and_3615);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_3692;
-  assign sum_3692 = {7'h0, and_3690} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  logic [7:0] sum_3694;
+  assign sum_3694 = {7'h0, and_3692} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
   // hls/stages/patches.hpp:661
-  logic and_3694;
-  assign and_3694 = and_3656 & and_3690;
-  logic [7:0] sum_3695;
-  assign sum_3695 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3694};
+  logic and_3696;
+  assign and_3696 = and_3658 & and_3692;
+  logic [7:0] sum_3697;
+  assign sum_3697 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3696};
   // hls/stages/patches.hpp:662
-  logic and_3697;
-  assign and_3697 = and_3666 & and_3690;
-  logic [7:0] sum_3698;
-  assign sum_3698 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3697};
+  logic and_3699;
+  assign and_3699 = and_3668 & and_3692;
+  logic [7:0] sum_3700;
+  assign sum_3700 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3699};
   // hls/stages/agreement.hpp:1223
-  logic equal_3699;
-  assign equal_3699 = x_s3_q[2:0] == 3'h0;
+  logic equal_3701;
+  assign equal_3701 = x_s3_q[2:0] == 3'h0;
   // hls/stages/agreement.hpp:1130
-  logic less_3700;
-  assign less_3700 = x_s3_q[5:3] < 3'h3;
+  logic less_3702;
+  assign less_3702 = x_s3_q[5:3] < 3'h3;
   // hls/stages/agreement.hpp:788
-  logic and_3704;
-  assign and_3704 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q & (equal_3699 & less_3700)));
+  logic and_3706;
+  assign and_3706 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q & (equal_3701 & less_3702)));
   // hls/stages/agreement.hpp:1142
-  logic and_3709;
-  assign and_3709 = x_s3_q[6] & (not_1990_s3_q & (less_3700 & (x_s3_q[2:0] == 3'h1)));
+  logic and_3711;
+  assign and_3711 = x_s3_q[6] & (not_1990_s3_q & (less_3702 & (x_s3_q[2:0] == 3'h1)));
   // hls/stages/agreement.hpp:788
-  logic and_3710;
-  assign and_3710 = equal_572_s3_q & and_3709;
+  logic and_3712;
+  assign and_3712 = equal_572_s3_q & and_3711;
   // hls/stages/patches.hpp:624
-  logic [7:0] or_3712;
-  assign or_3712 = (and_3704 ? patches_quarters_0_places_q : 8'h0) | (and_3710 ? patches_quarters_1_places_q : 8'h0);
+  logic [7:0] or_3714;
+  assign or_3714 = (and_3706 ? patches_quarters_0_places_q : 8'h0) | (and_3712 ? patches_quarters_1_places_q : 8'h0);
   // hls/stages/agreement.hpp:1142
-  logic and_3716;
-  assign and_3716 = x_s3_q[6] & (not_1990_s3_q & (less_3700 & (x_s3_q[2:0] == 3'h2)));
+  logic and_3718;
+  assign and_3718 = x_s3_q[6] & (not_1990_s3_q & (less_3702 & (x_s3_q[2:0] == 3'h2)));
   // hls/stages/agreement.hpp:788
-  logic and_3717;
-  assign and_3717 = equal_572_s3_q & and_3716;
+  logic and_3719;
+  assign and_3719 = equal_572_s3_q & and_3718;
   // hls/stages/agreement.hpp:1142
-  logic and_3723;
-  assign and_3723 = x_s3_q[6] & (not_1990_s3_q & (less_3700 & (x_s3_q[2:0] == 3'h3)));
+  logic and_3725;
+  assign and_3725 = x_s3_q[6] & (not_1990_s3_q & (less_3702 & (x_s3_q[2:0] == 3'h3)));
   // hls/stages/agreement.hpp:788
-  logic and_3724;
-  assign and_3724 = equal_572_s3_q & and_3723;
+  logic and_3726;
+  assign and_3726 = equal_572_s3_q & and_3725;
   // hls/stages/patches.hpp:624
-  logic [7:0] or_3726;
-  assign or_3726 = (or_3712 | (and_3717 ? patches_quarters_2_places_q : 8'h0)) | (and_3724 ? patches_quarters_3_places_q : 8'h0);
+  logic [7:0] or_3728;
+  assign or_3728 = (or_3714 | (and_3719 ? patches_quarters_2_places_q : 8'h0)) | (and_3726 ? patches_quarters_3_places_q : 8'h0);
   // hls/stages/patches.hpp:200
-  logic select_3730;
-  assign select_3730 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
+  logic select_3732;
+  assign select_3732 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
   // hls/stages/agreement.hpp:788
-  logic and_3734;
-  assign and_3734 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q & (less_3700 & select_3730)));
+  logic and_3736;
+  assign and_3736 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q & (less_3702 & select_3732)));
   // hls/stages/patches.hpp:625
-  logic [7:0] select_3736;
-  assign select_3736 = and_3704 ? (and_3734 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
   logic [7:0] select_3738;
-  assign select_3738 = and_3710 ? (and_3734 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_3741;
-  assign select_3741 = and_3717 ? (and_3734 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_3744;
-  assign select_3744 = and_3724 ? (and_3734 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  assign select_3738 = and_3706 ? (and_3736 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_3740;
+  assign select_3740 = and_3712 ? (and_3736 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_3743;
+  assign select_3743 = and_3719 ? (and_3736 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_3746;
+  assign select_3746 = and_3726 ? (and_3736 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
   // hls/stages/patches.hpp:626
-  logic [7:0] select_3747;
-  assign select_3747 = and_3704 ? (and_3734 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
   logic [7:0] select_3749;
-  assign select_3749 = and_3710 ? (and_3734 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_3752;
-  assign select_3752 = and_3717 ? (and_3734 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_3755;
-  assign select_3755 = and_3724 ? (and_3734 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  assign select_3749 = and_3706 ? (and_3736 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_3751;
+  assign select_3751 = and_3712 ? (and_3736 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_3754;
+  assign select_3754 = and_3719 ? (and_3736 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_3757;
+  assign select_3757 = and_3726 ? (and_3736 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
   // hls/stages/patches.hpp:203
-  logic [4:0] sum_3757;
-  assign sum_3757 = {2'h0, x_s3_q[2:0]} + 5'h1f;
+  logic [4:0] sum_3759;
+  assign sum_3759 = {2'h0, x_s3_q[2:0]} + 5'h1f;
   // hls/stages/agreement.hpp:1142
-  logic and_3761;
-  assign and_3761 = x_s3_q[6] & (not_1990_s3_q & (less_3700 & (sum_3757[4:2] == 3'h0)));
+  logic and_3763;
+  assign and_3763 = x_s3_q[6] & (not_1990_s3_q & (less_3702 & (sum_3759[4:2] == 3'h0)));
   // hls/stages/agreement.hpp:788
-  logic and_3762;
-  assign and_3762 = equal_572_s3_q & and_3761;
+  logic and_3764;
+  assign and_3764 = equal_572_s3_q & and_3763;
   // hls/stages/patches.hpp:621
-  logic [7:0] select_3765;
-  assign select_3765 = and_3762 ? (patches_word_places_q + (and_3710 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_3768;
-  assign select_3768 = and_3762 ? (patches_word_up_q + (and_3710 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] select_3771;
-  assign select_3771 = and_3762 ? (patches_word_down_q + (and_3710 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  logic [7:0] select_3767;
+  assign select_3767 = and_3764 ? (patches_word_places_q + (and_3712 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_3770;
+  assign select_3770 = and_3764 ? (patches_word_up_q + (and_3712 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] select_3773;
+  assign select_3773 = and_3764 ? (patches_word_down_q + (and_3712 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
   // hls/stages/patches.hpp:607
-  logic [5:0] select_3775;
-  assign select_3775 = ($signed(difference_3649[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3649[5:0];
-  logic [5:0] select_3776;
-  assign select_3776 = ($signed(14'h10) < $signed(difference_3649)) ? 6'h10 : select_3775;
-  // hls/stages/patches.hpp:561
+  logic [5:0] select_3777;
+  assign select_3777 = ($signed(difference_3651[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3651[5:0];
   logic [5:0] select_3778;
-  assign select_3778 = equal_1957_s3_q ? (or_3602 ? 6'h0 : select_3776) : 6'h0;
-  logic [5:0] select_3780;
-  assign select_3780 = less_1954_s3_q ? (equal_1955_s3_q ? 6'h0 : select_3778) : select_3778;
-  // hls/stages/patches.hpp:664
-  logic [5:0] select_3782;
-  assign select_3782 = and_3607 ? (equal_1774_s3_q ? select_3780 : 6'h0) : 6'h0;
-  logic [11:0] sum_3783;
-  assign sum_3783 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3782[5]}}, select_3782};
-  // hls/stages/agreement.hpp:788
-  logic and_3787;
-  assign and_3787 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q & (equal_2893 & less_3700)));
-  // hls/stages/agreement.hpp:1142
-  logic and_3791;
-  assign and_3791 = x_s3_q[6] & (not_1990_s3_q & (less_3700 & (x_s3_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_3792;
-  assign and_3792 = equal_572_s3_q & and_3791;
-  // hls/stages/patches.hpp:648
-  logic [7:0] select_3794;
-  assign select_3794 = and_3787 ? (and_3792 ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:650
-  logic or_3798;
-  assign or_3798 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:651
-  logic or_3801;
-  assign or_3801 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
-  // hls/stages/patches.hpp:652
-  logic [8:0] sum_3802;
-  assign sum_3802 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
-  // hls/stages/patches.hpp:647
-  logic select_3804;
-  assign select_3804 = and_3787 ? (and_3792 ? patches_enough_q : patches_complete_q) : patches_complete_q;
-  // hls/stages/patches.hpp:189
-  logic and_3807;
-  assign and_3807 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:647
-  logic [2:0] select_3809;
-  assign select_3809 = and_3792 ? {and_3807, patches_found_q[2:1]} : (and_3787 ? {and_3807, patches_found_q[2:1]} : patches_found_q);
-  // hls/stages/patches.hpp:646
-  logic or_3813;
-  assign or_3813 = patches_partly_q | (patches_doubted_q & (~and_3792));
-  // hls/stages/patches.hpp:647
-  logic select_3816;
-  assign select_3816 = and_3787 ? (and_3792 ? or_3813 : (and_3787 ? or_3813 : patches_doubted_q)) : patches_doubted_q;
-  // hls/stages/patches.hpp:645
-  logic select_3817;
-  assign select_3817 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
-  // hls/stages/patches.hpp:634
-  logic [7:0] select_3821;
-  assign select_3821 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
-  // hls/stages/patches.hpp:606
-  logic [10:0] sum_3823;
-  assign sum_3823 = {sum_3647[6], sum_3647, select_3578_s3_q[2:0]} + 11'h1;
+  assign select_3778 = ($signed(14'h10) < $signed(difference_3651)) ? 6'h10 : select_3777;
   // hls/stages/patches.hpp:561
-  logic and_3826;
-  assign and_3826 = equal_1957_s3_q & (not_3603 & ({{5{sum_3823[10]}}, sum_3823} < 16'h3));
+  logic [5:0] select_3780;
+  assign select_3780 = equal_1957_s3_q ? (or_3604 ? 6'h0 : select_3778) : 6'h0;
+  logic [5:0] select_3782;
+  assign select_3782 = less_1954_s3_q ? (equal_1955_s3_q ? 6'h0 : select_3780) : select_3780;
+  // hls/stages/patches.hpp:664
+  logic [5:0] select_3784;
+  assign select_3784 = and_3609 ? (equal_1774_s3_q ? select_3782 : 6'h0) : 6'h0;
+  logic [11:0] sum_3785;
+  assign sum_3785 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3784[5]}}, select_3784};
+  // hls/stages/agreement.hpp:788
+  logic and_3789;
+  assign and_3789 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q & (equal_2895 & less_3702)));
+  // hls/stages/agreement.hpp:1142
+  logic and_3793;
+  assign and_3793 = x_s3_q[6] & (not_1990_s3_q & (less_3702 & (x_s3_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:788
+  logic and_3794;
+  assign and_3794 = equal_572_s3_q & and_3793;
+  // hls/stages/patches.hpp:648
+  logic [7:0] select_3796;
+  assign select_3796 = and_3789 ? (and_3794 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  // hls/stages/patches.hpp:650
+  logic or_3800;
+  assign or_3800 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  // hls/stages/patches.hpp:651
+  logic or_3803;
+  assign or_3803 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  // hls/stages/patches.hpp:652
+  logic [8:0] sum_3804;
+  assign sum_3804 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  // hls/stages/patches.hpp:647
+  logic select_3806;
+  assign select_3806 = and_3789 ? (and_3794 ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  // hls/stages/patches.hpp:189
+  logic and_3809;
+  assign and_3809 = patches_enough_q & patches_mostly_q;
+  // hls/stages/patches.hpp:647
+  logic [2:0] select_3811;
+  assign select_3811 = and_3794 ? {and_3809, patches_found_q[2:1]} : (and_3789 ? {and_3809, patches_found_q[2:1]} : patches_found_q);
+  // hls/stages/patches.hpp:646
+  logic or_3815;
+  assign or_3815 = patches_partly_q | (patches_doubted_q & (~and_3794));
+  // hls/stages/patches.hpp:647
+  logic select_3818;
+  assign select_3818 = and_3789 ? (and_3794 ? or_3815 : (and_3789 ? or_3815 : patches_doubted_q)) : patches_doubted_q;
+  // hls/stages/patches.hpp:645
+  logic select_3819;
+  assign select_3819 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  // hls/stages/patches.hpp:634
+  logic [7:0] select_3823;
+  assign select_3823 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  // hls/stages/patches.hpp:606
+  logic [10:0] sum_3825;
+  assign sum_3825 = {sum_3649[6], sum_3649, select_3580_s3_q[2:0]} + 11'h1;
+  // hls/stages/patches.hpp:561
+  logic and_3828;
+  assign and_3828 = equal_1957_s3_q & (not_3605 & ({{5{sum_3825[10]}}, sum_3825} < 16'h3));
   // hls/stages/patches.hpp:185
-  logic and_3829;
-  assign and_3829 = equal_1774_s3_q & (less_1954_s3_q ? (not_1956_s3_q & and_3826) : and_3826);
+  logic and_3831;
+  assign and_3831 = equal_1774_s3_q & (less_1954_s3_q ? (not_1956_s3_q & and_3828) : and_3828);
   // hls/stages/patches.hpp:189
-  logic and_3830;
-  assign and_3830 = and_3607 & and_3829;
+  logic and_3832;
+  assign and_3832 = and_3609 & and_3831;
   // hls/stages/patches.hpp:665
-  logic [7:0] sum_3831;
-  assign sum_3831 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3830};
+  logic [7:0] sum_3833;
+  assign sum_3833 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3832};
   // hls/stages/patches.hpp:654
-  logic [12:0] product_3836;
-  assign product_3836 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_3794};
+  logic [12:0] product_3838;
+  assign product_3838 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_3796};
   // hls/stages/patches.hpp:189
-  logic and_3838;
-  assign and_3838 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_3836[12:5] < patches_on_skin_q);
-  logic select_3843;
-  assign select_3843 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic and_3840;
+  assign and_3840 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_3838[12:5] < patches_on_skin_q);
+  logic select_3845;
+  assign select_3845 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:635
-  logic or_3847;
-  assign or_3847 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  logic or_3849;
+  assign or_3849 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
   // hls/stages/patches.hpp:636
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
   // hls/stages/patches.hpp:637
-  logic select_3854;
-  assign select_3854 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  logic select_3856;
+  assign select_3856 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:638
-  logic and_3860;
-  assign and_3860 = patches_frame_ended_s3_q & (~patches_age_q[9]);
-  logic [9:0] sum_3861;
-  assign sum_3861 = patches_age_q + {9'h0, and_3860};
-  logic [9:0] select_3864;
-  assign select_3864 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3861)) : sum_3861;
+  logic and_3862;
+  assign and_3862 = patches_frame_ended_s3_q & (~patches_age_q[9]);
+  logic [9:0] sum_3863;
+  assign sum_3863 = patches_age_q + {9'h0, and_3862};
+  logic [9:0] select_3866;
+  assign select_3866 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3863)) : sum_3863;
   // hls/stages/agreement.hpp:1188
-  logic or_3921;
-  assign or_3921 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  logic or_3923;
+  assign or_3923 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1217
-  logic equal_3923;
-  assign equal_3923 = x_s3_q[6:3] == 4'h7;
+  logic equal_3925;
+  assign equal_3925 = x_s3_q[6:3] == 4'h7;
   // hls/stages/agreement.hpp:1226
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
   // hls/stages/agreement.hpp:1227
-  logic select_3929;
-  assign select_3929 = (equal_3923 & equal_3699) ? too_little : disagree_q;
+  logic select_3931;
+  assign select_3931 = (equal_3925 & equal_3701) ? too_little : disagree_q;
   // hls/stages/agreement.hpp:1135
-  logic [10:0] sum_3932;
-  assign sum_3932 = {1'b0, select_2646} + {2'h0, select_2646[9:1]};
-  logic select_3935;
-  assign select_3935 = (select_2643[9:3] == 7'h0) ? ((~or_3921) & (~select_3929)) : (~({sum_3932, select_2646[0]} < {2'h0, select_2643}));
+  logic [10:0] sum_3934;
+  assign sum_3934 = {1'b0, select_2648} + {2'h0, select_2648[9:1]};
+  logic select_3937;
+  assign select_3937 = (select_2645[9:3] == 7'h0) ? ((~or_3923) & (~select_3931)) : (~({sum_3934, select_2648[0]} < {2'h0, select_2645}));
   // hls/stages/agreement.hpp:1142
-  logic [47:0] select_3937;
-  assign select_3937 = x_s3_q[6] ? (equal_1605_s3_q ? good_q : {select_3935, good_q[47:1]}) : good_q;
+  logic [47:0] select_3939;
+  assign select_3939 = x_s3_q[6] ? (equal_1605_s3_q ? good_q : {select_3937, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:788
-  logic select_3942;
-  assign select_3942 = equal_572_s3_q ? ((x_s3_q[6] & good_known_q) | equal_3940_s3_q) : good_known_q;
+  logic select_3944;
+  assign select_3944 = equal_572_s3_q ? ((x_s3_q[6] & good_known_q) | equal_3942_s3_q) : good_known_q;
   // hls/stages/agreement.hpp:1217
-  logic equal_3943;
-  assign equal_3943 = x_s3_q[6:3] == 4'ha;
   logic equal_3945;
-  assign equal_3945 = x_s3_q[6:3] == 4'hc;
-  logic equal_3946;
-  assign equal_3946 = x_s3_q[6:3] == 4'hb;
+  assign equal_3945 = x_s3_q[6:3] == 4'ha;
   logic equal_3947;
-  assign equal_3947 = x_s3_q[6:3] == 4'h9;
+  assign equal_3947 = x_s3_q[6:3] == 4'hc;
   logic equal_3948;
-  assign equal_3948 = x_s3_q[6:3] == 4'h8;
+  assign equal_3948 = x_s3_q[6:3] == 4'hb;
+  logic equal_3949;
+  assign equal_3949 = x_s3_q[6:3] == 4'h9;
+  logic equal_3950;
+  assign equal_3950 = x_s3_q[6:3] == 4'h8;
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3950;
-  assign select_3950 = equal_3947 ? counts_skin_unproven_q : (equal_3948 ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] select_3952;
-  assign select_3952 = equal_3946 ? counts_regions_bad_q : (equal_3943 ? counts_nearer_q : select_3950);
+  assign select_3952 = equal_3949 ? counts_skin_unproven_q : (equal_3950 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_3954;
+  assign select_3954 = equal_3948 ? counts_regions_bad_q : (equal_3945 ? counts_nearer_q : select_3952);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_3945 ? counts_on_skin_q : select_3952;
+  assign before_v_4 = equal_3947 ? counts_on_skin_q : select_3954;
   // hls/stages/agreement.hpp:1222
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_4};
   // hls/stages/agreement.hpp:1230
-  logic select_3955;
-  assign select_3955 = (equal_3943 & equal_3699) ? over[14] : hides_q;
+  logic select_3957;
+  assign select_3957 = (equal_3945 & equal_3701) ? over[14] : hides_q;
   // hls/stages/agreement.hpp:1148
-  logic not_3956;
-  assign not_3956 = ~hidden_for_q[7];
-  logic [7:0] select_3958;
-  assign select_3958 = select_3955 ? (hidden_for_q + {7'h0, not_3956}) : 8'h0;
-  // hls/stages/agreement.hpp:788
+  logic not_3958;
+  assign not_3958 = ~hidden_for_q[7];
   logic [7:0] select_3960;
-  assign select_3960 = equal_572_s3_q ? (equal_3940_s3_q ? select_3958 : hidden_for_q) : hidden_for_q;
+  assign select_3960 = select_3957 ? (hidden_for_q + {7'h0, not_3958}) : 8'h0;
+  // hls/stages/agreement.hpp:788
+  logic [7:0] select_3962;
+  assign select_3962 = equal_572_s3_q ? (equal_3942_s3_q ? select_3960 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1231
-  logic [13:0] select_3961;
-  assign select_3961 = equal_3699 ? 14'h0 : product_q;
+  logic [13:0] select_3963;
+  assign select_3963 = equal_3701 ? 14'h0 : product_q;
   // hls/stages/agreement.hpp:1125
-  logic [7:0] select_3963;
-  assign select_3963 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_3965;
-  assign select_3965 = equal_3948 ? cfg_unproven_skin_limit_i : (equal_3923 ? cfg_unproven_limit_i : select_3963);
+  assign select_3965 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_3967;
-  assign select_3967 = equal_3943 ? cfg_regions_limit_i : (equal_3947 ? cfg_hidden_limit_i : select_3965);
+  assign select_3967 = equal_3950 ? cfg_unproven_skin_limit_i : (equal_3925 ? cfg_unproven_limit_i : select_3965);
+  logic [7:0] select_3969;
+  assign select_3969 = equal_3945 ? cfg_regions_limit_i : (equal_3949 ? cfg_hidden_limit_i : select_3967);
   logic [7:0] limit;
-  assign limit = equal_3945 ? cfg_regions_limit_i : (equal_3946 ? {cfg_on_skin_limit_i, 3'h0} : select_3967);
+  assign limit = equal_3947 ? cfg_regions_limit_i : (equal_3948 ? {cfg_on_skin_limit_i, 3'h0} : select_3969);
   // hls/stages/agreement.hpp:1231
-  logic not_3970;
-  assign not_3970 = ~x_s3_q[2];
-  logic [3:0] select_3971;
-  assign select_3971 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_3970, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_3970};
-  logic [7:0] select_3972;
-  assign select_3972 = x_s3_q[0] ? {select_3971[3], 1'b0, select_3971[2], 1'b0, select_3971[1], 1'b0, select_3971[0], 1'b0} : {1'b0, select_3971[3], 1'b0, select_3971[2], 1'b0, select_3971[1], 1'b0, select_3971[0]};
+  logic not_3972;
+  assign not_3972 = ~x_s3_q[2];
+  logic [3:0] select_3973;
+  assign select_3973 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_3972, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_3972};
+  logic [7:0] select_3974;
+  assign select_3974 = x_s3_q[0] ? {select_3973[3], 1'b0, select_3973[2], 1'b0, select_3973[1], 1'b0, select_3973[0], 1'b0} : {1'b0, select_3973[3], 1'b0, select_3973[2], 1'b0, select_3973[1], 1'b0, select_3973[0]};
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3976;
-  assign select_3976 = equal_3947 ? counts_skin_supervised_q : (equal_3948 ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] select_3978;
-  assign select_3978 = equal_3946 ? counts_skin_textured_q : (equal_3943 ? counts_textured_q : select_3976);
-  logic [13:0] of;
-  assign of = equal_3945 ? counts_textured_q : select_3978;
-  // hls/stages/agreement.hpp:1231
+  assign select_3978 = equal_3949 ? counts_skin_supervised_q : (equal_3950 ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] select_3980;
-  assign select_3980 = ((limit & select_3972) == 8'h0) ? 14'h0 : of;
-  logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_3961} + {1'b0, select_3980};
-  // hls/stages/agreement.hpp:788
-  logic select_3985;
-  assign select_3985 = equal_572_s3_q ? (equal_3699 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:1228
-  logic and_3990;
-  assign and_3990 = too_much_q & (~(equal_3948 & equal_3699));
-  // hls/stages/agreement.hpp:1229
-  logic select_3995;
-  assign select_3995 = (over[14] & equal_3699) ? (and_3990 | ((equal_3948 | equal_3947) | (x_s3_q[6:3] == 4'hf))) : and_3990;
-  // hls/stages/agreement.hpp:1125
-  logic and_4000;
-  assign and_4000 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  assign select_3980 = equal_3948 ? counts_skin_textured_q : (equal_3945 ? counts_textured_q : select_3978);
+  logic [13:0] of;
+  assign of = equal_3947 ? counts_textured_q : select_3980;
   // hls/stages/agreement.hpp:1231
-  logic select_4001;
-  assign select_4001 = (equal_3945 & equal_3699) ? and_4000 : overlooks_q;
+  logic [13:0] select_3982;
+  assign select_3982 = ((limit & select_3974) == 8'h0) ? 14'h0 : of;
+  logic [14:0] sum_4;
+  assign sum_4 = {1'b0, select_3963} + {1'b0, select_3982};
   // hls/stages/agreement.hpp:788
-  logic [2:0] select_4003;
-  assign select_4003 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic select_3987;
+  assign select_3987 = equal_572_s3_q ? (equal_3701 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
+  // hls/stages/agreement.hpp:1228
+  logic and_3992;
+  assign and_3992 = too_much_q & (~(equal_3950 & equal_3701));
+  // hls/stages/agreement.hpp:1229
+  logic select_3997;
+  assign select_3997 = (over[14] & equal_3701) ? (and_3992 | ((equal_3950 | equal_3949) | (x_s3_q[6:3] == 4'hf))) : and_3992;
+  // hls/stages/agreement.hpp:1125
+  logic and_4002;
+  assign and_4002 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  // hls/stages/agreement.hpp:1231
+  logic select_4003;
+  assign select_4003 = (equal_3947 & equal_3701) ? and_4002 : overlooks_q;
+  // hls/stages/agreement.hpp:788
   logic [2:0] select_4005;
-  assign select_4005 = equal_572_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4003 : box_textured_columns_values_0_q);
-  logic [2:0] select_4006;
-  assign select_4006 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  assign select_4005 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic [2:0] select_4007;
+  assign select_4007 = equal_572_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4005 : box_textured_columns_values_0_q);
   logic [2:0] select_4008;
-  assign select_4008 = equal_572_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4006 : box_textured_columns_values_1_q);
-  logic [2:0] select_4009;
-  assign select_4009 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  assign select_4008 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_4010;
+  assign select_4010 = equal_572_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4008 : box_textured_columns_values_1_q);
   logic [2:0] select_4011;
-  assign select_4011 = equal_572_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4009 : box_textured_columns_values_2_q);
-  logic [2:0] select_4012;
-  assign select_4012 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  assign select_4011 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_4013;
+  assign select_4013 = equal_572_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4011 : box_textured_columns_values_2_q);
   logic [2:0] select_4014;
-  assign select_4014 = equal_572_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4012 : box_textured_columns_values_3_q);
-  logic [2:0] select_4015;
-  assign select_4015 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  assign select_4014 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_4016;
+  assign select_4016 = equal_572_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4014 : box_textured_columns_values_3_q);
   logic [2:0] select_4017;
-  assign select_4017 = equal_572_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4015 : box_textured_columns_values_4_q);
-  logic [4:0] select_4019;
-  assign select_4019 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_4021;
-  assign select_4021 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  assign select_4017 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_4019;
+  assign select_4019 = equal_572_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4017 : box_textured_columns_values_4_q);
+  logic [4:0] select_4021;
+  assign select_4021 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   logic [2:0] select_4023;
-  assign select_4023 = equal_572_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4021 : box_explained_columns_values_0_q);
-  logic [2:0] select_4024;
-  assign select_4024 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_4023 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  logic [2:0] select_4025;
+  assign select_4025 = equal_572_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4023 : box_explained_columns_values_0_q);
   logic [2:0] select_4026;
-  assign select_4026 = equal_572_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4024 : box_explained_columns_values_1_q);
-  logic [2:0] select_4027;
-  assign select_4027 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_4026 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_4028;
+  assign select_4028 = equal_572_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4026 : box_explained_columns_values_1_q);
   logic [2:0] select_4029;
-  assign select_4029 = equal_572_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4027 : box_explained_columns_values_2_q);
-  logic [2:0] select_4030;
-  assign select_4030 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  assign select_4029 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_4031;
+  assign select_4031 = equal_572_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4029 : box_explained_columns_values_2_q);
   logic [2:0] select_4032;
-  assign select_4032 = equal_572_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4030 : box_explained_columns_values_3_q);
-  logic [2:0] select_4033;
-  assign select_4033 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  assign select_4032 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_4034;
+  assign select_4034 = equal_572_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4032 : box_explained_columns_values_3_q);
   logic [2:0] select_4035;
-  assign select_4035 = equal_572_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4033 : box_explained_columns_values_4_q);
-  logic [4:0] select_4037;
-  assign select_4037 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [2:0] select_4040;
-  assign select_4040 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  assign select_4035 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_4037;
+  assign select_4037 = equal_572_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4035 : box_explained_columns_values_4_q);
+  logic [4:0] select_4039;
+  assign select_4039 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
   logic [2:0] select_4042;
-  assign select_4042 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_4042 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
   logic [2:0] select_4044;
-  assign select_4044 = equal_572_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4042 : box_shown_columns_values_1_q);
-  logic [2:0] select_4045;
-  assign select_4045 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_4044 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4046;
+  assign select_4046 = equal_572_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4044 : box_shown_columns_values_1_q);
   logic [2:0] select_4047;
-  assign select_4047 = equal_572_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4045 : box_shown_columns_values_2_q);
-  logic [2:0] select_4048;
-  assign select_4048 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  assign select_4047 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_4049;
+  assign select_4049 = equal_572_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4047 : box_shown_columns_values_2_q);
   logic [2:0] select_4050;
-  assign select_4050 = equal_572_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4048 : box_shown_columns_values_3_q);
-  logic [2:0] select_4051;
-  assign select_4051 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  assign select_4050 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_4052;
+  assign select_4052 = equal_572_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4050 : box_shown_columns_values_3_q);
   logic [2:0] select_4053;
-  assign select_4053 = equal_572_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4051 : box_shown_columns_values_4_q);
-  logic [4:0] select_4055;
-  assign select_4055 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_4058;
-  assign select_4058 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  assign select_4053 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4055;
+  assign select_4055 = equal_572_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4053 : box_shown_columns_values_4_q);
+  logic [4:0] select_4057;
+  assign select_4057 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
   logic [2:0] select_4060;
-  assign select_4060 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_4060 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
   logic [2:0] select_4062;
-  assign select_4062 = equal_572_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4060 : box_nearer_columns_values_1_q);
-  logic [2:0] select_4063;
-  assign select_4063 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_4062 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4064;
+  assign select_4064 = equal_572_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4062 : box_nearer_columns_values_1_q);
   logic [2:0] select_4065;
-  assign select_4065 = equal_572_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4063 : box_nearer_columns_values_2_q);
-  logic [2:0] select_4066;
-  assign select_4066 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  assign select_4065 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4067;
+  assign select_4067 = equal_572_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4065 : box_nearer_columns_values_2_q);
   logic [2:0] select_4068;
-  assign select_4068 = equal_572_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4066 : box_nearer_columns_values_3_q);
-  logic [2:0] select_4069;
-  assign select_4069 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  assign select_4068 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4070;
+  assign select_4070 = equal_572_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4068 : box_nearer_columns_values_3_q);
   logic [2:0] select_4071;
-  assign select_4071 = equal_572_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4069 : box_nearer_columns_values_4_q);
-  logic [4:0] select_4073;
-  assign select_4073 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  assign select_4071 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4073;
+  assign select_4073 = equal_572_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4071 : box_nearer_columns_values_4_q);
+  logic [4:0] select_4075;
+  assign select_4075 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:1275
-  logic select_4108;
-  assign select_4108 = left_first_s3_q ? done_s3_q : proven_q;
-  // hls/stages/agreement.hpp:278
   logic select_4110;
-  assign select_4110 = left_first_s3_q ? done_s3_q : (and_1971_s3_q ? select_4108 : proven_q);
+  assign select_4110 = left_first_s3_q ? done_s3_q : proven_q;
+  // hls/stages/agreement.hpp:278
+  logic select_4112;
+  assign select_4112 = left_first_s3_q ? done_s3_q : (and_1971_s3_q ? select_4110 : proven_q);
   // hls/stages/agreement.hpp:1308
-  logic [1:0] select_4161;
-  assign select_4161 = and_4160_s3_q ? {and_2127, is_seen} : map_rdata_q;
+  logic [1:0] select_4163;
+  assign select_4163 = and_4162_s3_q ? {and_2127, is_seen} : map_rdata_q;
   // hls/stages/agreement.hpp:1309
-  logic and_4162;
-  assign and_4162 = select_4108 & less_4138;
+  logic and_4164;
+  assign and_4164 = select_4110 & less_4140;
   // hls/stages/agreement.hpp:438
-  logic select_4165;
-  assign select_4165 = and_2054_s3_q ? (less_2055_s3_q ? (select_4161[0] & and_4162) : seen_q) : seen_q;
-  // hls/stages/agreement.hpp:278
   logic select_4167;
-  assign select_4167 = left_first_s3_q ? select_4165 : (and_1971_s3_q ? select_4165 : seen_q);
-  logic select_4168;
-  assign select_4168 = and_1971_s3_q ? select_4167 : seen_q;
-  // hls/stages/agreement.hpp:438
-  logic select_4171;
-  assign select_4171 = and_2054_s3_q ? (less_2055_s3_q ? (select_4161[1] & and_4162) : nearer_q) : nearer_q;
+  assign select_4167 = and_2054_s3_q ? (less_2055_s3_q ? (select_4163[0] & and_4164) : seen_q) : seen_q;
   // hls/stages/agreement.hpp:278
+  logic select_4169;
+  assign select_4169 = left_first_s3_q ? select_4167 : (and_1971_s3_q ? select_4167 : seen_q);
+  logic select_4170;
+  assign select_4170 = and_1971_s3_q ? select_4169 : seen_q;
+  // hls/stages/agreement.hpp:438
   logic select_4173;
-  assign select_4173 = left_first_s3_q ? select_4171 : (and_1971_s3_q ? select_4171 : nearer_q);
-  logic select_4174;
-  assign select_4174 = and_1971_s3_q ? select_4173 : nearer_q;
+  assign select_4173 = and_2054_s3_q ? (less_2055_s3_q ? (select_4163[1] & and_4164) : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:278
+  logic select_4175;
+  assign select_4175 = left_first_s3_q ? select_4173 : (and_1971_s3_q ? select_4173 : nearer_q);
+  logic select_4176;
+  assign select_4176 = and_1971_s3_q ? select_4175 : nearer_q;
   // hls/stages/agreement.hpp:1239
-  logic or_4181;
-  assign or_4181 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | (~proven_q);
+  logic or_4183;
+  assign or_4183 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | (~proven_q);
   // hls/stages/agreement.hpp:1241
-  logic not_4189;
-  assign not_4189 = ~(or_3921 | not_2348);
+  logic not_4191;
+  assign not_4191 = ~(or_3923 | not_2350);
   // hls/stages/agreement.hpp:788
-  logic and_4193;
-  assign and_4193 = equal_572_s3_q & (equal_3940_s3_q & (not_4189 & (select_3929 | select_3995)));
-  logic and_4196;
-  assign and_4196 = equal_3940_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  logic and_4195;
+  assign and_4195 = equal_572_s3_q & (equal_3942_s3_q & (not_4191 & (select_3931 | select_3997)));
+  logic and_4198;
+  assign and_4198 = equal_3942_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
   // hls/stages/agreement.hpp:1150
-  logic or_4200;
-  assign or_4200 = select_2446 | (select_2458 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  logic or_4202;
+  assign or_4202 = select_2448 | (select_2460 | ($signed(20'h0) < $signed(census_left_misses_q)));
   // hls/stages/agreement.hpp:788
-  logic and_4207;
-  assign and_4207 = equal_572_s3_q & (equal_3940_s3_q & (not_4189 & (select_2452 | select_2464)));
+  logic and_4209;
+  assign and_4209 = equal_572_s3_q & (equal_3942_s3_q & (not_4191 & (select_2454 | select_2466)));
   // hls/stages/agreement.hpp:1150
-  logic and_4212;
-  assign and_4212 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3958 < cfg_hidden_frames_i));
-  logic select_4218;
-  assign select_4218 = (not_2348 | (select_4001 & not_3833)) ? cfg_prove_i : patches_overlooked_q;
+  logic and_4214;
+  assign and_4214 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3960 < cfg_hidden_frames_i));
+  logic select_4220;
+  assign select_4220 = (not_2350 | (select_4003 & not_3835)) ? cfg_prove_i : patches_overlooked_q;
   // hls/stages/agreement.hpp:788
-  logic and_4223;
-  assign and_4223 = equal_572_s3_q & (equal_3940_s3_q & (cfg_prove_i & moments_out_of_step_q));
-  logic and_4227;
-  assign and_4227 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q | (4'hc < x_s3_q[5:2])));
+  logic and_4225;
+  assign and_4225 = equal_572_s3_q & (equal_3942_s3_q & (cfg_prove_i & moments_out_of_step_q));
+  logic and_4229;
+  assign and_4229 = equal_572_s3_q & (x_s3_q[6] & (not_1990_s3_q | (4'hc < x_s3_q[5:2])));
   // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4235;
-  assign select_4235 = equal_1627_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4233_s3_q ? registration_sums_rdata_q : 32'h0);
-  logic [31:0] select_4236;
-  assign select_4236 = equal_1625_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4235;
   logic [31:0] select_4237;
-  assign select_4237 = equal_1623_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4236;
+  assign select_4237 = equal_1627_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4235_s3_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_4238;
-  assign select_4238 = equal_1621_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4237;
+  assign select_4238 = equal_1625_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4237;
   logic [31:0] select_4239;
-  assign select_4239 = equal_1619_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4238;
+  assign select_4239 = equal_1623_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4238;
   logic [31:0] select_4240;
-  assign select_4240 = equal_1617_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4239;
+  assign select_4240 = equal_1621_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4239;
   logic [31:0] select_4241;
-  assign select_4241 = equal_1615_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4240;
+  assign select_4241 = equal_1619_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4240;
   logic [31:0] select_4242;
-  assign select_4242 = equal_1613_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4241;
-  // hls/stages/agreement.hpp:1138
-  logic [9:0] select_4243;
-  assign select_4243 = less_2642 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:1142
+  assign select_4242 = equal_1617_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4241;
+  logic [31:0] select_4243;
+  assign select_4243 = equal_1615_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4242;
   logic [31:0] select_4244;
-  assign select_4244 = equal_1605_s3_q ? select_4242 : {2'h0, select_4243, select_2646, select_2643};
+  assign select_4244 = equal_1613_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4243;
+  // hls/stages/agreement.hpp:1138
+  logic [9:0] select_4245;
+  assign select_4245 = less_2644 ? 10'h0 : regions_rdata_q[29:20];
+  // hls/stages/agreement.hpp:1142
+  logic [31:0] select_4246;
+  assign select_4246 = equal_1605_s3_q ? select_4244 : {2'h0, select_4245, select_2648, select_2645};
 
   // Memory fresh, write
   logic [5:0] fresh_waddr;
@@ -7296,140 +7297,140 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s3_en) begin
-      census_left_misses_q <= select_2287;
-      sharpness_before_last_mask_q <= select_2360;
-      sharpness_sums_detail_0_q <= and_547_s3_q ? select_2374 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_547_s3_q ? select_2386 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_547_s3_q ? sum_2390 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_547_s3_q ? sum_2394 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2412 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2422 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2424 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2426 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2428 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2430 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2435;
-      sharpness_comparing_carry_1_q <= select_2439;
-      sharpness_comparing_less_detail_0_q <= select_2446;
-      sharpness_comparing_less_detail_1_q <= select_2452;
-      sharpness_comparing_less_contrast_0_q <= select_2458;
-      sharpness_comparing_less_contrast_1_q <= select_2464;
-      counts_supervised_q <= select_2600;
-      counts_textured_q <= and_2592_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_2603});
-      counts_explained_q <= and_2592_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_2608});
-      counts_nearer_q <= and_2592_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2613});
-      counts_unproven_q <= and_2592_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2639});
-      counts_regions_bad_q <= select_2655;
-      counts_skin_supervised_q <= select_2662;
-      counts_skin_textured_q <= select_2669;
-      counts_skin_unproven_q <= select_2677;
-      counts_on_skin_q <= select_2696;
-      registration_half_across_q <= select_2774;
-      registration_half_measured_q <= select_2779;
-      registration_half_votes_down_q <= and_2752_s3_q ? 7'h0 : sum_2785;
-      registration_half_votes_up_q <= and_2752_s3_q ? 7'h0 : sum_2793;
-      registration_half_half_votes_down_q <= and_2752_s3_q ? 7'h0 : sum_2800;
-      registration_half_half_votes_up_q <= and_2752_s3_q ? 7'h0 : sum_2807;
-      registration_down_q <= and_2841 ? sum_2860 : registration_down_q;
-      registration_up_q <= and_2841 ? sum_2869 : registration_up_q;
-      registration_enough_q <= select_2883;
-      registration_votes_down_q <= and_2888 ? less_2889 : registration_votes_down_q;
-      registration_votes_up_q <= and_2888 ? less_2891 : registration_votes_up_q;
-      registration_other_enough_q <= and_2897 ? select_2883 : registration_other_enough_q;
-      registration_other_down_q <= and_2897 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2897 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_572_s3_q & and_2904)) & or_2929;
+      census_left_misses_q <= select_2289;
+      sharpness_before_last_mask_q <= select_2362;
+      sharpness_sums_detail_0_q <= and_547_s3_q ? select_2376 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_547_s3_q ? select_2388 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_547_s3_q ? sum_2392 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_547_s3_q ? sum_2396 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2414 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2424 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2426 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2428 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2430 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2432 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2437;
+      sharpness_comparing_carry_1_q <= select_2441;
+      sharpness_comparing_less_detail_0_q <= select_2448;
+      sharpness_comparing_less_detail_1_q <= select_2454;
+      sharpness_comparing_less_contrast_0_q <= select_2460;
+      sharpness_comparing_less_contrast_1_q <= select_2466;
+      counts_supervised_q <= select_2602;
+      counts_textured_q <= and_2594_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_2605});
+      counts_explained_q <= and_2594_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_2610});
+      counts_nearer_q <= and_2594_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2615});
+      counts_unproven_q <= and_2594_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2641});
+      counts_regions_bad_q <= select_2657;
+      counts_skin_supervised_q <= select_2664;
+      counts_skin_textured_q <= select_2671;
+      counts_skin_unproven_q <= select_2679;
+      counts_on_skin_q <= select_2698;
+      registration_half_across_q <= select_2776;
+      registration_half_measured_q <= select_2781;
+      registration_half_votes_down_q <= and_2754_s3_q ? 7'h0 : sum_2787;
+      registration_half_votes_up_q <= and_2754_s3_q ? 7'h0 : sum_2795;
+      registration_half_half_votes_down_q <= and_2754_s3_q ? 7'h0 : sum_2802;
+      registration_half_half_votes_up_q <= and_2754_s3_q ? 7'h0 : sum_2809;
+      registration_down_q <= and_2843 ? sum_2862 : registration_down_q;
+      registration_up_q <= and_2843 ? sum_2871 : registration_up_q;
+      registration_enough_q <= select_2885;
+      registration_votes_down_q <= and_2890 ? less_2891 : registration_votes_down_q;
+      registration_votes_up_q <= and_2890 ? less_2893 : registration_votes_up_q;
+      registration_other_enough_q <= and_2899 ? select_2885 : registration_other_enough_q;
+      registration_other_down_q <= and_2899 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2899 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_572_s3_q & and_2906)) & or_2931;
       patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_1792 : patches_place_0_valid_q;
       patches_place_0_column_q <= sample_pair_whole_s3_q ? select_1795 : patches_place_0_column_q;
       patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_1796 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3012;
+      patches_place_0_slope_q <= select_3014;
       patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_1821 : patches_place_1_valid_q;
       patches_place_1_column_q <= sample_pair_whole_s3_q ? select_1823 : patches_place_1_column_q;
       patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_1824 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3017;
-      patches_valid_0_q <= select_3022;
-      patches_valid_1_q <= select_3027;
-      patches_right_next_0_q <= select_3030;
-      patches_right_next_1_q <= select_3033;
-      patches_left_next_0_q <= select_3036;
-      patches_left_next_1_q <= select_3039;
-      patches_sums_values_0_q <= select_3463;
-      patches_sums_values_1_q <= equal_1774_s3_q ? patches_sums_values_1_q : select_3464;
-      patches_sums_values_2_q <= equal_1774_s3_q ? patches_sums_values_2_q : select_3466;
-      patches_sums_values_3_q <= equal_1774_s3_q ? patches_sums_values_3_q : select_3468;
-      patches_sums_values_4_q <= equal_1774_s3_q ? patches_sums_values_4_q : select_3470;
-      patches_sums_values_5_q <= equal_1774_s3_q ? patches_sums_values_5_q : select_3472;
-      patches_sums_values_6_q <= equal_1774_s3_q ? patches_sums_values_6_q : select_3474;
-      patches_sums_values_7_q <= equal_1774_s3_q ? patches_sums_values_7_q : select_3476;
-      patches_sums_values_8_q <= equal_1774_s3_q ? patches_sums_values_8_q : select_3478;
-      patches_sums_values_9_q <= equal_1774_s3_q ? patches_sums_values_9_q : select_3480;
-      patches_sums_values_10_q <= equal_1774_s3_q ? patches_sums_values_10_q : select_3482;
-      patches_sums_values_11_q <= equal_1774_s3_q ? patches_sums_values_11_q : select_3484;
-      patches_sums_values_12_q <= equal_1774_s3_q ? patches_sums_values_12_q : select_3486;
-      patches_sums_values_13_q <= equal_1774_s3_q ? patches_sums_values_13_q : select_3488;
-      patches_sums_values_14_q <= equal_1774_s3_q ? patches_sums_values_14_q : select_3490;
-      patches_sums_values_15_q <= equal_1774_s3_q ? patches_sums_values_15_q : select_3492;
-      patches_sums_values_16_q <= equal_1774_s3_q ? patches_sums_values_16_q : select_3494;
+      patches_place_1_slope_q <= select_3019;
+      patches_valid_0_q <= select_3024;
+      patches_valid_1_q <= select_3029;
+      patches_right_next_0_q <= select_3032;
+      patches_right_next_1_q <= select_3035;
+      patches_left_next_0_q <= select_3038;
+      patches_left_next_1_q <= select_3041;
+      patches_sums_values_0_q <= select_3465;
+      patches_sums_values_1_q <= equal_1774_s3_q ? patches_sums_values_1_q : select_3466;
+      patches_sums_values_2_q <= equal_1774_s3_q ? patches_sums_values_2_q : select_3468;
+      patches_sums_values_3_q <= equal_1774_s3_q ? patches_sums_values_3_q : select_3470;
+      patches_sums_values_4_q <= equal_1774_s3_q ? patches_sums_values_4_q : select_3472;
+      patches_sums_values_5_q <= equal_1774_s3_q ? patches_sums_values_5_q : select_3474;
+      patches_sums_values_6_q <= equal_1774_s3_q ? patches_sums_values_6_q : select_3476;
+      patches_sums_values_7_q <= equal_1774_s3_q ? patches_sums_values_7_q : select_3478;
+      patches_sums_values_8_q <= equal_1774_s3_q ? patches_sums_values_8_q : select_3480;
+      patches_sums_values_9_q <= equal_1774_s3_q ? patches_sums_values_9_q : select_3482;
+      patches_sums_values_10_q <= equal_1774_s3_q ? patches_sums_values_10_q : select_3484;
+      patches_sums_values_11_q <= equal_1774_s3_q ? patches_sums_values_11_q : select_3486;
+      patches_sums_values_12_q <= equal_1774_s3_q ? patches_sums_values_12_q : select_3488;
+      patches_sums_values_13_q <= equal_1774_s3_q ? patches_sums_values_13_q : select_3490;
+      patches_sums_values_14_q <= equal_1774_s3_q ? patches_sums_values_14_q : select_3492;
+      patches_sums_values_15_q <= equal_1774_s3_q ? patches_sums_values_15_q : select_3494;
+      patches_sums_values_16_q <= equal_1774_s3_q ? patches_sums_values_16_q : select_3496;
       patches_best_differing_q <= select_1978[9:0];
       patches_best_column_q <= select_1978[14:10];
-      patches_quarters_0_places_q <= sum_3618;
-      patches_quarters_0_up_q <= sum_3658;
-      patches_quarters_0_down_q <= sum_3668;
-      patches_quarters_1_places_q <= sum_3672;
-      patches_quarters_1_up_q <= sum_3675;
-      patches_quarters_1_down_q <= sum_3678;
-      patches_quarters_2_places_q <= sum_3682;
-      patches_quarters_2_up_q <= sum_3685;
-      patches_quarters_2_down_q <= sum_3688;
-      patches_quarters_3_places_q <= sum_3692;
-      patches_quarters_3_up_q <= sum_3695;
-      patches_quarters_3_down_q <= sum_3698;
-      patches_word_places_q <= or_3726;
-      patches_word_up_q <= ((select_3736 | select_3738) | select_3741) | select_3744;
-      patches_word_down_q <= ((select_3747 | select_3749) | select_3752) | select_3755;
-      patches_sum_places_q <= select_3765;
-      patches_sum_up_q <= select_3768;
-      patches_sum_down_q <= select_3771;
-      patches_across_q <= sum_3783;
-      patches_places_q <= select_3794;
+      patches_quarters_0_places_q <= sum_3620;
+      patches_quarters_0_up_q <= sum_3660;
+      patches_quarters_0_down_q <= sum_3670;
+      patches_quarters_1_places_q <= sum_3674;
+      patches_quarters_1_up_q <= sum_3677;
+      patches_quarters_1_down_q <= sum_3680;
+      patches_quarters_2_places_q <= sum_3684;
+      patches_quarters_2_up_q <= sum_3687;
+      patches_quarters_2_down_q <= sum_3690;
+      patches_quarters_3_places_q <= sum_3694;
+      patches_quarters_3_up_q <= sum_3697;
+      patches_quarters_3_down_q <= sum_3700;
+      patches_word_places_q <= or_3728;
+      patches_word_up_q <= ((select_3738 | select_3740) | select_3743) | select_3746;
+      patches_word_down_q <= ((select_3749 | select_3751) | select_3754) | select_3757;
+      patches_sum_places_q <= select_3767;
+      patches_sum_up_q <= select_3770;
+      patches_sum_down_q <= select_3773;
+      patches_across_q <= sum_3785;
+      patches_places_q <= select_3796;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_3798;
-      patches_partly_q <= or_3801;
-      patches_clear_limit_q <= sum_3802[8:2];
-      patches_complete_q <= select_3804;
+      patches_mostly_q <= or_3800;
+      patches_partly_q <= or_3803;
+      patches_clear_limit_q <= sum_3804[8:2];
+      patches_complete_q <= select_3806;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= and_3787 ? select_3809 : patches_found_q;
-      patches_doubted_q <= select_3816;
-      patches_doubted_before_q <= select_3817;
+      patches_found_q <= and_3789 ? select_3811 : patches_found_q;
+      patches_doubted_q <= select_3818;
+      patches_doubted_before_q <= select_3819;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_3821;
-      patches_on_skin_q <= sum_3831;
-      patches_large_q <= not_3833 & and_3838;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3843;
-      patches_spoiled_q <= or_3847;
+      patches_round_on_skin_q <= select_3823;
+      patches_on_skin_q <= sum_3833;
+      patches_large_q <= not_3835 & and_3840;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3845;
+      patches_spoiled_q <= or_3849;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_3854;
+      patches_moved_q <= select_3856;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_3864;
-      segment_textured_q <= select_2003 + {5'h0, and_2603};
-      segment_explained_q <= select_2008 + {5'h0, and_2608};
-      segment_nearer_q <= select_2018 + {5'h0, and_2613};
+      patches_age_q <= select_3866;
+      segment_textured_q <= select_2003 + {5'h0, and_2605};
+      segment_explained_q <= select_2008 + {5'h0, and_2610};
+      segment_nearer_q <= select_2018 + {5'h0, and_2615};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_572_s3_q ? select_3937 : good_q;
-      good_known_q <= select_3942;
-      hidden_for_q <= select_3960;
+      good_q <= equal_572_s3_q ? select_3939 : good_q;
+      good_known_q <= select_3944;
+      hidden_for_q <= select_3962;
       product_q <= equal_572_s3_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_3985;
-      disagree_q <= equal_572_s3_q ? select_3929 : disagree_q;
-      too_much_q <= equal_572_s3_q ? select_3995 : too_much_q;
-      hides_q <= equal_572_s3_q ? select_3955 : hides_q;
-      overlooks_q <= equal_572_s3_q ? select_4001 : overlooks_q;
-      proven_q <= and_1971_s3_q ? select_4110 : proven_q;
-      seen_q <= select_4168;
-      nearer_q <= select_4174;
+      product_rest_q <= select_3987;
+      disagree_q <= equal_572_s3_q ? select_3931 : disagree_q;
+      too_much_q <= equal_572_s3_q ? select_3997 : too_much_q;
+      hides_q <= equal_572_s3_q ? select_3957 : hides_q;
+      overlooks_q <= equal_572_s3_q ? select_4003 : overlooks_q;
+      proven_q <= and_1971_s3_q ? select_4112 : proven_q;
+      seen_q <= select_4170;
+      nearer_q <= select_4176;
     end
   end
 
@@ -7479,45 +7480,45 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
-      averager_quarter_1_0_q <= select_2161;
-      averager_quarter_1_1_q <= select_2163;
-      averager_quarter_2_0_q <= select_2165;
-      averager_quarter_2_1_q <= select_2167;
-      averager_detail_0_q <= select_2179;
-      averager_detail_1_q <= select_2187;
+      averager_quarter_1_0_q <= select_2163;
+      averager_quarter_1_1_q <= select_2165;
+      averager_quarter_2_0_q <= select_2167;
+      averager_quarter_2_1_q <= select_2169;
+      averager_detail_0_q <= select_2181;
+      averager_detail_1_q <= select_2189;
       census_changes_values_0_left_q <= and_547_s3_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_547_s3_q ? sum_2271 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2273;
-      census_changes_values_1_right_q <= select_2274;
-      census_changes_values_2_left_q <= select_2275;
-      census_changes_values_2_right_q <= select_2276;
+      census_changes_values_0_right_q <= and_547_s3_q ? sum_2273 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2275;
+      census_changes_values_1_right_q <= select_2276;
+      census_changes_values_2_left_q <= select_2277;
+      census_changes_values_2_right_q <= select_2278;
       sharpness_last_mask_q <= and_547_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_547_s3_q ? select_2357[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_547_s3_q ? select_2357[27:14] : sharpness_last_detail_1_q;
-      box_textured_columns_values_0_q <= select_4005;
-      box_textured_columns_values_1_q <= select_4008;
-      box_textured_columns_values_2_q <= select_4011;
-      box_textured_columns_values_3_q <= select_4014;
-      box_textured_columns_values_4_q <= select_4017;
-      box_textured_sum_sums_values_0_q <= equal_572_s3_q ? box_textured_sum_sums_values_0_q : select_4019;
-      box_explained_columns_values_0_q <= select_4023;
-      box_explained_columns_values_1_q <= select_4026;
-      box_explained_columns_values_2_q <= select_4029;
-      box_explained_columns_values_3_q <= select_4032;
-      box_explained_columns_values_4_q <= select_4035;
-      box_explained_sum_sums_values_0_q <= equal_572_s3_q ? box_explained_sum_sums_values_0_q : select_4037;
-      box_shown_columns_values_0_q <= equal_572_s3_q ? box_shown_columns_values_0_q : select_4040;
-      box_shown_columns_values_1_q <= select_4044;
-      box_shown_columns_values_2_q <= select_4047;
-      box_shown_columns_values_3_q <= select_4050;
-      box_shown_columns_values_4_q <= select_4053;
-      box_shown_sum_sums_values_0_q <= equal_572_s3_q ? box_shown_sum_sums_values_0_q : select_4055;
-      box_nearer_columns_values_0_q <= equal_572_s3_q ? box_nearer_columns_values_0_q : select_4058;
-      box_nearer_columns_values_1_q <= select_4062;
-      box_nearer_columns_values_2_q <= select_4065;
-      box_nearer_columns_values_3_q <= select_4068;
-      box_nearer_columns_values_4_q <= select_4071;
-      box_nearer_sum_sums_values_0_q <= equal_572_s3_q ? box_nearer_sum_sums_values_0_q : select_4073;
+      sharpness_last_detail_0_q <= and_547_s3_q ? select_2359[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_547_s3_q ? select_2359[27:14] : sharpness_last_detail_1_q;
+      box_textured_columns_values_0_q <= select_4007;
+      box_textured_columns_values_1_q <= select_4010;
+      box_textured_columns_values_2_q <= select_4013;
+      box_textured_columns_values_3_q <= select_4016;
+      box_textured_columns_values_4_q <= select_4019;
+      box_textured_sum_sums_values_0_q <= equal_572_s3_q ? box_textured_sum_sums_values_0_q : select_4021;
+      box_explained_columns_values_0_q <= select_4025;
+      box_explained_columns_values_1_q <= select_4028;
+      box_explained_columns_values_2_q <= select_4031;
+      box_explained_columns_values_3_q <= select_4034;
+      box_explained_columns_values_4_q <= select_4037;
+      box_explained_sum_sums_values_0_q <= equal_572_s3_q ? box_explained_sum_sums_values_0_q : select_4039;
+      box_shown_columns_values_0_q <= equal_572_s3_q ? box_shown_columns_values_0_q : select_4042;
+      box_shown_columns_values_1_q <= select_4046;
+      box_shown_columns_values_2_q <= select_4049;
+      box_shown_columns_values_3_q <= select_4052;
+      box_shown_columns_values_4_q <= select_4055;
+      box_shown_sum_sums_values_0_q <= equal_572_s3_q ? box_shown_sum_sums_values_0_q : select_4057;
+      box_nearer_columns_values_0_q <= equal_572_s3_q ? box_nearer_columns_values_0_q : select_4060;
+      box_nearer_columns_values_1_q <= select_4064;
+      box_nearer_columns_values_2_q <= select_4067;
+      box_nearer_columns_values_3_q <= select_4070;
+      box_nearer_columns_values_4_q <= select_4073;
+      box_nearer_sum_sums_values_0_q <= equal_572_s3_q ? box_nearer_sum_sums_values_0_q : select_4075;
     end
   end
 
@@ -7526,21 +7527,21 @@ module horopter_agreement (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic and_4112_s4_q;
-  logic or_4175_s4_q;
-  logic and_4176_s4_q;
-  logic and_4184_s4_q;
-  logic and_4187_s4_q;
-  logic and_4193_s4_q;
-  logic and_4197_s4_q;
-  logic and_4203_s4_q;
-  logic and_4207_s4_q;
-  logic and_4215_s4_q;
-  logic and_4220_s4_q;
-  logic and_4223_s4_q;
-  logic and_4227_s4_q;
-  logic [5:0] select_4229_s4_q;
-  logic [31:0] select_4246_s4_q;
+  logic and_4114_s4_q;
+  logic or_4177_s4_q;
+  logic and_4178_s4_q;
+  logic and_4186_s4_q;
+  logic and_4189_s4_q;
+  logic and_4195_s4_q;
+  logic and_4199_s4_q;
+  logic and_4205_s4_q;
+  logic and_4209_s4_q;
+  logic and_4217_s4_q;
+  logic and_4222_s4_q;
+  logic and_4225_s4_q;
+  logic and_4229_s4_q;
+  logic [5:0] select_4231_s4_q;
+  logic [31:0] select_4248_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_1_q;
@@ -7548,21 +7549,21 @@ module horopter_agreement (
       mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
-      and_4112_s4_q <= said_q;
-      or_4175_s4_q <= not_2348 | select_4168;
-      and_4176_s4_q <= cfg_prove_i & select_4174;
-      and_4184_s4_q <= equal_572_s3_q & (equal_3940_s3_q & (cfg_prove_i & or_4181));
-      and_4187_s4_q <= equal_572_s3_q & (equal_3940_s3_q & (cfg_prove_i & or_3921));
-      and_4193_s4_q <= and_4193;
-      and_4197_s4_q <= equal_572_s3_q & and_4196;
-      and_4203_s4_q <= equal_572_s3_q & (equal_3940_s3_q & (not_4189 & or_4200));
-      and_4207_s4_q <= and_4207;
-      and_4215_s4_q <= equal_572_s3_q & (equal_3940_s3_q & (cfg_prove_i & and_4212));
-      and_4220_s4_q <= equal_572_s3_q & (equal_3940_s3_q & select_4218);
-      and_4223_s4_q <= and_4223;
-      and_4227_s4_q <= and_4227;
-      select_4229_s4_q <= equal_572_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
-      select_4246_s4_q <= equal_572_s3_q ? (x_s3_q[6] ? select_4244 : 32'h0) : 32'h0;
+      and_4114_s4_q <= said_q;
+      or_4177_s4_q <= not_2350 | select_4170;
+      and_4178_s4_q <= cfg_prove_i & select_4176;
+      and_4186_s4_q <= equal_572_s3_q & (equal_3942_s3_q & (cfg_prove_i & or_4183));
+      and_4189_s4_q <= equal_572_s3_q & (equal_3942_s3_q & (cfg_prove_i & or_3923));
+      and_4195_s4_q <= and_4195;
+      and_4199_s4_q <= equal_572_s3_q & and_4198;
+      and_4205_s4_q <= equal_572_s3_q & (equal_3942_s3_q & (not_4191 & or_4202));
+      and_4209_s4_q <= and_4209;
+      and_4217_s4_q <= equal_572_s3_q & (equal_3942_s3_q & (cfg_prove_i & and_4214));
+      and_4222_s4_q <= equal_572_s3_q & (equal_3942_s3_q & select_4220);
+      and_4225_s4_q <= and_4225;
+      and_4229_s4_q <= and_4229;
+      select_4231_s4_q <= equal_572_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
+      select_4248_s4_q <= equal_572_s3_q ? (x_s3_q[6] ? select_4246 : 32'h0) : 32'h0;
     end
   end
 
@@ -7572,21 +7573,21 @@ module horopter_agreement (
   assign mask_o = mask_s4_q;
   assign marks_first_o = marks_first_s4_q;
   assign marks_last_o = marks_last_s4_q;
-  assign marks_seen_o = or_4175_s4_q;
-  assign marks_nearer_o = and_4176_s4_q;
-  assign verdict_valid_o = and_4112_s4_q;
-  assign verdict_unproven_yet_o = and_4184_s4_q;
-  assign verdict_untextured_o = and_4187_s4_q;
-  assign verdict_disagree_o = and_4193_s4_q;
-  assign verdict_moved_o = and_4197_s4_q;
-  assign verdict_unsharp_left_o = and_4203_s4_q;
-  assign verdict_unsharp_right_o = and_4207_s4_q;
-  assign verdict_hidden_o = and_4215_s4_q;
-  assign verdict_overlooked_o = and_4220_s4_q;
-  assign verdict_out_of_step_o = and_4223_s4_q;
-  assign frame_valid_o = and_4227_s4_q;
-  assign frame_index_o = select_4229_s4_q;
-  assign frame_word_o = select_4246_s4_q;
+  assign marks_seen_o = or_4177_s4_q;
+  assign marks_nearer_o = and_4178_s4_q;
+  assign verdict_valid_o = and_4114_s4_q;
+  assign verdict_unproven_yet_o = and_4186_s4_q;
+  assign verdict_untextured_o = and_4189_s4_q;
+  assign verdict_disagree_o = and_4195_s4_q;
+  assign verdict_moved_o = and_4199_s4_q;
+  assign verdict_unsharp_left_o = and_4205_s4_q;
+  assign verdict_unsharp_right_o = and_4209_s4_q;
+  assign verdict_hidden_o = and_4217_s4_q;
+  assign verdict_overlooked_o = and_4222_s4_q;
+  assign verdict_out_of_step_o = and_4225_s4_q;
+  assign frame_valid_o = and_4229_s4_q;
+  assign frame_index_o = select_4231_s4_q;
+  assign frame_word_o = select_4248_s4_q;
   assign valid_o = valid_s4_q;
 
   always_ff @(posedge clk_i) begin
@@ -7605,6 +7606,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_3836[4:0], sum_3802[1:0], sum_3757[1:0], product_3648[4:0], sum_2742[0], difference_2683[1:0], detail_4[1:0], detail_3[1:0], sum_2281[4:0], sum_1712[0], sum_1708[0], sum_729[4:0], cfg_compete_i, cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], product_3838[4:0], sum_3804[1:0], sum_3759[1:0], product_3650[4:0], sum_2744[0], difference_2685[1:0], detail_4[1:0], detail_3[1:0], sum_2283[4:0], sum_1712[0], sum_1708[0], sum_729[4:0], cfg_compete_i, cfg_width_i[2:0]};
 
 endmodule

@@ -94,20 +94,20 @@ module horopter_agreement (
   assign s23_en = en_i & valid_s23_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2348;
-  assign not_2348 = ~cfg_prove_i;
-  logic [6:0] sum_2561;
-  assign sum_2561 = {1'b0, cfg_height_i[10:5]} + 7'h5;
-  logic [6:0] difference_3621;
-  assign difference_3621 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_3834;
-  assign not_3834 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [7:0] difference_3892;
-  assign difference_3892 = 8'h0 - {1'b0, cfg_height_i[10:4]};
-  logic less_4108;
-  assign less_4108 = 7'h8 < cfg_height_i[10:4];
-  logic [4:0] sum_4109;
-  assign sum_4109 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
+  logic not_2350;
+  assign not_2350 = ~cfg_prove_i;
+  logic [6:0] sum_2563;
+  assign sum_2563 = {1'b0, cfg_height_i[10:5]} + 7'h5;
+  logic [6:0] difference_3623;
+  assign difference_3623 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_3836;
+  assign not_3836 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [7:0] difference_3894;
+  assign difference_3894 = 8'h0 - {1'b0, cfg_height_i[10:4]};
+  logic less_4110;
+  assign less_4110 = 7'h8 < cfg_height_i[10:4];
+  logic [4:0] sum_4111;
+  assign sum_4111 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -117,18 +117,21 @@ module horopter_agreement (
   logic [3:0] raster_at_x_q;
   logic raster_row_ended_q;
   logic [8:0] averager_place_q;
-  // hls/stages/census.hpp:33
+  // hls/stages/census.hpp:42
+  logic [3:0] select_507;
+  assign select_507 = sample_pair_first_q ? 4'h0 : raster_at_x_q;
+  // hls/stages/census.hpp:114
+  logic equal_508;
+  assign equal_508 = select_507[1:0] == 2'h0;
+  // hls/stages/census.hpp:34
   logic row_starts;
   assign row_starts = sample_pair_first_q | raster_row_ended_q;
-  // hls/stages/census.hpp:38
-  logic [3:0] select_508;
-  assign select_508 = row_starts ? 4'h0 : raster_at_x_q;
-  // hls/stages/census.hpp:114
-  logic equal_509;
-  assign equal_509 = select_508[1:0] == 2'h0;
   // hls/stages/census.hpp:124
   logic [8:0] select_512;
-  assign select_512 = equal_509 ? (row_starts ? 9'h0 : (averager_place_q + 9'h1)) : averager_place_q;
+  assign select_512 = equal_508 ? (row_starts ? 9'h0 : (averager_place_q + 9'h1)) : averager_place_q;
+  // hls/stages/agreement.hpp:276
+  logic [3:0] select_2140;
+  assign select_2140 = sample_pair_whole_q ? (sample_last_q ? 4'h0 : (select_507 + 4'h1)) : raster_at_x_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -144,7 +147,7 @@ module horopter_agreement (
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_508 + 4'h1) : raster_at_x_q;
+      raster_at_x_q <= select_2140;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
       averager_place_q <= sample_pair_whole_q ? select_512 : averager_place_q;
     end
@@ -158,9 +161,9 @@ module horopter_agreement (
   logic sample_pair_whole_s1_q;
   logic sample_last_s1_q;
   logic sample_present_s1_q;
+  logic [3:0] select_507_s1_q;
+  logic equal_508_s1_q;
   logic row_starts_s1_q;
-  logic [3:0] select_508_s1_q;
-  logic equal_509_s1_q;
   logic [8:0] select_512_s1_q;
   logic not_514_s1_q;
   always_ff @(posedge clk_i) begin
@@ -173,9 +176,9 @@ module horopter_agreement (
       sample_pair_whole_s1_q <= sample_pair_whole_q;
       sample_last_s1_q <= sample_last_q;
       sample_present_s1_q <= sample_present_q;
+      select_507_s1_q <= select_507;
+      equal_508_s1_q <= equal_508;
       row_starts_s1_q <= row_starts;
-      select_508_s1_q <= select_508;
-      equal_509_s1_q <= equal_509;
       select_512_s1_q <= select_512;
       not_514_s1_q <= ~(averager_place_q == 9'h1df);
     end
@@ -190,34 +193,33 @@ module horopter_agreement (
   logic averager_inside_q;
   // hls/stages/census.hpp:124
   logic select_517;
-  assign select_517 = equal_509_s1_q ? (row_starts_s1_q | (averager_inside_q & not_514_s1_q)) : averager_inside_q;
-  // hls/stages/census.hpp:44
+  assign select_517 = equal_508_s1_q ? (row_starts_s1_q | (averager_inside_q & not_514_s1_q)) : averager_inside_q;
+  // hls/stages/census.hpp:42
   logic or_518;
   assign or_518 = sample_pair_first_s1_q | raster_at_live_q;
   logic [3:0] select_526;
   assign select_526 = sample_pair_first_s1_q ? 4'h0 : raster_at_y_q;
-  // hls/stages/census.hpp:38
   logic [6:0] select_542;
-  assign select_542 = row_starts_s1_q ? 7'h0 : raster_at_column_q;
+  assign select_542 = sample_pair_first_s1_q ? 7'h0 : raster_at_column_q;
   // hls/stages/agreement.hpp:276
   logic [6:0] last;
   assign last = sample_pair_whole_s1_q ? select_542 : 7'h0;
-  // hls/stages/census.hpp:55
+  // hls/stages/census.hpp:53
   logic equal_544;
-  assign equal_544 = select_508_s1_q == 4'hf;
+  assign equal_544 = select_507_s1_q == 4'hf;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2142;
-  assign select_2142 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (select_526 + 4'h1) : select_526) : raster_at_y_q;
-  logic [6:0] select_2144;
-  assign select_2144 = sample_pair_whole_s1_q ? (select_542 + {6'h0, equal_544}) : raster_at_column_q;
-  logic select_2151;
-  assign select_2151 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_518 & (~raster_final_row_q)) : or_518) : raster_at_live_q;
-  // hls/stages/census.hpp:54
-  logic [10:0] select_2153;
-  assign select_2153 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
+  logic [3:0] select_2143;
+  assign select_2143 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (select_526 + 4'h1) : select_526) : raster_at_y_q;
+  logic [6:0] select_2146;
+  assign select_2146 = sample_pair_whole_s1_q ? (sample_last_s1_q ? 7'h0 : (select_542 + {6'h0, equal_544})) : raster_at_column_q;
+  logic select_2153;
+  assign select_2153 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_518 & (~raster_final_row_q)) : or_518) : raster_at_live_q;
+  // hls/stages/census.hpp:52
+  logic [10:0] select_2155;
+  assign select_2155 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
   // hls/stages/agreement.hpp:276
-  logic select_2157;
-  assign select_2157 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
+  logic select_2159;
+  assign select_2159 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -228,11 +230,11 @@ module horopter_agreement (
       raster_final_row_q <= 1'b0;
       averager_inside_q <= 1'b1;
     end else if (s1_en) begin
-      raster_at_y_q <= select_2142;
-      raster_at_column_q <= select_2144;
-      raster_at_live_q <= select_2151;
-      raster_rows_left_q <= sample_pair_whole_s1_q ? select_2153 : raster_rows_left_q;
-      raster_final_row_q <= select_2157;
+      raster_at_y_q <= select_2143;
+      raster_at_column_q <= select_2146;
+      raster_at_live_q <= select_2153;
+      raster_rows_left_q <= sample_pair_whole_s1_q ? select_2155 : raster_rows_left_q;
+      raster_final_row_q <= select_2159;
       averager_inside_q <= sample_pair_whole_s1_q ? select_517 : averager_inside_q;
     end
   end
@@ -247,9 +249,9 @@ module horopter_agreement (
   logic sample_pair_whole_s2_q;
   logic sample_last_s2_q;
   logic sample_present_s2_q;
+  logic [3:0] select_507_s2_q;
+  logic equal_508_s2_q;
   logic row_starts_s2_q;
-  logic [3:0] select_508_s2_q;
-  logic equal_509_s2_q;
   logic [8:0] select_512_s2_q;
   logic and_521_s2_q;
   logic [3:0] select_526_s2_q;
@@ -258,7 +260,7 @@ module horopter_agreement (
   logic equal_544_s2_q;
   logic equal_545_s2_q;
   logic equal_1677_s2_q;
-  logic [7:0] sum_2466_s2_q;
+  logic [7:0] sum_2468_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -271,18 +273,18 @@ module horopter_agreement (
       sample_pair_whole_s2_q <= sample_pair_whole_s1_q;
       sample_last_s2_q <= sample_last_s1_q;
       sample_present_s2_q <= sample_present_s1_q;
+      select_507_s2_q <= select_507_s1_q;
+      equal_508_s2_q <= equal_508_s1_q;
       row_starts_s2_q <= row_starts_s1_q;
-      select_508_s2_q <= select_508_s1_q;
-      equal_509_s2_q <= equal_509_s1_q;
       select_512_s2_q <= select_512_s1_q;
-      and_521_s2_q <= select_517 & (or_518 & (select_508_s1_q[1:0] == 2'h3));
+      and_521_s2_q <= select_517 & (or_518 & (select_507_s1_q[1:0] == 2'h3));
       select_526_s2_q <= select_526;
       select_542_s2_q <= select_542;
       last_s2_q <= last;
       equal_544_s2_q <= equal_544;
       equal_545_s2_q <= select_526 == 4'hf;
       equal_1677_s2_q <= {or_518, select_526} == 5'h18;
-      sum_2466_s2_q <= {1'b0, last} + 8'h1;
+      sum_2468_s2_q <= {1'b0, last} + 8'h1;
     end
   end
 
@@ -295,32 +297,32 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:276
   logic and_548;
   assign and_548 = sample_pair_whole_s2_q & (equal_544_s2_q & and_546);
-  // hls/stages/census.hpp:44
+  // hls/stages/census.hpp:42
   logic [6:0] select_676;
   assign select_676 = sample_pair_first_s2_q ? 7'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:276
   logic [6:0] row;
   assign row = sample_pair_whole_s2_q ? select_676 : 7'h0;
   // hls/stages/census.hpp:62
-  logic [6:0] select_2146;
-  assign select_2146 = sample_last_s2_q ? (select_676 + {6'h0, equal_545_s2_q}) : select_676;
+  logic [6:0] select_2148;
+  assign select_2148 = sample_last_s2_q ? (select_676 + {6'h0, equal_545_s2_q}) : select_676;
   // hls/stages/agreement.hpp:459
-  logic equal_2467;
-  assign equal_2467 = {sum_2466_s2_q[7], cfg_width_i[10:4]} == {1'b0, sum_2466_s2_q[6:0]};
+  logic equal_2469;
+  assign equal_2469 = {sum_2468_s2_q[7], cfg_width_i[10:4]} == {1'b0, sum_2468_s2_q[6:0]};
   // hls/stages/patches.hpp:318
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
-  logic [3:0] select_2935;
-  assign select_2935 = row_starts_s2_q ? (sample_pair_first_s2_q ? phase : patches_phase_q) : patches_phase_q;
+  logic [3:0] select_2937;
+  assign select_2937 = row_starts_s2_q ? (sample_pair_first_s2_q ? phase : patches_phase_q) : patches_phase_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       raster_at_row_q <= 7'h0;
       patches_phase_q <= 4'h0;
     end else if (s2_en) begin
-      raster_at_row_q <= sample_pair_whole_s2_q ? select_2146 : raster_at_row_q;
-      patches_phase_q <= sample_pair_whole_s2_q ? select_2935 : patches_phase_q;
+      raster_at_row_q <= sample_pair_whole_s2_q ? select_2148 : raster_at_row_q;
+      patches_phase_q <= sample_pair_whole_s2_q ? select_2937 : patches_phase_q;
     end
   end
 
@@ -333,9 +335,9 @@ module horopter_agreement (
   logic sample_pair_first_s3_q;
   logic sample_pair_whole_s3_q;
   logic sample_present_s3_q;
+  logic [3:0] select_507_s3_q;
+  logic equal_508_s3_q;
   logic row_starts_s3_q;
-  logic [3:0] select_508_s3_q;
-  logic equal_509_s3_q;
   logic [8:0] select_512_s3_q;
   logic and_521_s3_q;
   logic [3:0] select_526_s3_q;
@@ -346,9 +348,9 @@ module horopter_agreement (
   logic [6:0] select_676_s3_q;
   logic [6:0] row_s3_q;
   logic equal_1677_s3_q;
-  logic equal_2467_s3_q;
-  logic and_2468_s3_q;
-  logic [7:0] sum_2557_s3_q;
+  logic equal_2469_s3_q;
+  logic and_2470_s3_q;
+  logic [7:0] sum_2559_s3_q;
   logic [3:0] phase_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
@@ -361,9 +363,9 @@ module horopter_agreement (
       sample_pair_first_s3_q <= sample_pair_first_s2_q;
       sample_pair_whole_s3_q <= sample_pair_whole_s2_q;
       sample_present_s3_q <= sample_present_s2_q;
+      select_507_s3_q <= select_507_s2_q;
+      equal_508_s3_q <= equal_508_s2_q;
       row_starts_s3_q <= row_starts_s2_q;
-      select_508_s3_q <= select_508_s2_q;
-      equal_509_s3_q <= equal_509_s2_q;
       select_512_s3_q <= select_512_s2_q;
       and_521_s3_q <= and_521_s2_q;
       select_526_s3_q <= select_526_s2_q;
@@ -374,9 +376,9 @@ module horopter_agreement (
       select_676_s3_q <= select_676;
       row_s3_q <= row;
       equal_1677_s3_q <= equal_1677_s2_q;
-      equal_2467_s3_q <= equal_2467;
-      and_2468_s3_q <= and_548 & equal_2467;
-      sum_2557_s3_q <= {1'b0, row} + 8'h1;
+      equal_2469_s3_q <= equal_2469;
+      and_2470_s3_q <= and_548 & equal_2469;
+      sum_2559_s3_q <= {1'b0, row} + 8'h1;
       phase_s3_q <= phase;
     end
   end
@@ -419,104 +421,104 @@ module horopter_agreement (
   logic equal_593;
   assign equal_593 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:523
-  logic select_2471;
-  assign select_2471 = (and_2468_s3_q | (~ends_cell_q)) ? and_2468_s3_q : ends_q;
+  logic select_2473;
+  assign select_2473 = (and_2470_s3_q | (~ends_cell_q)) ? and_2470_s3_q : ends_q;
   // hls/stages/agreement.hpp:529
   logic [2:0] now;
-  assign now = select_2471 ? (and_2468_s3_q ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2473 ? (and_2470_s3_q ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:534
-  logic [5:0] select_2475;
-  assign select_2475 = select_2471 ? (and_2468_s3_q ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2478;
-  assign select_2478 = select_2471 ? (following_last_shift_q & (~and_2468_s3_q)) : run_last_shift_q;
+  logic [5:0] select_2477;
+  assign select_2477 = select_2473 ? (and_2470_s3_q ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2480;
+  assign select_2480 = select_2473 ? (following_last_shift_q & (~and_2470_s3_q)) : run_last_shift_q;
   // hls/stages/agreement.hpp:535
-  logic [7:0] select_2480;
-  assign select_2480 = select_2471 ? (and_2468_s3_q ? 8'h0 : following_span_q) : run_span_q;
+  logic [7:0] select_2482;
+  assign select_2482 = select_2473 ? (and_2470_s3_q ? 8'h0 : following_span_q) : run_span_q;
   // hls/stages/agreement.hpp:607
-  logic and_2481;
-  assign and_2481 = run_last_shift_q & equal_592;
+  logic and_2483;
+  assign and_2483 = run_last_shift_q & equal_592;
   // hls/stages/agreement.hpp:616
-  logic select_2483;
-  assign select_2483 = equal_592 ? (~run_last_shift_q) : equal_593;
+  logic select_2485;
+  assign select_2485 = equal_592 ? (~run_last_shift_q) : equal_593;
   // hls/stages/agreement.hpp:620
-  logic equal_2484;
-  assign equal_2484 = run_phase_q == 3'h1;
-  logic not_2487;
-  assign not_2487 = ~select_2483;
+  logic equal_2486;
+  assign equal_2486 = run_phase_q == 3'h1;
+  logic not_2489;
+  assign not_2489 = ~select_2485;
   // hls/stages/agreement.hpp:623
-  logic equal_2489;
-  assign equal_2489 = run_phase_q == 3'h4;
+  logic equal_2491;
+  assign equal_2491 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:607
-  logic and_2490;
-  assign and_2490 = final_row_q & so;
+  logic and_2492;
+  assign and_2492 = final_row_q & so;
   // hls/stages/agreement.hpp:620
-  logic [1:0] select_2491;
-  assign select_2491 = equal_2489 ? 2'h1 : {2{and_2490}};
-  logic [2:0] select_2493;
-  assign select_2493 = (and_2481 | (select_2483 | equal_2484)) ? (equal_2484 ? 3'h2 : {not_2487, {2{select_2483}}}) : (equal_577 ? 3'h6 : {select_2491[0], select_2491});
+  logic [1:0] select_2493;
+  assign select_2493 = equal_2491 ? 2'h1 : {2{and_2492}};
+  logic [2:0] select_2495;
+  assign select_2495 = (and_2483 | (select_2485 | equal_2486)) ? (equal_2486 ? 3'h2 : {not_2489, {2{select_2485}}}) : (equal_577 ? 3'h6 : {select_2493[0], select_2493});
   // hls/stages/agreement.hpp:607
-  logic and_2496;
-  assign and_2496 = select_2483 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  logic and_2498;
+  assign and_2498 = select_2485 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:630
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2499;
-  assign select_2499 = (plan_shift_q[5] & select_2483) ? value : 7'h0;
-  logic [1:0] or_2500;
-  assign or_2500 = {2{so}} | select_2499[5:4];
+  logic [6:0] select_2501;
+  assign select_2501 = (plan_shift_q[5] & select_2485) ? value : 7'h0;
+  logic [1:0] or_2502;
+  assign or_2502 = {2{so}} | select_2501[5:4];
   // hls/stages/agreement.hpp:633
-  logic [7:0] or_2504;
-  assign or_2504 = (select_2483 ? plan_columns_q : 8'h0) | ((equal_2484 | equal_2489) ? whole_q : 8'h0);
-  logic [1:0] or_2505;
-  assign or_2505 = {2{and_2481}} | or_2504[4:3];
+  logic [7:0] or_2506;
+  assign or_2506 = (select_2485 ? plan_columns_q : 8'h0) | ((equal_2486 | equal_2491) ? whole_q : 8'h0);
+  logic [1:0] or_2507;
+  assign or_2507 = {2{and_2483}} | or_2506[4:3];
   // hls/stages/agreement.hpp:634
-  logic [7:0] or_2507;
-  assign or_2507 = {or_2504[7:5], or_2505, or_2504[2:0]} | (equal_577 ? drawn_q : 8'h0);
-  logic [4:0] or_2508;
-  assign or_2508 = {5{so}} | {or_2507[6], or_2507[3:0]};
+  logic [7:0] or_2509;
+  assign or_2509 = {or_2506[7:5], or_2507, or_2506[2:0]} | (equal_577 ? drawn_q : 8'h0);
+  logic [4:0] or_2510;
+  assign or_2510 = {5{so}} | {or_2509[6], or_2509[3:0]};
   // hls/stages/agreement.hpp:640
-  logic not_2512;
-  assign not_2512 = ~run_shift_q[5];
-  logic [7:0] select_2515;
-  assign select_2515 = equal_592 ? ({{7{not_2512}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  logic not_2514;
+  assign not_2514 = ~run_shift_q[5];
+  logic [7:0] select_2517;
+  assign select_2517 = equal_592 ? ({{7{not_2514}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:523
-  logic [6:0] select_2519;
-  assign select_2519 = and_2468_s3_q ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2521;
+  assign select_2521 = and_2470_s3_q ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:526
-  logic [7:0] select_2521;
-  assign select_2521 = select_2471 ? {select_2519[6], select_2519} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2524;
-  assign select_2524 = select_2471 ? (and_2468_s3_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2523;
+  assign select_2523 = select_2473 ? {select_2521[6], select_2521} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2526;
+  assign select_2526 = select_2473 ? (and_2470_s3_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:460
-  logic [6:0] select_2531;
-  assign select_2531 = equal_2467_s3_q ? ((6'he < last_s3_q[6:1]) ? 7'h1d : last_s3_q) : least_q;
+  logic [6:0] select_2533;
+  assign select_2533 = equal_2469_s3_q ? ((6'he < last_s3_q[6:1]) ? 7'h1d : last_s3_q) : least_q;
   // hls/stages/agreement.hpp:473
-  logic [4:0] sum_2533;
-  assign sum_2533 = {1'b0, last_s3_q[6:3]} + 5'h3;
+  logic [4:0] sum_2535;
+  assign sum_2535 = {1'b0, last_s3_q[6:3]} + 5'h3;
   // hls/stages/agreement.hpp:520
-  logic [7:0] select_2535;
-  assign select_2535 = and_548_s3_q ? (equal_2467_s3_q ? {sum_2533, last_s3_q[2:0]} : whole_q) : whole_q;
+  logic [7:0] select_2537;
+  assign select_2537 = and_548_s3_q ? (equal_2469_s3_q ? {sum_2535, last_s3_q[2:0]} : whole_q) : whole_q;
   // hls/stages/agreement.hpp:474
-  logic [5:0] sum_2536;
-  assign sum_2536 = {1'b0, last_s3_q[6:2]} + 6'h1;
+  logic [5:0] sum_2538;
+  assign sum_2538 = {1'b0, last_s3_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:520
-  logic [7:0] select_2538;
-  assign select_2538 = and_548_s3_q ? (equal_2467_s3_q ? {sum_2536, last_s3_q[1:0]} : drawn_q) : drawn_q;
+  logic [7:0] select_2540;
+  assign select_2540 = and_548_s3_q ? (equal_2469_s3_q ? {sum_2538, last_s3_q[1:0]} : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:531
-  logic select_2552;
-  assign select_2552 = (ends_cell_q | select_2471) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_592 | (slot_q == 3'h6));
+  logic select_2554;
+  assign select_2554 = (ends_cell_q | select_2473) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_592 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:526
-  logic and_2556;
-  assign and_2556 = (~select_2471) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_2558;
+  assign and_2558 = (~select_2473) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:476
-  logic equal_2558;
-  assign equal_2558 = {sum_2557_s3_q[7], cfg_height_i[10:4]} == {1'b0, sum_2557_s3_q[6:0]};
+  logic equal_2560;
+  assign equal_2560 = {sum_2559_s3_q[7], cfg_height_i[10:4]} == {1'b0, sum_2559_s3_q[6:0]};
   // hls/stages/agreement.hpp:520
-  logic select_2560;
-  assign select_2560 = and_548_s3_q ? (equal_2467_s3_q ? equal_2558 : final_row_q) : final_row_q;
+  logic select_2562;
+  assign select_2562 = and_548_s3_q ? (equal_2469_s3_q ? equal_2560 : final_row_q) : final_row_q;
   // hls/stages/patches.hpp:372
-  logic [7:0] sum_2998;
-  assign sum_2998 = {1'b0, select_676_s3_q} + 8'h1;
+  logic [7:0] sum_3000;
+  assign sum_3000 = {1'b0, select_676_s3_q} + 8'h1;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -546,28 +548,28 @@ module horopter_agreement (
       shift_first_q <= 1'b0;
     end else if (s3_en) begin
       run_phase_q <= now;
-      run_shift_q <= select_2475;
-      run_last_shift_q <= select_2478;
-      run_span_q <= select_2480;
-      following_phase_q <= select_2493;
-      following_shift_q <= select_2483 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2496;
+      run_shift_q <= select_2477;
+      run_last_shift_q <= select_2480;
+      run_span_q <= select_2482;
+      following_phase_q <= select_2495;
+      following_shift_q <= select_2485 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2498;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2499[6], or_2500, select_2499[3:0]};
-      following_columns_q <= {or_2507[7], or_2508[4], or_2507[5:4], or_2508[3:0]};
+      following_lowest_q <= {select_2501[6], or_2502, select_2501[3:0]};
+      following_columns_q <= {or_2509[7], or_2510[4], or_2509[5:4], or_2510[3:0]};
       plan_shift_q <= equal_592 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2515;
+      plan_span_q <= select_2517;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2521;
-      columns_left_q <= select_2524;
-      last_q <= and_548_s3_q ? (equal_2467_s3_q ? last_s3_q : last_q) : last_q;
-      least_q <= and_548_s3_q ? select_2531 : least_q;
-      whole_q <= select_2535;
-      drawn_q <= select_2538;
-      slot_q <= select_2471 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2552;
-      ends_q <= and_2556;
-      final_row_q <= select_2560;
+      x_q <= select_2523;
+      columns_left_q <= select_2526;
+      last_q <= and_548_s3_q ? (equal_2469_s3_q ? last_s3_q : last_q) : last_q;
+      least_q <= and_548_s3_q ? select_2533 : least_q;
+      whole_q <= select_2537;
+      drawn_q <= select_2540;
+      slot_q <= select_2473 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2554;
+      ends_q <= and_2558;
+      final_row_q <= select_2562;
       shift_first_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
     end
   end
@@ -587,9 +589,9 @@ module horopter_agreement (
   logic [2:0] slot_s4_q;
   logic ends_cell_s4_q;
   logic shift_first_s4_q;
+  logic [3:0] select_507_s4_q;
+  logic equal_508_s4_q;
   logic row_starts_s4_q;
-  logic [3:0] select_508_s4_q;
-  logic equal_509_s4_q;
   logic [8:0] select_512_s4_q;
   logic and_521_s4_q;
   logic equal_527_s4_q;
@@ -606,13 +608,13 @@ module horopter_agreement (
   logic [7:0] sum_610_s4_q;
   logic [6:0] row_s4_q;
   logic equal_1677_s4_q;
-  logic equal_2467_s4_q;
-  logic and_2468_s4_q;
-  logic select_2471_s4_q;
+  logic equal_2469_s4_q;
+  logic and_2470_s4_q;
+  logic select_2473_s4_q;
   logic [3:0] phase_s4_q;
-  logic equal_2955_s4_q;
-  logic [3:0] select_2958_s4_q;
-  logic not_3000_s4_q;
+  logic equal_2957_s4_q;
+  logic [3:0] select_2960_s4_q;
+  logic not_3002_s4_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s4_q <= pixel_0_s3_q;
@@ -630,9 +632,9 @@ module horopter_agreement (
       slot_s4_q <= slot_q;
       ends_cell_s4_q <= ends_cell_q;
       shift_first_s4_q <= shift_first_q;
+      select_507_s4_q <= select_507_s3_q;
+      equal_508_s4_q <= equal_508_s3_q;
       row_starts_s4_q <= row_starts_s3_q;
-      select_508_s4_q <= select_508_s3_q;
-      equal_509_s4_q <= equal_509_s3_q;
       select_512_s4_q <= select_512_s3_q;
       and_521_s4_q <= and_521_s3_q;
       equal_527_s4_q <= select_526_s3_q == 4'h0;
@@ -649,13 +651,13 @@ module horopter_agreement (
       sum_610_s4_q <= {1'b0, last_q} + 8'h3;
       row_s4_q <= row_s3_q;
       equal_1677_s4_q <= equal_1677_s3_q;
-      equal_2467_s4_q <= equal_2467_s3_q;
-      and_2468_s4_q <= and_2468_s3_q;
-      select_2471_s4_q <= select_2471;
+      equal_2469_s4_q <= equal_2469_s3_q;
+      and_2470_s4_q <= and_2470_s3_q;
+      select_2473_s4_q <= select_2473;
       phase_s4_q <= phase_s3_q;
-      equal_2955_s4_q <= row_s3_q == 7'h3;
-      select_2958_s4_q <= (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
-      not_3000_s4_q <= ~({sum_2998, select_526_s3_q, 1'b0} < {2'h0, cfg_height_i});
+      equal_2957_s4_q <= row_s3_q == 7'h3;
+      select_2960_s4_q <= (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
+      not_3002_s4_q <= ~({sum_3000, select_526_s3_q, 1'b0} < {2'h0, cfg_height_i});
     end
   end
 
@@ -674,24 +676,24 @@ module horopter_agreement (
   logic [7:0] x;
   assign x = x_s4_q + 8'hfd;
   // hls/stages/agreement.hpp:528
-  logic [6:0] select_2540;
-  assign select_2540 = select_2471_s4_q ? 7'h0 : (ends_cell_s4_q ? {age_q[5:0], 1'b1} : age_q);
+  logic [6:0] select_2542;
+  assign select_2542 = select_2473_s4_q ? 7'h0 : (ends_cell_s4_q ? {age_q[5:0], 1'b1} : age_q);
   // hls/stages/patches.hpp:87
-  logic [3:0] select_2959;
-  assign select_2959 = equal_2955_s4_q ? select_2958_s4_q : patches_choosing_rows_to_next_q;
-  logic equal_2960;
-  assign equal_2960 = select_2959 == 4'h0;
+  logic [3:0] select_2961;
+  assign select_2961 = equal_2957_s4_q ? select_2960_s4_q : patches_choosing_rows_to_next_q;
+  logic equal_2962;
+  assign equal_2962 = select_2961 == 4'h0;
   // hls/stages/agreement.hpp:460
-  logic [3:0] select_2963;
-  assign select_2963 = equal_2467_s4_q ? (equal_2960 ? 4'h2 : (select_2959 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_2965;
+  assign select_2965 = equal_2469_s4_q ? (equal_2962 ? 4'h2 : (select_2961 + 4'hf)) : patches_choosing_rows_to_next_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       age_q <= 7'h0;
       patches_choosing_rows_to_next_q <= 4'h0;
     end else if (s4_en) begin
-      age_q <= select_2540;
-      patches_choosing_rows_to_next_q <= and_548_s4_q ? select_2963 : patches_choosing_rows_to_next_q;
+      age_q <= select_2542;
+      patches_choosing_rows_to_next_q <= and_548_s4_q ? select_2965 : patches_choosing_rows_to_next_q;
     end
   end
 
@@ -712,9 +714,9 @@ module horopter_agreement (
   logic ends_cell_s5_q;
   logic shift_first_s5_q;
   logic [3:0] patches_choosing_rows_to_next_s5_q;
+  logic [3:0] select_507_s5_q;
+  logic equal_508_s5_q;
   logic row_starts_s5_q;
-  logic [3:0] select_508_s5_q;
-  logic equal_509_s5_q;
   logic [8:0] select_512_s5_q;
   logic and_521_s5_q;
   logic equal_527_s5_q;
@@ -735,12 +737,12 @@ module horopter_agreement (
   logic [6:0] row_s5_q;
   logic equal_1561_s5_q;
   logic equal_1677_s5_q;
-  logic equal_2467_s5_q;
-  logic and_2468_s5_q;
+  logic equal_2469_s5_q;
+  logic and_2470_s5_q;
   logic [3:0] phase_s5_q;
-  logic equal_2955_s5_q;
-  logic equal_2960_s5_q;
-  logic not_3000_s5_q;
+  logic equal_2957_s5_q;
+  logic equal_2962_s5_q;
+  logic not_3002_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s5_q <= pixel_0_s4_q;
@@ -760,9 +762,9 @@ module horopter_agreement (
       ends_cell_s5_q <= ends_cell_s4_q;
       shift_first_s5_q <= shift_first_s4_q;
       patches_choosing_rows_to_next_s5_q <= patches_choosing_rows_to_next_q;
+      select_507_s5_q <= select_507_s4_q;
+      equal_508_s5_q <= equal_508_s4_q;
       row_starts_s5_q <= row_starts_s4_q;
-      select_508_s5_q <= select_508_s4_q;
-      equal_509_s5_q <= equal_509_s4_q;
       select_512_s5_q <= select_512_s4_q;
       and_521_s5_q <= and_521_s4_q;
       equal_527_s5_q <= equal_527_s4_q;
@@ -783,12 +785,12 @@ module horopter_agreement (
       row_s5_q <= row_s4_q;
       equal_1561_s5_q <= {x[7], last_s4_q} == {1'b0, x[6:0]};
       equal_1677_s5_q <= equal_1677_s4_q;
-      equal_2467_s5_q <= equal_2467_s4_q;
-      and_2468_s5_q <= and_2468_s4_q;
+      equal_2469_s5_q <= equal_2469_s4_q;
+      and_2470_s5_q <= and_2470_s4_q;
       phase_s5_q <= phase_s4_q;
-      equal_2955_s5_q <= equal_2955_s4_q;
-      equal_2960_s5_q <= equal_2960;
-      not_3000_s5_q <= not_3000_s4_q;
+      equal_2957_s5_q <= equal_2957_s4_q;
+      equal_2962_s5_q <= equal_2962;
+      not_3002_s5_q <= not_3002_s4_q;
     end
   end
 
@@ -828,51 +830,51 @@ module horopter_agreement (
   logic equal_1679;
   assign equal_1679 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/agreement.hpp:520
-  logic and_2825;
-  assign and_2825 = and_548_s5_q & (equal_2467_s5_q & (row_s5_q[6:2] == 5'h0));
+  logic and_2827;
+  assign and_2827 = and_548_s5_q & (equal_2469_s5_q & (row_s5_q[6:2] == 5'h0));
   // hls/stages/patches.hpp:374
-  logic and_2937;
-  assign and_2937 = not_1675 & equal_1677_s5_q;
-  logic [8:0] select_2938;
-  assign select_2938 = and_2937 ? {patches_choosing_number_q, patches_choosing_rows_to_next_s5_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_2939;
-  assign select_2939 = and_2937 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic and_2939;
+  assign and_2939 = not_1675 & equal_1677_s5_q;
   logic [8:0] select_2940;
-  assign select_2940 = sample_pair_first_s5_q ? select_2938 : select_2939;
+  assign select_2940 = and_2939 ? {patches_choosing_number_q, patches_choosing_rows_to_next_s5_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_2941;
+  assign select_2941 = and_2939 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_2942;
+  assign select_2942 = sample_pair_first_s5_q ? select_2940 : select_2941;
   // hls/stages/patches.hpp:126
-  logic [3:0] select_2941;
-  assign select_2941 = row_starts_s5_q ? select_2940[3:0] : patches_band_rows_rows_to_next_q;
+  logic [3:0] select_2943;
+  assign select_2943 = row_starts_s5_q ? select_2942[3:0] : patches_band_rows_rows_to_next_q;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2942;
-  assign select_2942 = sample_pair_whole_s5_q ? select_2941 : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_2944;
-  assign select_2944 = sample_pair_whole_s5_q ? (row_starts_s5_q ? select_2940[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_2947;
-  assign select_2947 = sample_pair_whole_s5_q ? (equal_1679 ? 4'h2 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_2949;
-  assign select_2949 = sample_pair_whole_s5_q ? (patches_band_rows_number_q + {4'h0, equal_1679}) : patches_next_band_number_q;
+  logic [3:0] select_2944;
+  assign select_2944 = sample_pair_whole_s5_q ? select_2943 : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_2946;
+  assign select_2946 = sample_pair_whole_s5_q ? (row_starts_s5_q ? select_2942[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_2949;
+  assign select_2949 = sample_pair_whole_s5_q ? (equal_1679 ? 4'h2 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_2951;
+  assign select_2951 = sample_pair_whole_s5_q ? (patches_band_rows_number_q + {4'h0, equal_1679}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:331
-  logic equal_2950;
-  assign equal_2950 = phase_s5_q == 4'h0;
+  logic equal_2952;
+  assign equal_2952 = phase_s5_q == 4'h0;
   // hls/stages/patches.hpp:332
-  logic not_2951;
-  assign not_2951 = ~equal_2950;
+  logic not_2953;
+  assign not_2953 = ~equal_2952;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2953;
-  assign select_2953 = sample_pair_whole_s5_q ? (phase_s5_q + {{2{not_2951}}, 1'b1, not_2951}) : patches_first_band_rows_to_next_q;
-  logic select_2954;
-  assign select_2954 = sample_pair_whole_s5_q ? equal_2950 : patches_first_band_number_q;
+  logic [3:0] select_2955;
+  assign select_2955 = sample_pair_whole_s5_q ? (phase_s5_q + {{2{not_2953}}, 1'b1, not_2953}) : patches_first_band_rows_to_next_q;
+  logic select_2956;
+  assign select_2956 = sample_pair_whole_s5_q ? equal_2952 : patches_first_band_number_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_2965;
-  assign select_2965 = equal_2955_s5_q ? 5'h0 : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:460
   logic [4:0] select_2967;
-  assign select_2967 = equal_2467_s5_q ? (select_2965 + {4'h0, equal_2960_s5_q}) : patches_choosing_number_q;
-  logic select_2971;
-  assign select_2971 = equal_2467_s5_q ? ((7'h2 < row_s5_q) & equal_2960_s5_q) : patches_chooses_q;
+  assign select_2967 = equal_2957_s5_q ? 5'h0 : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:460
+  logic [4:0] select_2969;
+  assign select_2969 = equal_2469_s5_q ? (select_2967 + {4'h0, equal_2962_s5_q}) : patches_choosing_number_q;
+  logic select_2973;
+  assign select_2973 = equal_2469_s5_q ? ((7'h2 < row_s5_q) & equal_2962_s5_q) : patches_chooses_q;
   // hls/stages/agreement.hpp:520
-  logic [4:0] select_2974;
-  assign select_2974 = and_548_s5_q ? (equal_2467_s5_q ? select_2965 : patches_choosing_band_q) : patches_choosing_band_q;
+  logic [4:0] select_2976;
+  assign select_2976 = and_548_s5_q ? (equal_2469_s5_q ? select_2967 : patches_choosing_band_q) : patches_choosing_band_q;
 
   // Memory left, 120 x 85, DISTANCE 24, hls/stages/agreement.hpp:1373; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -940,15 +942,15 @@ module horopter_agreement (
       patches_chooses_q <= 1'b0;
       patches_choosing_band_q <= 5'h0;
     end else if (s5_en) begin
-      patches_band_rows_rows_to_next_q <= select_2942;
-      patches_band_rows_number_q <= select_2944;
-      patches_next_band_rows_to_next_q <= select_2947;
-      patches_next_band_number_q <= select_2949;
-      patches_first_band_rows_to_next_q <= select_2953;
-      patches_first_band_number_q <= select_2954;
-      patches_choosing_number_q <= and_548_s5_q ? select_2967 : patches_choosing_number_q;
-      patches_chooses_q <= and_548_s5_q ? select_2971 : patches_chooses_q;
-      patches_choosing_band_q <= select_2974;
+      patches_band_rows_rows_to_next_q <= select_2944;
+      patches_band_rows_number_q <= select_2946;
+      patches_next_band_rows_to_next_q <= select_2949;
+      patches_next_band_number_q <= select_2951;
+      patches_first_band_rows_to_next_q <= select_2955;
+      patches_first_band_number_q <= select_2956;
+      patches_choosing_number_q <= and_548_s5_q ? select_2969 : patches_choosing_number_q;
+      patches_chooses_q <= and_548_s5_q ? select_2973 : patches_chooses_q;
+      patches_choosing_band_q <= select_2976;
     end
   end
 
@@ -970,9 +972,9 @@ module horopter_agreement (
   logic [4:0] patches_band_rows_number_s6_q;
   logic patches_chooses_s6_q;
   logic [4:0] patches_choosing_band_s6_q;
+  logic [3:0] select_507_s6_q;
+  logic equal_508_s6_q;
   logic row_starts_s6_q;
-  logic [3:0] select_508_s6_q;
-  logic equal_509_s6_q;
   logic [8:0] select_512_s6_q;
   logic and_521_s6_q;
   logic equal_527_s6_q;
@@ -996,11 +998,11 @@ module horopter_agreement (
   logic equal_1561_s6_q;
   logic not_1675_s6_q;
   logic or_1681_s6_q;
-  logic equal_2467_s6_q;
-  logic and_2826_s6_q;
+  logic equal_2469_s6_q;
   logic and_2828_s6_q;
-  logic and_2835_s6_q;
-  logic not_3000_s6_q;
+  logic and_2830_s6_q;
+  logic and_2837_s6_q;
+  logic not_3002_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s6_q <= pixel_0_s5_q;
@@ -1021,9 +1023,9 @@ module horopter_agreement (
       patches_band_rows_number_s6_q <= patches_band_rows_number_q;
       patches_chooses_s6_q <= patches_chooses_q;
       patches_choosing_band_s6_q <= patches_choosing_band_q;
+      select_507_s6_q <= select_507_s5_q;
+      equal_508_s6_q <= equal_508_s5_q;
       row_starts_s6_q <= row_starts_s5_q;
-      select_508_s6_q <= select_508_s5_q;
-      equal_509_s6_q <= equal_509_s5_q;
       select_512_s6_q <= select_512_s5_q;
       and_521_s6_q <= and_521_s5_q;
       equal_527_s6_q <= equal_527_s5_q;
@@ -1047,11 +1049,11 @@ module horopter_agreement (
       equal_1561_s6_q <= equal_1561_s5_q;
       not_1675_s6_q <= not_1675;
       or_1681_s6_q <= (~equal_1677_s5_q) | (~equal_1679);
-      equal_2467_s6_q <= equal_2467_s5_q;
-      and_2826_s6_q <= and_2468_s5_q & and_2825;
-      and_2828_s6_q <= and_2468_s5_q & (~and_2825);
-      and_2835_s6_q <= ends_cell_s5_q & so_s5_q;
-      not_3000_s6_q <= not_3000_s5_q;
+      equal_2469_s6_q <= equal_2469_s5_q;
+      and_2828_s6_q <= and_2470_s5_q & and_2827;
+      and_2830_s6_q <= and_2470_s5_q & (~and_2827);
+      and_2837_s6_q <= ends_cell_s5_q & so_s5_q;
+      not_3002_s6_q <= not_3002_s5_q;
     end
   end
 
@@ -1140,81 +1142,81 @@ module horopter_agreement (
   logic [5:0] sum_1993;
   assign sum_1993 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/registration.hpp:129
-  logic [15:0] select_2829;
-  assign select_2829 = and_2828_s6_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_2831;
+  assign select_2831 = and_2830_s6_q ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_2831;
-  assign select_2831 = and_2826_s6_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2829[15]}}, select_2829});
+  logic [23:0] select_2833;
+  assign select_2833 = and_2828_s6_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2831[15]}}, select_2831});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_2832;
-  assign select_2832 = and_2828_s6_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_2834;
+  assign select_2834 = and_2830_s6_q ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2832[15]}}, select_2832};
+  assign both = registration_slope_change_q + {{12{select_2834[15]}}, select_2834};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_2834;
-  assign select_2834 = and_2826_s6_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2836;
+  assign select_2836 = and_2828_s6_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/registration.hpp:125
   logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2835_s6_q ? registration_slope_change_q : 28'h0);
+  assign column_5 = registration_slope_q + (and_2837_s6_q ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:394
-  logic or_3041;
-  assign or_3041 = patches_begins_q | patches_ends_q;
+  logic or_3043;
+  assign or_3043 = patches_begins_q | patches_ends_q;
   // hls/stages/patches.hpp:396
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:188
-  logic and_3047;
-  assign and_3047 = equal_1783 & not_1790;
+  logic and_3049;
+  assign and_3049 = equal_1783 & not_1790;
   // hls/stages/patches.hpp:400
-  logic and_3048;
-  assign and_3048 = not_1843 & and_3047;
-  logic [1:0] select_3050;
-  assign select_3050 = equal_1785 ? 2'h0 : (equal_1787 ? 2'h3 : {equal_1788, and_3048});
-  // hls/stages/patches.hpp:280
-  logic equal_3052;
-  assign equal_3052 = patches_following_q == 3'h4;
-  // hls/stages/patches.hpp:278
-  logic not_3053;
-  assign not_3053 = ~equal_3052;
+  logic and_3050;
+  assign and_3050 = not_1843 & and_3049;
+  logic [1:0] select_3052;
+  assign select_3052 = equal_1785 ? 2'h0 : (equal_1787 ? 2'h3 : {equal_1788, and_3050});
   // hls/stages/patches.hpp:280
   logic equal_3054;
-  assign equal_3054 = patches_following_q == 3'h3;
-  // hls/stages/patches.hpp:276
+  assign equal_3054 = patches_following_q == 3'h4;
+  // hls/stages/patches.hpp:278
   logic not_3055;
   assign not_3055 = ~equal_3054;
-  // hls/stages/patches.hpp:284
+  // hls/stages/patches.hpp:280
+  logic equal_3056;
+  assign equal_3056 = patches_following_q == 3'h3;
+  // hls/stages/patches.hpp:276
   logic not_3057;
-  assign not_3057 = ~(patches_following_q == 3'h2);
-  logic and_3060;
-  assign and_3060 = (~(patches_following_q == 3'h1)) & not_3057;
+  assign not_3057 = ~equal_3056;
+  // hls/stages/patches.hpp:284
+  logic not_3059;
+  assign not_3059 = ~(patches_following_q == 3'h2);
+  logic and_3062;
+  assign and_3062 = (~(patches_following_q == 3'h1)) & not_3059;
   // hls/stages/patches.hpp:398
-  logic [1:0] select_3061;
-  assign select_3061 = equal_3054 ? 2'h2 : {and_3060, not_3057};
-  logic [3:0] select_3062;
-  assign select_3062 = equal_3052 ? 4'h2 : {select_3061, {2{not_3055}}};
+  logic [1:0] select_3063;
+  assign select_3063 = equal_3056 ? 2'h2 : {and_3062, not_3059};
+  logic [3:0] select_3064;
+  assign select_3064 = equal_3054 ? 4'h2 : {select_3063, {2{not_3057}}};
   // hls/stages/patches.hpp:406
-  logic not_3065;
-  assign not_3065 = ~or_3041;
+  logic not_3067;
+  assign not_3067 = ~or_3043;
   // hls/stages/patches.hpp:395
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
   // hls/stages/patches.hpp:407
-  logic [11:0] select_3070;
-  assign select_3070 = or_3041 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  logic [11:0] select_3072;
+  assign select_3072 = or_3043 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/agreement.hpp:205
-  logic [8:0] select_3882;
-  assign select_3882 = so_s6_q ? (and_2835_s6_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic [8:0] select_3884;
+  assign select_3884 = so_s6_q ? (and_2837_s6_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3884;
-  assign sum_3884 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_3886;
+  assign sum_3886 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3885;
-  assign select_3885 = sum_1993[5] ? {1'b1, sum_1993[4:0], region_across_rest_q[2:0]} : sum_3884;
-  // hls/stages/agreement.hpp:460
   logic [8:0] select_3887;
-  assign select_3887 = equal_2467_s6_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
-  logic [7:0] select_3890;
-  assign select_3890 = equal_2467_s6_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
+  assign select_3887 = sum_1993[5] ? {1'b1, sum_1993[4:0], region_across_rest_q[2:0]} : sum_3886;
+  // hls/stages/agreement.hpp:460
+  logic [8:0] select_3889;
+  assign select_3889 = equal_2469_s6_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
+  logic [7:0] select_3892;
+  assign select_3892 = equal_2469_s6_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
 
   // Memory fresh, 120 x 33, DISTANCE 24, hls/stages/agreement.hpp:1372; read in stage 6, written in stage 21: 6 < 21 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1255,24 +1257,24 @@ module horopter_agreement (
       columns_begin_rest_q <= 9'h0;
       columns_begin_back_q <= 8'h0;
     end else if (s6_en) begin
-      registration_slope_row_q <= select_2831;
-      registration_slope_change_q <= select_2834;
+      registration_slope_row_q <= select_2833;
+      registration_slope_change_q <= select_2836;
       registration_slope_q <= so_s6_q ? column_5 : {registration_slope_row_q, 4'h0};
       patches_capturing_q <= sample_pair_whole_s6_q ? select_1819 : patches_capturing_q;
       patches_row_q <= sample_pair_whole_s6_q ? select_1813 : patches_row_q;
-      patches_work_q <= or_3041 ? following : patches_work_q;
+      patches_work_q <= or_3043 ? following : patches_work_q;
       patches_second_q <= not_1672 & (patches_second_q | (patches_ends_q & equal_1783));
-      patches_following_q <= equal_1783 ? {2'h0, and_3047} : {equal_1785, select_3050};
-      patches_following_beats_q <= {select_3062, not_3053};
+      patches_following_q <= equal_1783 ? {2'h0, and_3049} : {equal_1785, select_3052};
+      patches_following_beats_q <= {select_3064, not_3055};
       patches_begins_q <= sample_pair_whole_s6_q & (row_starts_s6_q & and_1815);
-      patches_ends_q <= not_3065 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3070;
-      patches_step_q <= or_3041 ? 7'h0 : (patches_step_q + 7'h1);
-      region_across_rest_q <= select_3882;
+      patches_ends_q <= not_3067 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3072;
+      patches_step_q <= or_3043 ? 7'h0 : (patches_step_q + 7'h1);
+      region_across_rest_q <= select_3884;
       region_across_back_q <= so_s6_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3885;
-      columns_begin_rest_q <= and_548_s6_q ? select_3887 : columns_begin_rest_q;
-      columns_begin_back_q <= and_548_s6_q ? select_3890 : columns_begin_back_q;
+      region_across_next_q <= select_3887;
+      columns_begin_rest_q <= and_548_s6_q ? select_3889 : columns_begin_rest_q;
+      columns_begin_back_q <= and_548_s6_q ? select_3892 : columns_begin_back_q;
     end
   end
 
@@ -1297,9 +1299,9 @@ module horopter_agreement (
   logic [4:0] patches_choosing_band_s7_q;
   logic patches_second_s7_q;
   logic [4:0] patches_step_s7_q;
+  logic [3:0] select_507_s7_q;
+  logic equal_508_s7_q;
   logic row_starts_s7_q;
-  logic [3:0] select_508_s7_q;
-  logic equal_509_s7_q;
   logic [8:0] select_512_s7_q;
   logic and_521_s7_q;
   logic equal_527_s7_q;
@@ -1345,12 +1347,12 @@ module horopter_agreement (
   logic select_1968_s7_q;
   logic and_1969_s7_q;
   logic sum_1993_s7_q;
-  logic equal_2467_s7_q;
-  logic not_3000_s7_q;
-  logic or_3041_s7_q;
-  logic not_3065_s7_q;
-  logic and_3537_s7_q;
-  logic equal_3544_s7_q;
+  logic equal_2469_s7_q;
+  logic not_3002_s7_q;
+  logic or_3043_s7_q;
+  logic not_3067_s7_q;
+  logic and_3539_s7_q;
+  logic equal_3546_s7_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s7_q <= pixel_0_s6_q;
@@ -1374,9 +1376,9 @@ module horopter_agreement (
       patches_choosing_band_s7_q <= patches_choosing_band_s6_q;
       patches_second_s7_q <= patches_second_q;
       patches_step_s7_q <= patches_step_q[4:0];
+      select_507_s7_q <= select_507_s6_q;
+      equal_508_s7_q <= equal_508_s6_q;
       row_starts_s7_q <= row_starts_s6_q;
-      select_508_s7_q <= select_508_s6_q;
-      equal_509_s7_q <= equal_509_s6_q;
       select_512_s7_q <= select_512_s6_q;
       and_521_s7_q <= and_521_s6_q;
       equal_527_s7_q <= equal_527_s6_q;
@@ -1422,12 +1424,12 @@ module horopter_agreement (
       select_1968_s7_q <= select_1968;
       and_1969_s7_q <= not_1963 & select_1968;
       sum_1993_s7_q <= sum_1993[5];
-      equal_2467_s7_q <= equal_2467_s6_q;
-      not_3000_s7_q <= not_3000_s6_q;
-      or_3041_s7_q <= or_3041;
-      not_3065_s7_q <= not_3065;
-      and_3537_s7_q <= less_1961 & (patches_step_q[6:5] == 2'h1);
-      equal_3544_s7_q <= patches_step_q[6:5] == 2'h2;
+      equal_2469_s7_q <= equal_2469_s6_q;
+      not_3002_s7_q <= not_3002_s6_q;
+      or_3043_s7_q <= or_3043;
+      not_3067_s7_q <= not_3067;
+      and_3539_s7_q <= less_1961 & (patches_step_q[6:5] == 2'h1);
+      equal_3546_s7_q <= patches_step_q[6:5] == 2'h2;
     end
   end
 
@@ -1540,19 +1542,19 @@ module horopter_agreement (
   logic and_1971;
   assign and_1971 = equal_1783_s7_q & (less_1961_s7_q ? and_1969_s7_q : select_1968_s7_q);
   // hls/stages/agreement.hpp:460
-  logic select_2564;
-  assign select_2564 = equal_2467_s7_q ? (~({row_s7_q, 1'b0} < {sum_2561, cfg_height_i[4]})) : lower_half_q;
+  logic select_2566;
+  assign select_2566 = equal_2469_s7_q ? (~({row_s7_q, 1'b0} < {sum_2563, cfg_height_i[4]})) : lower_half_q;
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_2725;
-  assign select_2725 = or_578_s7_q ? (less_581_s7_q ? 8'h0 : best_left_rdata_s7_q[32:25]) : 8'h0;
   logic [7:0] select_2727;
-  assign select_2727 = or_578_s7_q ? (less_581_s7_q ? 8'h0 : best_left_rdata_s7_q[24:17]) : 8'h0;
+  assign select_2727 = or_578_s7_q ? (less_581_s7_q ? 8'h0 : best_left_rdata_s7_q[32:25]) : 8'h0;
+  logic [7:0] select_2729;
+  assign select_2729 = or_578_s7_q ? (less_581_s7_q ? 8'h0 : best_left_rdata_s7_q[24:17]) : 8'h0;
   // hls/stages/patches.hpp:91
-  logic parity_2978;
-  assign parity_2978 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  logic parity_2980;
+  assign parity_2980 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
   // hls/stages/agreement.hpp:460
-  logic [15:0] select_2979;
-  assign select_2979 = equal_2467_s7_q ? {patches_chance_q[14:0], parity_2978} : patches_chance_q;
+  logic [15:0] select_2981;
+  assign select_2981 = equal_2469_s7_q ? {patches_chance_q[14:0], parity_2980} : patches_chance_q;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
@@ -1560,14 +1562,14 @@ module horopter_agreement (
   logic [5:0] further;
   assign further = last_s7_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
   // hls/stages/patches.hpp:126
-  logic select_3002;
-  assign select_3002 = row_starts_s7_q ? (and_1684_s7_q ? not_3000_s7_q : patches_lower_q) : patches_lower_q;
+  logic select_3004;
+  assign select_3004 = row_starts_s7_q ? (and_1684_s7_q ? not_3002_s7_q : patches_lower_q) : patches_lower_q;
   // hls/stages/patches.hpp:188
-  logic [4:0] select_3072;
-  assign select_3072 = or_3041_s7_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  logic [4:0] select_3074;
+  assign select_3074 = or_3043_s7_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
   // hls/stages/patches.hpp:561
-  logic select_3540;
-  assign select_3540 = equal_1964_s7_q ? (less_1961_s7_q ? (not_1965_s7_q & and_3537_s7_q) : and_3537_s7_q) : and_3537_s7_q;
+  logic select_3542;
+  assign select_3542 = equal_1964_s7_q ? (less_1961_s7_q ? (not_1965_s7_q & and_3539_s7_q) : and_3539_s7_q) : and_3539_s7_q;
 
   // Memory patches_right_0, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:780; read in stage 7, written in stage 20: 7 < 20 < 7 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1653,13 +1655,13 @@ module horopter_agreement (
       patches_column_q <= 5'h0;
       patches_column_ends_q <= 1'b0;
     end else if (s7_en) begin
-      row_q <= and_548_s7_q ? (equal_2467_s7_q ? row_s7_q : row_q) : row_q;
-      lower_half_q <= and_548_s7_q ? select_2564 : lower_half_q;
-      patches_chance_q <= and_548_s7_q ? select_2979 : patches_chance_q;
-      patches_lower_q <= sample_pair_whole_s7_q ? select_3002 : patches_lower_q;
-      patches_code_row_q <= select_3072;
-      patches_column_q <= or_3041_s7_q ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3065_s7_q & (patches_column_q == 5'h1e);
+      row_q <= and_548_s7_q ? (equal_2469_s7_q ? row_s7_q : row_q) : row_q;
+      lower_half_q <= and_548_s7_q ? select_2566 : lower_half_q;
+      patches_chance_q <= and_548_s7_q ? select_2981 : patches_chance_q;
+      patches_lower_q <= sample_pair_whole_s7_q ? select_3004 : patches_lower_q;
+      patches_code_row_q <= select_3074;
+      patches_column_q <= or_3043_s7_q ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3067_s7_q & (patches_column_q == 5'h1e);
     end
   end
 
@@ -1688,9 +1690,9 @@ module horopter_agreement (
   logic [4:0] patches_code_row_s8_q;
   logic [4:0] patches_column_s8_q;
   logic [4:0] patches_step_s8_q;
+  logic [3:0] select_507_s8_q;
+  logic equal_508_s8_q;
   logic row_starts_s8_q;
-  logic [3:0] select_508_s8_q;
-  logic equal_509_s8_q;
   logic [8:0] select_512_s8_q;
   logic and_521_s8_q;
   logic equal_527_s8_q;
@@ -1770,18 +1772,18 @@ module horopter_agreement (
   logic sum_1993_s8_q;
   logic and_2014_s8_q;
   logic and_2131_s8_q;
-  logic equal_2278_s8_q;
-  logic equal_2467_s8_q;
-  logic and_2593_s8_q;
-  logic [7:0] select_2725_s8_q;
+  logic equal_2280_s8_q;
+  logic equal_2469_s8_q;
+  logic and_2595_s8_q;
   logic [7:0] select_2727_s8_q;
+  logic [7:0] select_2729_s8_q;
   logic [5:0] further_s8_q;
-  logic or_3041_s8_q;
-  logic not_3065_s8_q;
-  logic select_3542_s8_q;
-  logic equal_3544_s8_q;
-  logic less_3870_s8_q;
-  logic equal_4089_s8_q;
+  logic or_3043_s8_q;
+  logic not_3067_s8_q;
+  logic select_3544_s8_q;
+  logic equal_3546_s8_q;
+  logic less_3872_s8_q;
+  logic equal_4091_s8_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s8_q <= pixel_0_s7_q;
@@ -1809,9 +1811,9 @@ module horopter_agreement (
       patches_code_row_s8_q <= patches_code_row_q;
       patches_column_s8_q <= patches_column_q;
       patches_step_s8_q <= patches_step_s7_q;
+      select_507_s8_q <= select_507_s7_q;
+      equal_508_s8_q <= equal_508_s7_q;
       row_starts_s8_q <= row_starts_s7_q;
-      select_508_s8_q <= select_508_s7_q;
-      equal_509_s8_q <= equal_509_s7_q;
       select_512_s8_q <= select_512_s7_q;
       and_521_s8_q <= and_521_s7_q;
       equal_527_s8_q <= equal_527_s7_q;
@@ -1891,18 +1893,18 @@ module horopter_agreement (
       sum_1993_s8_q <= sum_1993_s7_q;
       and_2014_s8_q <= or_578_s7_q & (left_rdata_s7_q[69] & not_582_s7_q);
       and_2131_s8_q <= (7'h6 < row_q) & (~(x_s7_q[7:2] == 6'h0));
-      equal_2278_s8_q <= (last_s7_2_q | row_s7_q) == 7'h0;
-      equal_2467_s8_q <= equal_2467_s7_q;
-      and_2593_s8_q <= not_582_s7_q & and_606;
-      select_2725_s8_q <= select_2725;
+      equal_2280_s8_q <= (last_s7_2_q | row_s7_q) == 7'h0;
+      equal_2469_s8_q <= equal_2469_s7_q;
+      and_2595_s8_q <= not_582_s7_q & and_606;
       select_2727_s8_q <= select_2727;
+      select_2729_s8_q <= select_2729;
       further_s8_q <= further;
-      or_3041_s8_q <= or_3041_s7_q;
-      not_3065_s8_q <= not_3065_s7_q;
-      select_3542_s8_q <= less_1961_s7_q ? (not_1963_s7_q & select_3540) : select_3540;
-      equal_3544_s8_q <= equal_3544_s7_q;
-      less_3870_s8_q <= 6'h2 < row_s7_q[6:1];
-      equal_4089_s8_q <= row_s7_q[6:3] == 4'h0;
+      or_3043_s8_q <= or_3043_s7_q;
+      not_3067_s8_q <= not_3067_s7_q;
+      select_3544_s8_q <= less_1961_s7_q ? (not_1963_s7_q & select_3542) : select_3542;
+      equal_3546_s8_q <= equal_3546_s7_q;
+      less_3872_s8_q <= 6'h2 < row_s7_q[6:1];
+      equal_4091_s8_q <= row_s7_q[6:3] == 4'h0;
     end
   end
 
@@ -2180,16 +2182,16 @@ module horopter_agreement (
   logic [11:0] select_1760;
   assign select_1760 = b_s8_q[2] ? select_1753_s8_q[11:0] : 12'h0;
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_2723;
-  assign select_2723 = or_578_s8_q ? (less_581_s8_q ? 8'h0 : best_left_rdata_s8_q[16:9]) : 8'h0;
+  logic [7:0] select_2725;
+  assign select_2725 = or_578_s8_q ? (less_581_s8_q ? 8'h0 : best_left_rdata_s8_q[16:9]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_2725_s8_q} - {1'b0, select_2727_s8_q};
+  assign rise_2 = {1'b0, select_2727_s8_q} - {1'b0, select_2729_s8_q};
   // hls/stages/patches.hpp:110
-  logic [5:0] select_2984;
-  assign select_2984 = right_3_s8_q ? last_s8_q[6:1] : 6'h0;
+  logic [5:0] select_2986;
+  assign select_2986 = right_3_s8_q ? last_s8_q[6:1] : 6'h0;
   logic [6:0] from;
-  assign from = {1'b0, further_s8_q} + {1'b0, select_2984};
+  assign from = {1'b0, further_s8_q} + {1'b0, select_2986};
 
   // Memory patches_left, 512 x 8, DISTANCE 24, hls/stages/patches.hpp:781; read in stage 8, written in stage 20: 8 < 20 < 8 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -2295,7 +2297,7 @@ module horopter_agreement (
     if (!rst_ni) begin
       patches_read_searches_q <= 1'b0;
     end else if (s8_en) begin
-      patches_read_searches_q <= equal_1783_s8_q ? select_3542_s8_q : patches_read_searches_q;
+      patches_read_searches_q <= equal_1783_s8_q ? select_3544_s8_q : patches_read_searches_q;
     end
   end
 
@@ -2324,9 +2326,9 @@ module horopter_agreement (
   logic [4:0] patches_column_s9_q;
   logic [4:0] patches_step_s9_q;
   logic patches_read_searches_s9_q;
+  logic [3:0] select_507_s9_q;
+  logic equal_508_s9_q;
   logic row_starts_s9_q;
-  logic [3:0] select_508_s9_q;
-  logic equal_509_s9_q;
   logic [8:0] select_512_s9_q;
   logic and_521_s9_q;
   logic equal_527_s9_q;
@@ -2444,21 +2446,21 @@ module horopter_agreement (
   logic sum_1993_s9_q;
   logic and_2014_s9_q;
   logic and_2134_s9_q;
-  logic equal_2278_s9_q;
-  logic equal_2467_s9_q;
-  logic and_2594_s9_q;
-  logic equal_2679_s9_q;
-  logic [7:0] select_2723_s9_q;
+  logic equal_2280_s9_q;
+  logic equal_2469_s9_q;
+  logic and_2596_s9_q;
+  logic equal_2681_s9_q;
+  logic [7:0] select_2725_s9_q;
   logic rise_2_s9_q;
-  logic [7:0] select_2729_s9_q;
-  logic [7:0] xor_2734_s9_q;
-  logic less_2760_s9_q;
-  logic not_2987_s9_q;
-  logic or_3041_s9_q;
-  logic not_3065_s9_q;
-  logic equal_3544_s9_q;
-  logic less_3870_s9_q;
-  logic equal_4089_s9_q;
+  logic [7:0] select_2731_s9_q;
+  logic [7:0] xor_2736_s9_q;
+  logic less_2762_s9_q;
+  logic not_2989_s9_q;
+  logic or_3043_s9_q;
+  logic not_3067_s9_q;
+  logic equal_3546_s9_q;
+  logic less_3872_s9_q;
+  logic equal_4091_s9_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s9_q <= pixel_0_s8_q;
@@ -2486,9 +2488,9 @@ module horopter_agreement (
       patches_column_s9_q <= patches_column_s8_q;
       patches_step_s9_q <= patches_step_s8_q;
       patches_read_searches_s9_q <= patches_read_searches_q;
+      select_507_s9_q <= select_507_s8_q;
+      equal_508_s9_q <= equal_508_s8_q;
       row_starts_s9_q <= row_starts_s8_q;
-      select_508_s9_q <= select_508_s8_q;
-      equal_509_s9_q <= equal_509_s8_q;
       select_512_s9_q <= select_512_s8_q;
       and_521_s9_q <= and_521_s8_q;
       equal_527_s9_q <= equal_527_s8_q;
@@ -2606,21 +2608,21 @@ module horopter_agreement (
       sum_1993_s9_q <= sum_1993_s8_q;
       and_2014_s9_q <= and_2014_s8_q;
       and_2134_s9_q <= and_2131_s8_q & (~({sum_1646, last_s8_q[1:0]} < x_s8_q));
-      equal_2278_s9_q <= equal_2278_s8_q;
-      equal_2467_s9_q <= equal_2467_s8_q;
-      and_2594_s9_q <= or_578_s8_q & and_2593_s8_q;
-      equal_2679_s9_q <= shift_s8_q == 6'h0;
-      select_2723_s9_q <= select_2723;
+      equal_2280_s9_q <= equal_2280_s8_q;
+      equal_2469_s9_q <= equal_2469_s8_q;
+      and_2596_s9_q <= or_578_s8_q & and_2595_s8_q;
+      equal_2681_s9_q <= shift_s8_q == 6'h0;
+      select_2725_s9_q <= select_2725;
       rise_2_s9_q <= rise_2[8];
-      select_2729_s9_q <= rise_2[8] ? select_2725_s8_q : select_2727_s8_q;
-      xor_2734_s9_q <= rise_2[7:0] ^ {8{rise_2[8]}};
-      less_2760_s9_q <= select_2725_s8_q < select_2727_s8_q;
-      not_2987_s9_q <= ~(x_s8_q < {1'b0, from});
-      or_3041_s9_q <= or_3041_s8_q;
-      not_3065_s9_q <= not_3065_s8_q;
-      equal_3544_s9_q <= equal_3544_s8_q;
-      less_3870_s9_q <= less_3870_s8_q;
-      equal_4089_s9_q <= equal_4089_s8_q;
+      select_2731_s9_q <= rise_2[8] ? select_2727_s8_q : select_2729_s8_q;
+      xor_2736_s9_q <= rise_2[7:0] ^ {8{rise_2[8]}};
+      less_2762_s9_q <= select_2727_s8_q < select_2729_s8_q;
+      not_2989_s9_q <= ~(x_s8_q < {1'b0, from});
+      or_3043_s9_q <= or_3043_s8_q;
+      not_3067_s9_q <= not_3067_s8_q;
+      equal_3546_s9_q <= equal_3546_s8_q;
+      less_3872_s9_q <= less_3872_s8_q;
+      equal_4091_s9_q <= equal_4091_s8_q;
     end
   end
 
@@ -2752,25 +2754,25 @@ module horopter_agreement (
   assign sum_1914 = {1'b0, patches_columns_above_rdata_s9_q[23:16]} + {3'h0, patches_columns_above_rdata_s9_q[31:26]};
   // hls/stages/registration.hpp:35
   logic [8:0] fall;
-  assign fall = {1'b0, select_2723_s9_q} - {1'b0, select_2729_s9_q};
+  assign fall = {1'b0, select_2725_s9_q} - {1'b0, select_2731_s9_q};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:34
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2_s9_q} + {1'b0, xor_2734_s9_q};
+  assign size_3 = {8'h0, rise_2_s9_q} + {1'b0, xor_2736_s9_q};
   // hls/stages/patches.hpp:557
-  logic [9:0] select_3507;
-  assign select_3507 = less_1961_s9_q ? patches_rows_rdata_s9_q[9:0] : 10'h0;
+  logic [9:0] select_3509;
+  assign select_3509 = less_1961_s9_q ? patches_rows_rdata_s9_q[9:0] : 10'h0;
   // hls/stages/patches.hpp:561
-  logic [9:0] select_3510;
-  assign select_3510 = equal_1964_s9_q ? (less_1961_s9_q ? (equal_1964_s9_q ? 10'h0 : select_3507) : 10'h0) : select_3507;
+  logic [9:0] select_3512;
+  assign select_3512 = equal_1964_s9_q ? (less_1961_s9_q ? (equal_1964_s9_q ? 10'h0 : select_3509) : 10'h0) : select_3509;
   // hls/stages/patches.hpp:557
-  logic [4:0] select_3514;
-  assign select_3514 = less_1961_s9_q ? patches_rows_rdata_s9_q[14:10] : 5'h0;
+  logic [4:0] select_3516;
+  assign select_3516 = less_1961_s9_q ? patches_rows_rdata_s9_q[14:10] : 5'h0;
   // hls/stages/patches.hpp:561
-  logic [4:0] select_3517;
-  assign select_3517 = equal_1964_s9_q ? (less_1961_s9_q ? (equal_1964_s9_q ? 5'h0 : select_3514) : 5'h0) : select_3514;
+  logic [4:0] select_3519;
+  assign select_3519 = equal_1964_s9_q ? (less_1961_s9_q ? (equal_1964_s9_q ? 5'h0 : select_3516) : 5'h0) : select_3516;
 
   // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1376; read in stage 9, written in stage 16: 9 < 16 < 9 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -2815,9 +2817,9 @@ module horopter_agreement (
   logic [4:0] patches_column_s10_q;
   logic [4:0] patches_step_s10_q;
   logic patches_read_searches_s10_q;
+  logic [3:0] select_507_s10_q;
+  logic equal_508_s10_q;
   logic row_starts_s10_q;
-  logic [3:0] select_508_s10_q;
-  logic equal_509_s10_q;
   logic [8:0] select_512_s10_q;
   logic and_521_s10_q;
   logic equal_527_s10_q;
@@ -2907,21 +2909,21 @@ module horopter_agreement (
   logic sum_1993_s10_q;
   logic and_2014_s10_q;
   logic and_2136_s10_q;
-  logic equal_2278_s10_q;
-  logic equal_2467_s10_q;
-  logic and_2594_s10_q;
-  logic equal_2679_s10_q;
+  logic equal_2280_s10_q;
+  logic equal_2469_s10_q;
+  logic and_2596_s10_q;
+  logic equal_2681_s10_q;
   logic [7:0] wide_s10_q;
   logic [8:0] size_3_s10_q;
-  logic less_2760_s10_q;
-  logic not_2987_s10_q;
-  logic or_3041_s10_q;
-  logic not_3065_s10_q;
-  logic [9:0] select_3510_s10_q;
-  logic [4:0] select_3517_s10_q;
-  logic equal_3544_s10_q;
-  logic less_3870_s10_q;
-  logic equal_4089_s10_q;
+  logic less_2762_s10_q;
+  logic not_2989_s10_q;
+  logic or_3043_s10_q;
+  logic not_3067_s10_q;
+  logic [9:0] select_3512_s10_q;
+  logic [4:0] select_3519_s10_q;
+  logic equal_3546_s10_q;
+  logic less_3872_s10_q;
+  logic equal_4091_s10_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s10_q <= pixel_0_s9_q;
@@ -2949,9 +2951,9 @@ module horopter_agreement (
       patches_column_s10_q <= patches_column_s9_q;
       patches_step_s10_q <= patches_step_s9_q;
       patches_read_searches_s10_q <= patches_read_searches_s9_q;
+      select_507_s10_q <= select_507_s9_q;
+      equal_508_s10_q <= equal_508_s9_q;
       row_starts_s10_q <= row_starts_s9_q;
-      select_508_s10_q <= select_508_s9_q;
-      equal_509_s10_q <= equal_509_s9_q;
       select_512_s10_q <= select_512_s9_q;
       and_521_s10_q <= and_521_s9_q;
       equal_527_s10_q <= equal_527_s9_q;
@@ -3041,21 +3043,21 @@ module horopter_agreement (
       sum_1993_s10_q <= sum_1993_s9_q;
       and_2014_s10_q <= and_2014_s9_q;
       and_2136_s10_q <= so_s9_q & (ends_cell_s9_q & and_2134_s9_q);
-      equal_2278_s10_q <= equal_2278_s9_q;
-      equal_2467_s10_q <= equal_2467_s9_q;
-      and_2594_s10_q <= and_2594_s9_q;
-      equal_2679_s10_q <= equal_2679_s9_q;
+      equal_2280_s10_q <= equal_2280_s9_q;
+      equal_2469_s10_q <= equal_2469_s9_q;
+      and_2596_s10_q <= and_2596_s9_q;
+      equal_2681_s10_q <= equal_2681_s9_q;
       wide_s10_q <= wide;
       size_3_s10_q <= size_3;
-      less_2760_s10_q <= less_2760_s9_q;
-      not_2987_s10_q <= not_2987_s9_q;
-      or_3041_s10_q <= or_3041_s9_q;
-      not_3065_s10_q <= not_3065_s9_q;
-      select_3510_s10_q <= select_3510;
-      select_3517_s10_q <= select_3517;
-      equal_3544_s10_q <= equal_3544_s9_q;
-      less_3870_s10_q <= less_3870_s9_q;
-      equal_4089_s10_q <= equal_4089_s9_q;
+      less_2762_s10_q <= less_2762_s9_q;
+      not_2989_s10_q <= not_2989_s9_q;
+      or_3043_s10_q <= or_3043_s9_q;
+      not_3067_s10_q <= not_3067_s9_q;
+      select_3512_s10_q <= select_3512;
+      select_3519_s10_q <= select_3519;
+      equal_3546_s10_q <= equal_3546_s9_q;
+      less_3872_s10_q <= less_3872_s9_q;
+      equal_4091_s10_q <= equal_4091_s9_q;
     end
   end
 
@@ -3190,29 +3192,29 @@ module horopter_agreement (
   logic [9:0] sum_1915;
   assign sum_1915 = {2'h0, patches_columns_above_rdata_s10_q[15:8]} + {1'b0, sum_1914_s10_q};
   // hls/stages/registration.hpp:40
-  logic [8:0] select_2737;
-  assign select_2737 = ({wide_s10_q, 1'b0} < size_3_s10_q) ? {wide_s10_q, 1'b0} : size_3_s10_q;
+  logic [8:0] select_2739;
+  assign select_2739 = ({wide_s10_q, 1'b0} < size_3_s10_q) ? {wide_s10_q, 1'b0} : size_3_s10_q;
   logic [8:0] taken;
-  assign taken = ~select_2737;
+  assign taken = ~select_2739;
   // hls/stages/patches.hpp:561
-  logic [9:0] select_3512;
-  assign select_3512 = less_1961_s10_q ? (equal_1962_s10_q ? 10'h0 : select_3510_s10_q) : select_3510_s10_q;
-  logic [4:0] select_3519;
-  assign select_3519 = less_1961_s10_q ? (equal_1962_s10_q ? 5'h0 : select_3517_s10_q) : select_3517_s10_q;
+  logic [9:0] select_3514;
+  assign select_3514 = less_1961_s10_q ? (equal_1962_s10_q ? 10'h0 : select_3512_s10_q) : select_3512_s10_q;
+  logic [4:0] select_3521;
+  assign select_3521 = less_1961_s10_q ? (equal_1962_s10_q ? 5'h0 : select_3519_s10_q) : select_3519_s10_q;
   // hls/stages/patches.hpp:557
-  logic and_3529;
-  assign and_3529 = less_1961_s10_q & (patches_step_s10_q == 5'h0);
+  logic and_3531;
+  assign and_3531 = less_1961_s10_q & (patches_step_s10_q == 5'h0);
   // hls/stages/patches.hpp:561
-  logic select_3532;
-  assign select_3532 = equal_1964_s10_q ? (less_1961_s10_q ? (not_1965_s10_q & and_3529) : and_3529) : and_3529;
+  logic select_3534;
+  assign select_3534 = equal_1964_s10_q ? (less_1961_s10_q ? (not_1965_s10_q & and_3531) : and_3531) : and_3531;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       patches_read_row_differing_q <= 10'h0;
       patches_read_row_column_q <= 5'h0;
     end else if (s10_en) begin
-      patches_read_row_differing_q <= equal_1783_s10_q ? select_3512 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_1783_s10_q ? select_3519 : patches_read_row_column_q;
+      patches_read_row_differing_q <= equal_1783_s10_q ? select_3514 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_1783_s10_q ? select_3521 : patches_read_row_column_q;
     end
   end
 
@@ -3308,9 +3310,9 @@ module horopter_agreement (
   logic [9:0] patches_read_row_differing_s11_q;
   logic [4:0] patches_read_row_column_s11_q;
   logic patches_read_searches_s11_q;
+  logic [3:0] select_507_s11_q;
+  logic equal_508_s11_q;
   logic row_starts_s11_q;
-  logic [3:0] select_508_s11_q;
-  logic equal_509_s11_q;
   logic [8:0] select_512_s11_q;
   logic and_521_s11_q;
   logic equal_527_s11_q;
@@ -3380,22 +3382,22 @@ module horopter_agreement (
   logic sum_1993_s11_q;
   logic and_2014_s11_q;
   logic and_2136_s11_q;
-  logic equal_2278_s11_q;
-  logic equal_2467_s11_q;
-  logic and_2594_s11_q;
-  logic equal_2679_s11_q;
-  logic less_2721_s11_q;
+  logic equal_2280_s11_q;
+  logic equal_2469_s11_q;
+  logic and_2596_s11_q;
+  logic equal_2681_s11_q;
+  logic less_2723_s11_q;
   logic [7:0] wide_s11_q;
   logic [8:0] taken_s11_q;
-  logic [7:0] not_2739_s11_q;
-  logic less_2760_s11_q;
-  logic and_2990_s11_q;
-  logic or_3041_s11_q;
-  logic not_3065_s11_q;
-  logic select_3532_s11_q;
-  logic equal_3544_s11_q;
-  logic less_3870_s11_q;
-  logic equal_4089_s11_q;
+  logic [7:0] not_2741_s11_q;
+  logic less_2762_s11_q;
+  logic and_2992_s11_q;
+  logic or_3043_s11_q;
+  logic not_3067_s11_q;
+  logic select_3534_s11_q;
+  logic equal_3546_s11_q;
+  logic less_3872_s11_q;
+  logic equal_4091_s11_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s11_q <= pixel_0_s10_q;
@@ -3424,9 +3426,9 @@ module horopter_agreement (
       patches_read_row_differing_s11_q <= patches_read_row_differing_q;
       patches_read_row_column_s11_q <= patches_read_row_column_q;
       patches_read_searches_s11_q <= patches_read_searches_s10_q;
+      select_507_s11_q <= select_507_s10_q;
+      equal_508_s11_q <= equal_508_s10_q;
       row_starts_s11_q <= row_starts_s10_q;
-      select_508_s11_q <= select_508_s10_q;
-      equal_509_s11_q <= equal_509_s10_q;
       select_512_s11_q <= select_512_s10_q;
       and_521_s11_q <= and_521_s10_q;
       equal_527_s11_q <= equal_527_s10_q;
@@ -3496,22 +3498,22 @@ module horopter_agreement (
       sum_1993_s11_q <= sum_1993_s10_q;
       and_2014_s11_q <= and_2014_s10_q;
       and_2136_s11_q <= and_2136_s10_q;
-      equal_2278_s11_q <= equal_2278_s10_q;
-      equal_2467_s11_q <= equal_2467_s10_q;
-      and_2594_s11_q <= and_2594_s10_q;
-      equal_2679_s11_q <= equal_2679_s10_q;
-      less_2721_s11_q <= slot_s10_q < 3'h3;
+      equal_2280_s11_q <= equal_2280_s10_q;
+      equal_2469_s11_q <= equal_2469_s10_q;
+      and_2596_s11_q <= and_2596_s10_q;
+      equal_2681_s11_q <= equal_2681_s10_q;
+      less_2723_s11_q <= slot_s10_q < 3'h3;
       wide_s11_q <= wide_s10_q;
       taken_s11_q <= taken;
-      not_2739_s11_q <= ~wide_s10_q;
-      less_2760_s11_q <= less_2760_s10_q;
-      and_2990_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & not_2987_s10_q));
-      or_3041_s11_q <= or_3041_s10_q;
-      not_3065_s11_q <= not_3065_s10_q;
-      select_3532_s11_q <= select_3532;
-      equal_3544_s11_q <= equal_3544_s10_q;
-      less_3870_s11_q <= less_3870_s10_q;
-      equal_4089_s11_q <= equal_4089_s10_q;
+      not_2741_s11_q <= ~wide_s10_q;
+      less_2762_s11_q <= less_2762_s10_q;
+      and_2992_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & not_2989_s10_q));
+      or_3043_s11_q <= or_3043_s10_q;
+      not_3067_s11_q <= not_3067_s10_q;
+      select_3534_s11_q <= select_3534;
+      equal_3546_s11_q <= equal_3546_s10_q;
+      less_3872_s11_q <= less_3872_s10_q;
+      equal_4091_s11_q <= equal_4091_s10_q;
     end
   end
 
@@ -3621,82 +3623,82 @@ module horopter_agreement (
   logic [10:0] sum_1916;
   assign sum_1916 = {3'h0, patches_columns_above_rdata_s11_q[15:8]} + {sum_1915_s11_q, patches_columns_above_rdata_s11_q[25]};
   // hls/stages/agreement.hpp:788
-  logic and_2330;
-  assign and_2330 = not_574 & (not_576 & (equal_577_s11_q & (inside_v_s11_q & first_s11_q)));
+  logic and_2332;
+  assign and_2332 = not_574 & (not_576 & (equal_577_s11_q & (inside_v_s11_q & first_s11_q)));
   // hls/stages/agreement.hpp:239
-  logic [5:0] select_2567;
-  assign select_2567 = slot_s11_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_2568;
-  assign select_2568 = slot_s11_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
   logic [5:0] select_2569;
-  assign select_2569 = slot_s11_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  assign select_2569 = slot_s11_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
   logic [5:0] select_2570;
-  assign select_2570 = slot_s11_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  assign select_2570 = slot_s11_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
   logic [5:0] select_2571;
-  assign select_2571 = slot_s11_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  assign select_2571 = slot_s11_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
   logic [5:0] select_2572;
-  assign select_2572 = slot_s11_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  assign select_2572 = slot_s11_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_2573;
+  assign select_2573 = slot_s11_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_2574;
+  assign select_2574 = slot_s11_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
   // hls/stages/agreement.hpp:986
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s11_q[61:54]} - {1'b0, best_left_rdata_s11_q[53:46]};
   // hls/stages/registration.hpp:37
-  logic not_2732;
-  assign not_2732 = ~registration_displacement_over_q[9];
+  logic not_2734;
+  assign not_2734 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2721_s11_q ? {1'b0, wide_s11_q, 1'b0} : {registration_displacement_over_q[8:0], not_2732};
+  assign left = less_2723_s11_q ? {1'b0, wide_s11_q, 1'b0} : {registration_displacement_over_q[8:0], not_2734};
   // hls/stages/registration.hpp:40
-  logic [7:0] select_2740;
-  assign select_2740 = registration_displacement_over_q[9] ? wide_s11_q : not_2739_s11_q;
+  logic [7:0] select_2742;
+  assign select_2742 = registration_displacement_over_q[9] ? wide_s11_q : not_2741_s11_q;
   logic [9:0] taken_2;
-  assign taken_2 = less_2721_s11_q ? {taken_s11_q, 1'b1} : {not_2732, select_2740, not_2732};
+  assign taken_2 = less_2723_s11_q ? {taken_s11_q, 1'b1} : {not_2734, select_2742, not_2734};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2742;
-  assign sum_2742 = {left, 1'b1} + {taken_2, less_2721_s11_q};
+  logic [10:0] sum_2744;
+  assign sum_2744 = {left, 1'b1} + {taken_2, less_2723_s11_q};
   // hls/stages/agreement.hpp:257
-  logic [4:0] select_2744;
-  assign select_2744 = so_s11_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  logic [4:0] select_2746;
+  assign select_2746 = so_s11_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_2746;
-  assign select_2746 = equal_573_s11_q ? registration_slope_here_q : (so_s11_q ? slope : registration_slope_here_q);
+  logic [7:0] select_2748;
+  assign select_2748 = equal_573_s11_q ? registration_slope_here_q : (so_s11_q ? slope : registration_slope_here_q);
   // hls/stages/agreement.hpp:149
-  logic [2:0] select_2755;
-  assign select_2755 = or_578_s11_q ? (less_581_s11_q ? 3'h0 : best_left_rdata_s11_q[8:6]) : 3'h0;
+  logic [2:0] select_2757;
+  assign select_2757 = or_578_s11_q ? (less_581_s11_q ? 3'h0 : best_left_rdata_s11_q[8:6]) : 3'h0;
   // hls/stages/patches.hpp:188
-  logic select_3080;
-  assign select_3080 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3082;
+  assign select_3082 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/patches.hpp:176
-  logic and_3141;
-  assign and_3141 = patches_along_ends_q & patches_match_row_ends_q;
+  logic and_3143;
+  assign and_3143 = patches_along_ends_q & patches_match_row_ends_q;
   // hls/stages/patches.hpp:414
-  logic [4:0] select_3146;
-  assign select_3146 = or_3041_s11_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  logic [4:0] select_3148;
+  assign select_3148 = or_3043_s11_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:416
-  logic [3:0] select_3148;
-  assign select_3148 = and_3141 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  logic [3:0] select_3150;
+  assign select_3150 = and_3143 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/patches.hpp:557
-  logic [4:0] select_3521;
-  assign select_3521 = less_1961_s11_q ? patches_step_s11_q : 5'h0;
+  logic [4:0] select_3523;
+  assign select_3523 = less_1961_s11_q ? patches_step_s11_q : 5'h0;
   // hls/stages/patches.hpp:561
-  logic [4:0] select_3524;
-  assign select_3524 = equal_1964_s11_q ? (less_1961_s11_q ? (equal_1964_s11_q ? 5'h0 : select_3521) : 5'h0) : select_3521;
   logic [4:0] select_3526;
-  assign select_3526 = less_1961_s11_q ? (equal_1962_s11_q ? 5'h0 : select_3524) : select_3524;
-  logic select_3534;
-  assign select_3534 = less_1961_s11_q ? (not_1963_s11_q & select_3532_s11_q) : select_3532_s11_q;
+  assign select_3526 = equal_1964_s11_q ? (less_1961_s11_q ? (equal_1964_s11_q ? 5'h0 : select_3523) : 5'h0) : select_3523;
+  logic [4:0] select_3528;
+  assign select_3528 = less_1961_s11_q ? (equal_1962_s11_q ? 5'h0 : select_3526) : select_3526;
+  logic select_3536;
+  assign select_3536 = less_1961_s11_q ? (not_1963_s11_q & select_3534_s11_q) : select_3534_s11_q;
   // hls/stages/patches.hpp:179
-  logic or_3546;
-  assign or_3546 = patches_read_first_q | (patches_read_row_differing_s11_q < patches_peak_best_differing_q);
-  logic and_3547;
-  assign and_3547 = patches_read_searches_s11_q & or_3546;
+  logic or_3548;
+  assign or_3548 = patches_read_first_q | (patches_read_row_differing_s11_q < patches_peak_best_differing_q);
+  logic and_3549;
+  assign and_3549 = patches_read_searches_s11_q & or_3548;
   // hls/stages/patches.hpp:540
-  logic [14:0] select_3579;
-  assign select_3579 = and_3547 ? {patches_read_row_column_s11_q, patches_read_row_differing_s11_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  logic [14:0] select_3581;
+  assign select_3581 = and_3549 ? {patches_read_row_column_s11_q, patches_read_row_differing_s11_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/patches.hpp:185
-  logic [9:0] select_3580;
-  assign select_3580 = equal_1783_s11_q ? select_3579[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3581;
-  assign select_3581 = equal_1783_s11_q ? select_3579[14:10] : patches_peak_best_column_q;
+  logic [9:0] select_3582;
+  assign select_3582 = equal_1783_s11_q ? select_3581[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3583;
+  assign select_3583 = equal_1783_s11_q ? select_3581[14:10] : patches_peak_best_column_q;
 
   // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:238; read in stage 11, written in stage 14: 11 < 14 < 11 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -3802,20 +3804,20 @@ module horopter_agreement (
     end else if (s11_en) begin
       moments_place_q <= select_571;
       moments_taken_q <= not_574 & (not_576 & (equal_577_s11_q & inside_v_s11_q));
-      moments_starts_q <= and_2330;
+      moments_starts_q <= and_2332;
       shift_not_right_q <= $signed(run_shift_s11_q) < $signed(6'h1);
-      registration_displacement_over_q <= so_s11_q ? sum_2742[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2744;
-      registration_slope_here_q <= select_2746;
-      patches_along_ends_q <= not_3065_s11_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3065_s11_q & select_3080;
-      patches_down_by_q <= or_3041_s11_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3141});
-      patches_along_q <= select_3146;
-      patches_match_row_q <= or_3041_s11_q ? 4'h0 : select_3148;
-      patches_summed_last_q <= not_1784_s11_q & (equal_1785_s11_q & and_3141);
-      patches_read_first_q <= equal_1783_s11_q ? select_3534 : patches_read_first_q;
-      patches_peak_best_differing_q <= select_3580;
-      patches_peak_best_column_q <= select_3581;
+      registration_displacement_over_q <= so_s11_q ? sum_2744[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2746;
+      registration_slope_here_q <= select_2748;
+      patches_along_ends_q <= not_3067_s11_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3067_s11_q & select_3082;
+      patches_down_by_q <= or_3043_s11_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3143});
+      patches_along_q <= select_3148;
+      patches_match_row_q <= or_3043_s11_q ? 4'h0 : select_3150;
+      patches_summed_last_q <= not_1784_s11_q & (equal_1785_s11_q & and_3143);
+      patches_read_first_q <= equal_1783_s11_q ? select_3536 : patches_read_first_q;
+      patches_peak_best_differing_q <= select_3582;
+      patches_peak_best_column_q <= select_3583;
     end
   end
 
@@ -3834,12 +3836,12 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s11_en) begin
       middle_sum_columns_values_0_q <= slot_s11_q[0] ? middle_sum_columns_values_0_q : column_s11_q;
-      middle_sum_columns_values_1_q <= select_2567;
-      middle_sum_columns_values_2_q <= select_2568;
-      middle_sum_columns_values_3_q <= select_2569;
-      middle_sum_columns_values_4_q <= select_2570;
-      middle_sum_columns_values_5_q <= select_2571;
-      middle_sum_columns_values_6_q <= select_2572;
+      middle_sum_columns_values_1_q <= select_2569;
+      middle_sum_columns_values_2_q <= select_2570;
+      middle_sum_columns_values_3_q <= select_2571;
+      middle_sum_columns_values_4_q <= select_2572;
+      middle_sum_columns_values_5_q <= select_2573;
+      middle_sum_columns_values_6_q <= select_2574;
     end
   end
 
@@ -3873,9 +3875,9 @@ module horopter_agreement (
   logic [4:0] patches_step_s12_q;
   logic [9:0] patches_read_row_differing_s12_q;
   logic patches_read_first_s12_q;
+  logic [3:0] select_507_s12_q;
+  logic equal_508_s12_q;
   logic row_starts_s12_q;
-  logic [3:0] select_508_s12_q;
-  logic equal_509_s12_q;
   logic [8:0] select_512_s12_q;
   logic and_521_s12_q;
   logic and_522_s12_q;
@@ -3961,23 +3963,23 @@ module horopter_agreement (
   logic sum_1993_s12_q;
   logic and_2014_s12_q;
   logic and_2137_s12_q;
-  logic equal_2278_s12_q;
-  logic equal_2467_s12_q;
-  logic and_2594_s12_q;
-  logic equal_2679_s12_q;
+  logic equal_2280_s12_q;
+  logic equal_2469_s12_q;
+  logic and_2596_s12_q;
+  logic equal_2681_s12_q;
   logic rise_s12_q;
-  logic [7:0] xor_2684_s12_q;
-  logic select_2755_s12_q;
-  logic or_2758_s12_q;
-  logic [1:0] sum_2759_s12_q;
-  logic less_2760_s12_q;
-  logic and_2991_s12_q;
-  logic [4:0] select_3526_s12_q;
-  logic equal_3544_s12_q;
-  logic and_3547_s12_q;
-  logic [14:0] select_3579_s12_q;
-  logic less_3870_s12_q;
-  logic equal_4089_s12_q;
+  logic [7:0] xor_2686_s12_q;
+  logic select_2757_s12_q;
+  logic or_2760_s12_q;
+  logic [1:0] sum_2761_s12_q;
+  logic less_2762_s12_q;
+  logic and_2993_s12_q;
+  logic [4:0] select_3528_s12_q;
+  logic equal_3546_s12_q;
+  logic and_3549_s12_q;
+  logic [14:0] select_3581_s12_q;
+  logic less_3872_s12_q;
+  logic equal_4091_s12_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s12_q <= pixel_0_s11_q;
@@ -4010,9 +4012,9 @@ module horopter_agreement (
       patches_step_s12_q <= patches_step_s11_q;
       patches_read_row_differing_s12_q <= patches_read_row_differing_s11_q;
       patches_read_first_s12_q <= patches_read_first_q;
+      select_507_s12_q <= select_507_s11_q;
+      equal_508_s12_q <= equal_508_s11_q;
       row_starts_s12_q <= row_starts_s11_q;
-      select_508_s12_q <= select_508_s11_q;
-      equal_509_s12_q <= equal_509_s11_q;
       select_512_s12_q <= select_512_s11_q;
       and_521_s12_q <= and_521_s11_q;
       and_522_s12_q <= and_522;
@@ -4098,23 +4100,23 @@ module horopter_agreement (
       sum_1993_s12_q <= sum_1993_s11_q;
       and_2014_s12_q <= and_2014_s11_q;
       and_2137_s12_q <= not_574 & and_2136_s11_q;
-      equal_2278_s12_q <= equal_2278_s11_q;
-      equal_2467_s12_q <= equal_2467_s11_q;
-      and_2594_s12_q <= and_2594_s11_q;
-      equal_2679_s12_q <= equal_2679_s11_q;
+      equal_2280_s12_q <= equal_2280_s11_q;
+      equal_2469_s12_q <= equal_2469_s11_q;
+      and_2596_s12_q <= and_2596_s11_q;
+      equal_2681_s12_q <= equal_2681_s11_q;
       rise_s12_q <= rise[8];
-      xor_2684_s12_q <= rise[7:0] ^ {8{rise[8]}};
-      select_2755_s12_q <= select_2755[0];
-      or_2758_s12_q <= (select_2755 == 3'h0) | (select_2755 == 3'h4);
-      sum_2759_s12_q <= select_2755[2:1] + 2'h3;
-      less_2760_s12_q <= less_2760_s11_q;
-      and_2991_s12_q <= not_574 & and_2990_s11_q;
-      select_3526_s12_q <= select_3526;
-      equal_3544_s12_q <= equal_3544_s11_q;
-      and_3547_s12_q <= and_3547;
-      select_3579_s12_q <= select_3579;
-      less_3870_s12_q <= less_3870_s11_q;
-      equal_4089_s12_q <= equal_4089_s11_q;
+      xor_2686_s12_q <= rise[7:0] ^ {8{rise[8]}};
+      select_2757_s12_q <= select_2757[0];
+      or_2760_s12_q <= (select_2757 == 3'h0) | (select_2757 == 3'h4);
+      sum_2761_s12_q <= select_2757[2:1] + 2'h3;
+      less_2762_s12_q <= less_2762_s11_q;
+      and_2993_s12_q <= not_574 & and_2992_s11_q;
+      select_3528_s12_q <= select_3528;
+      equal_3546_s12_q <= equal_3546_s11_q;
+      and_3549_s12_q <= and_3549;
+      select_3581_s12_q <= select_3581;
+      less_3872_s12_q <= less_3872_s11_q;
+      equal_4091_s12_q <= equal_4091_s11_q;
     end
   end
 
@@ -4134,9 +4136,9 @@ module horopter_agreement (
   logic [4:0] patches_peak_row_q;
   // hls/stages/census.hpp:117
   logic [13:0] select_525;
-  assign select_525 = equal_509_s12_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
+  assign select_525 = equal_508_s12_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
   logic [13:0] sum_531;
-  assign sum_531 = {6'h0, sample_pair_pixel_1_q} + (equal_509_s12_q ? 14'h0 : averager_running_1_q);
+  assign sum_531 = {6'h0, sample_pair_pixel_1_q} + (equal_508_s12_q ? 14'h0 : averager_running_1_q);
   // hls/stages/moments.hpp:63
   logic [10:0] place;
   assign place = first_s12_q ? 11'h0 : moments_place_q[13:3];
@@ -4218,31 +4220,31 @@ module horopter_agreement (
   logic and_1955;
   assign and_1955 = (~(equal_1788_s12_q | (~and_1941))) & (~patches_column_s12_q[4]);
   // hls/stages/agreement.hpp:239
-  logic [6:0] select_2579;
-  assign select_2579 = slot_s12_q[0] ? 7'h0 : sum_1536_s12_q;
-  // hls/stages/agreement.hpp:751
   logic [6:0] select_2581;
-  assign select_2581 = (select_2579 < select_1545_s12_q) ? select_1545_s12_q : select_2579;
+  assign select_2581 = slot_s12_q[0] ? 7'h0 : sum_1536_s12_q;
+  // hls/stages/agreement.hpp:751
+  logic [6:0] select_2583;
+  assign select_2583 = (select_2581 < select_1545_s12_q) ? select_1545_s12_q : select_2581;
   // hls/stages/agreement.hpp:987
   logic [7:0] lower;
   assign lower = rise_s12_q ? best_left_rdata_s12_q[61:54] : best_left_rdata_s12_q[53:46];
   // hls/stages/registration.hpp:47
-  logic [7:0] difference_2761;
-  assign difference_2761 = {sum_2759_s12_q, select_2755_s12_q, 5'h0} - {3'h0, registration_displacement_fraction_q};
+  logic [7:0] difference_2763;
+  assign difference_2763 = {sum_2761_s12_q, select_2757_s12_q, 5'h0} - {3'h0, registration_displacement_fraction_q};
   // hls/stages/registration.hpp:102
-  logic [7:0] select_2762;
-  assign select_2762 = less_2760_s12_q ? difference_2761 : {sum_2759_s12_q, select_2755_s12_q, registration_displacement_fraction_q};
-  logic [7:0] select_2763;
-  assign select_2763 = or_2758_s12_q ? {sum_2759_s12_q, select_2755_s12_q, 5'h0} : select_2762;
+  logic [7:0] select_2764;
+  assign select_2764 = less_2762_s12_q ? difference_2763 : {sum_2761_s12_q, select_2757_s12_q, registration_displacement_fraction_q};
+  logic [7:0] select_2765;
+  assign select_2765 = or_2760_s12_q ? {sum_2761_s12_q, select_2757_s12_q, 5'h0} : select_2764;
   // hls/stages/patches.hpp:185
-  logic [4:0] select_3503;
-  assign select_3503 = equal_1785_s12_q ? patches_down_by_s12_q : patches_summed_down_by_q;
+  logic [4:0] select_3505;
+  assign select_3505 = equal_1785_s12_q ? patches_down_by_s12_q : patches_summed_down_by_q;
   // hls/stages/patches.hpp:541
-  logic [4:0] select_3548;
-  assign select_3548 = and_3547_s12_q ? patches_read_at_q : patches_peak_row_q;
+  logic [4:0] select_3550;
+  assign select_3550 = and_3549_s12_q ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:548
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s12_q} - {1'b0, select_3548};
+  assign away = {1'b0, patches_step_s12_q} - {1'b0, select_3550};
 
   // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1377; read in stage 12, written in stage 15: 12 < 15 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4309,10 +4311,10 @@ module horopter_agreement (
     end else if (s12_en) begin
       sample_pair_pixel_0_q <= pixel_0_s12_q;
       sample_pair_pixel_1_q <= pixel_1_s12_q;
-      chosen_near_q <= select_2581;
-      patches_summed_down_by_q <= equal_1783_s12_q ? patches_summed_down_by_q : select_3503;
-      patches_read_at_q <= equal_1783_s12_q ? select_3526_s12_q : patches_read_at_q;
-      patches_peak_row_q <= equal_1783_s12_q ? select_3548 : patches_peak_row_q;
+      chosen_near_q <= select_2583;
+      patches_summed_down_by_q <= equal_1783_s12_q ? patches_summed_down_by_q : select_3505;
+      patches_read_at_q <= equal_1783_s12_q ? select_3528_s12_q : patches_read_at_q;
+      patches_peak_row_q <= equal_1783_s12_q ? select_3550 : patches_peak_row_q;
     end
   end
 
@@ -4367,9 +4369,9 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s13_q;
   logic [9:0] patches_read_row_differing_s13_q;
   logic patches_read_first_s13_q;
+  logic [3:0] select_507_s13_q;
+  logic equal_508_s13_q;
   logic row_starts_s13_q;
-  logic [3:0] select_508_s13_q;
-  logic equal_509_s13_q;
   logic [8:0] select_512_s13_q;
   logic and_521_s13_q;
   logic and_522_s13_q;
@@ -4466,23 +4468,23 @@ module horopter_agreement (
   logic and_2014_s13_q;
   logic [17:0] seen_columns_rdata_s13_q;
   logic and_2137_s13_q;
-  logic equal_2278_s13_q;
-  logic equal_2467_s13_q;
-  logic and_2594_s13_q;
-  logic equal_2679_s13_q;
+  logic equal_2280_s13_q;
+  logic equal_2469_s13_q;
+  logic and_2596_s13_q;
+  logic equal_2681_s13_q;
   logic [7:0] lower_s13_q;
-  logic [7:0] sum_2685_s13_q;
-  logic [7:0] select_2763_s13_q;
-  logic and_2991_s13_q;
-  logic less_3117_s13_q;
-  logic equal_3544_s13_q;
-  logic [4:0] select_3548_s13_q;
+  logic [7:0] sum_2687_s13_q;
+  logic [7:0] select_2765_s13_q;
+  logic and_2993_s13_q;
+  logic less_3119_s13_q;
+  logic equal_3546_s13_q;
+  logic [4:0] select_3550_s13_q;
   logic [5:0] away_s13_q;
-  logic equal_3550_s13_q;
-  logic equal_3559_s13_q;
-  logic [14:0] select_3579_s13_q;
-  logic less_3870_s13_q;
-  logic equal_4089_s13_q;
+  logic equal_3552_s13_q;
+  logic equal_3561_s13_q;
+  logic [14:0] select_3581_s13_q;
+  logic less_3872_s13_q;
+  logic equal_4091_s13_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       saturated_s13_q <= saturated_s12_q;
@@ -4512,9 +4514,9 @@ module horopter_agreement (
       patches_summed_down_by_s13_q <= patches_summed_down_by_q;
       patches_read_row_differing_s13_q <= patches_read_row_differing_s12_q;
       patches_read_first_s13_q <= patches_read_first_s12_q;
+      select_507_s13_q <= select_507_s12_q;
+      equal_508_s13_q <= equal_508_s12_q;
       row_starts_s13_q <= row_starts_s12_q;
-      select_508_s13_q <= select_508_s12_q;
-      equal_509_s13_q <= equal_509_s12_q;
       select_512_s13_q <= select_512_s12_q;
       and_521_s13_q <= and_521_s12_q;
       and_522_s13_q <= and_522_s12_q;
@@ -4611,23 +4613,23 @@ module horopter_agreement (
       and_2014_s13_q <= and_2014_s12_q;
       seen_columns_rdata_s13_q <= seen_columns_rdata_q;
       and_2137_s13_q <= and_2137_s12_q;
-      equal_2278_s13_q <= equal_2278_s12_q;
-      equal_2467_s13_q <= equal_2467_s12_q;
-      and_2594_s13_q <= and_2594_s12_q;
-      equal_2679_s13_q <= equal_2679_s12_q;
+      equal_2280_s13_q <= equal_2280_s12_q;
+      equal_2469_s13_q <= equal_2469_s12_q;
+      and_2596_s13_q <= and_2596_s12_q;
+      equal_2681_s13_q <= equal_2681_s12_q;
       lower_s13_q <= lower;
-      sum_2685_s13_q <= {7'h0, rise_s12_q} + xor_2684_s12_q;
-      select_2763_s13_q <= select_2763;
-      and_2991_s13_q <= and_2991_s12_q;
-      less_3117_s13_q <= 4'he < patches_column_s12_q[4:1];
-      equal_3544_s13_q <= equal_3544_s12_q;
-      select_3548_s13_q <= select_3548;
+      sum_2687_s13_q <= {7'h0, rise_s12_q} + xor_2686_s12_q;
+      select_2765_s13_q <= select_2765;
+      and_2993_s13_q <= and_2993_s12_q;
+      less_3119_s13_q <= 4'he < patches_column_s12_q[4:1];
+      equal_3546_s13_q <= equal_3546_s12_q;
+      select_3550_s13_q <= select_3550;
       away_s13_q <= away;
-      equal_3550_s13_q <= away == 6'h3f;
-      equal_3559_s13_q <= away == 6'h1;
-      select_3579_s13_q <= select_3579_s12_q;
-      less_3870_s13_q <= less_3870_s12_q;
-      equal_4089_s13_q <= equal_4089_s12_q;
+      equal_3552_s13_q <= away == 6'h3f;
+      equal_3561_s13_q <= away == 6'h1;
+      select_3581_s13_q <= select_3581_s12_q;
+      less_3872_s13_q <= less_3872_s12_q;
+      equal_4091_s13_q <= equal_4091_s12_q;
     end
   end
 
@@ -4657,9 +4659,9 @@ module horopter_agreement (
   assign sum_533 = sum_531_s13_q + (equal_527_s13_q ? 14'h0 : averager_memory_rdata_s13_q[27:14]);
   // hls/stages/agreement.hpp:418
   logic whole;
-  assign whole = equal_509_s13_q ? sample_present_s13_q : (sample_present_s13_q & averager_running_mask_q);
+  assign whole = equal_508_s13_q ? sample_present_s13_q : (sample_present_s13_q & averager_running_mask_q);
   logic all_of_skin;
-  assign all_of_skin = equal_509_s13_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
+  assign all_of_skin = equal_508_s13_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
   // hls/stages/census.hpp:131
   logic and_541;
   assign and_541 = all_of_skin & (averager_memory_rdata_s13_q[29] | equal_527_s13_q);
@@ -4760,77 +4762,77 @@ module horopter_agreement (
   logic or_2081;
   assign or_2081 = select_2078[7] | (~({select_2078[5], select_2078[3], select_2078[1]} == 3'h0));
   // hls/stages/agreement.hpp:276
-  logic select_2191;
-  assign select_2191 = sample_pair_whole_s13_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2193;
+  assign select_2193 = sample_pair_whole_s13_q ? all_of_skin : averager_running_of_skin_q;
   // hls/stages/agreement.hpp:239
-  logic [7:0] select_2576;
-  assign select_2576 = slot_s13_q[0] ? 8'h0 : sum_1010_s13_q;
+  logic [7:0] select_2578;
+  assign select_2578 = slot_s13_q[0] ? 8'h0 : sum_1010_s13_q;
   // hls/stages/agreement.hpp:751
-  logic less_2577;
-  assign less_2577 = select_2576 < select_1510;
+  logic less_2579;
+  assign less_2579 = select_2578 < select_1510;
   // hls/stages/agreement.hpp:788
-  logic less_2583;
-  assign less_2583 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
   logic less_2585;
-  assign less_2585 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
+  assign less_2585 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
+  logic less_2587;
+  assign less_2587 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
   // hls/stages/agreement.hpp:988
-  logic [7:0] difference_2683;
-  assign difference_2683 = best_left_rdata_s13_q[16:9] - lower_s13_q;
+  logic [7:0] difference_2685;
+  assign difference_2685 = best_left_rdata_s13_q[16:9] - lower_s13_q;
   // hls/stages/agreement.hpp:788
-  logic [10:0] select_2748;
-  assign select_2748 = equal_573_s13_q ? registration_expected_q : (so_s13_q ? expected : registration_expected_q);
+  logic [10:0] select_2750;
+  assign select_2750 = equal_573_s13_q ? registration_expected_q : (so_s13_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:102
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2763_s13_q[7]}}, select_2763_s13_q} - {sum_1712_s13_q[9], sum_1712_s13_q, sum_1708_s13_q};
+  assign value_2 = {{4{select_2765_s13_q[7]}}, select_2765_s13_q} - {sum_1712_s13_q[9], sum_1712_s13_q, sum_1708_s13_q};
   // hls/stages/patches.hpp:355
-  logic not_3006;
-  assign not_3006 = ~select_1688[1];
+  logic not_3008;
+  assign not_3008 = ~select_1688[1];
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3008;
-  assign select_3008 = sample_pair_whole_s13_q ? (equal_1689 ? select_1688 : {not_3006, 1'b0}) : patches_fetch_q;
+  logic [1:0] select_3010;
+  assign select_3010 = sample_pair_whole_s13_q ? (equal_1689 ? select_1688 : {not_3008, 1'b0}) : patches_fetch_q;
   // hls/stages/patches.hpp:185
-  logic [10:0] select_3095;
-  assign select_3095 = equal_1785_s13_q ? patches_down_values_0_q : (or_1789_s13_q ? down_2_s13_q : patches_down_values_0_q);
   logic [10:0] select_3097;
-  assign select_3097 = or_1789_s13_q ? patches_down_values_0_q : patches_down_values_1_q;
+  assign select_3097 = equal_1785_s13_q ? patches_down_values_0_q : (or_1789_s13_q ? down_2_s13_q : patches_down_values_0_q);
   logic [10:0] select_3099;
-  assign select_3099 = equal_1783_s13_q ? patches_down_values_1_q : (equal_1785_s13_q ? patches_down_values_1_q : select_3097);
+  assign select_3099 = or_1789_s13_q ? patches_down_values_0_q : patches_down_values_1_q;
+  logic [10:0] select_3101;
+  assign select_3101 = equal_1783_s13_q ? patches_down_values_1_q : (equal_1785_s13_q ? patches_down_values_1_q : select_3099);
   // hls/stages/patches.hpp:557
-  logic and_3552;
-  assign and_3552 = less_1961_s13_q & (equal_3544_s13_q & equal_3550_s13_q);
+  logic and_3554;
+  assign and_3554 = less_1961_s13_q & (equal_3546_s13_q & equal_3552_s13_q);
   // hls/stages/patches.hpp:561
-  logic select_3555;
-  assign select_3555 = equal_1964_s13_q ? (less_1961_s13_q ? (not_1965_s13_q & and_3552) : and_3552) : and_3552;
+  logic select_3557;
+  assign select_3557 = equal_1964_s13_q ? (less_1961_s13_q ? (not_1965_s13_q & and_3554) : and_3554) : and_3554;
   // hls/stages/patches.hpp:557
-  logic and_3561;
-  assign and_3561 = less_1961_s13_q & (equal_3544_s13_q & equal_3559_s13_q);
+  logic and_3563;
+  assign and_3563 = less_1961_s13_q & (equal_3546_s13_q & equal_3561_s13_q);
   // hls/stages/patches.hpp:561
-  logic select_3564;
-  assign select_3564 = equal_1964_s13_q ? (less_1961_s13_q ? (not_1965_s13_q & and_3561) : and_3561) : and_3561;
+  logic select_3566;
+  assign select_3566 = equal_1964_s13_q ? (less_1961_s13_q ? (not_1965_s13_q & and_3563) : and_3563) : and_3563;
   // hls/stages/patches.hpp:554
-  logic [6:0] sum_3568;
-  assign sum_3568 = {away_s13_q[5], away_s13_q} + 7'h7d;
+  logic [6:0] sum_3570;
+  assign sum_3570 = {away_s13_q[5], away_s13_q} + 7'h7d;
   // hls/stages/division.hpp:34
-  logic [7:0] sum_3871;
-  assign sum_3871 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_3873;
+  assign sum_3873 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3880;
-  assign select_3880 = equal_573_s13_q ? select_1980 : (so_s13_q ? (ends_cell_s13_q ? select_2078 : select_1980) : 8'h1);
+  logic [7:0] select_3882;
+  assign select_3882 = equal_573_s13_q ? select_1980 : (so_s13_q ? (ends_cell_s13_q ? select_2078 : select_1980) : 8'h1);
   // hls/stages/agreement.hpp:460
-  logic [8:0] select_3894;
-  assign select_3894 = equal_678_s13_q ? {difference_3892[7], difference_3892} : (less_3870_s13_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:520
   logic [8:0] select_3896;
-  assign select_3896 = and_548_s13_q ? (equal_2467_s13_q ? select_3894 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:460
-  logic [7:0] select_3898;
-  assign select_3898 = equal_678_s13_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
+  assign select_3896 = equal_678_s13_q ? {difference_3894[7], difference_3894} : (less_3872_s13_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:520
+  logic [8:0] select_3898;
+  assign select_3898 = and_548_s13_q ? (equal_2469_s13_q ? select_3896 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:460
   logic [7:0] select_3900;
-  assign select_3900 = and_548_s13_q ? (equal_2467_s13_q ? select_3898 : region_down_back_q) : region_down_back_q;
+  assign select_3900 = equal_678_s13_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:520
+  logic [7:0] select_3902;
+  assign select_3902 = and_548_s13_q ? (equal_2469_s13_q ? select_3900 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:36
-  logic [8:0] select_3902;
-  assign select_3902 = sum_3871[7] ? {1'b1, sum_3871[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
+  logic [8:0] select_3904;
+  assign select_3904 = sum_3873[7] ? {1'b1, sum_3873[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
 
   // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:352; read in stage 13, written in stage 15: 13 < 15 < 13 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4928,22 +4930,22 @@ module horopter_agreement (
     end else if (s13_en) begin
       sample_of_skin_q <= mask_s13_q;
       averager_running_mask_q <= sample_pair_whole_s13_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2191;
-      chosen_score_q <= less_2577 ? select_1510 : select_2576;
-      chosen_place_q <= less_2577 ? {select_1518, not_1517} : 3'h2;
-      before_0_q <= select_2576;
+      averager_running_of_skin_q <= select_2193;
+      chosen_score_q <= less_2579 ? select_1510 : select_2578;
+      chosen_place_q <= less_2579 ? {select_1518, not_1517} : 3'h2;
+      before_0_q <= select_2578;
       before_1_q <= sums_0_sum_sums_values_0_q;
       before_2_q <= sums_1_sum_sums_values_0_q;
-      shift_allowed_q <= (~less_2583) & (~less_2585);
-      registration_expected_q <= select_2748;
+      shift_allowed_q <= (~less_2585) & (~less_2587);
+      registration_expected_q <= select_2750;
       patches_band_q <= sample_pair_whole_s13_q ? select_1796 : patches_band_q;
-      patches_fetch_q <= select_3008;
-      patches_down_values_0_q <= equal_1783_s13_q ? patches_down_values_0_q : select_3095;
-      patches_down_values_1_q <= select_3099;
-      region_columns_q <= select_3880;
-      region_down_rest_q <= select_3896;
-      region_down_back_q <= select_3900;
-      region_down_next_q <= select_3902;
+      patches_fetch_q <= select_3010;
+      patches_down_values_0_q <= equal_1783_s13_q ? patches_down_values_0_q : select_3097;
+      patches_down_values_1_q <= select_3101;
+      region_columns_q <= select_3882;
+      region_down_rest_q <= select_3898;
+      region_down_back_q <= select_3902;
+      region_down_next_q <= select_3904;
     end
   end
 
@@ -4977,8 +4979,8 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s14_q;
   logic [9:0] patches_read_row_differing_s14_q;
   logic patches_read_first_s14_q;
+  logic [3:0] select_507_s14_q;
   logic row_starts_s14_q;
-  logic [3:0] select_508_s14_q;
   logic [8:0] select_512_s14_q;
   logic and_521_s14_q;
   logic and_522_s14_q;
@@ -5093,29 +5095,29 @@ module horopter_agreement (
   logic and_2098_s14_q;
   logic and_2114_s14_q;
   logic and_2137_s14_q;
-  logic equal_2278_s14_q;
-  logic equal_2467_s14_q;
-  logic and_2594_s14_q;
-  logic and_2618_s14_q;
-  logic equal_2679_s14_q;
-  logic [5:0] difference_2683_s14_q;
-  logic [7:0] sum_2685_s14_q;
-  logic [11:0] select_2766_s14_q;
-  logic and_2991_s14_q;
-  logic less_3117_s14_q;
-  logic equal_3460_s14_q;
-  logic [4:0] select_3548_s14_q;
-  logic select_3555_s14_q;
-  logic select_3564_s14_q;
-  logic and_3570_s14_q;
-  logic [14:0] select_3579_s14_q;
-  logic less_3870_s14_q;
-  logic sum_3871_s14_q;
-  logic select_3913_s14_q;
-  logic equal_3924_s14_q;
-  logic equal_3963_s14_q;
-  logic and_4079_s14_q;
-  logic equal_4089_s14_q;
+  logic equal_2280_s14_q;
+  logic equal_2469_s14_q;
+  logic and_2596_s14_q;
+  logic and_2620_s14_q;
+  logic equal_2681_s14_q;
+  logic [5:0] difference_2685_s14_q;
+  logic [7:0] sum_2687_s14_q;
+  logic [11:0] select_2768_s14_q;
+  logic and_2993_s14_q;
+  logic less_3119_s14_q;
+  logic equal_3462_s14_q;
+  logic [4:0] select_3550_s14_q;
+  logic select_3557_s14_q;
+  logic select_3566_s14_q;
+  logic and_3572_s14_q;
+  logic [14:0] select_3581_s14_q;
+  logic less_3872_s14_q;
+  logic sum_3873_s14_q;
+  logic select_3915_s14_q;
+  logic equal_3926_s14_q;
+  logic equal_3965_s14_q;
+  logic and_4081_s14_q;
+  logic equal_4091_s14_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s14_q <= sample_pair_pixel_0_q;
@@ -5148,8 +5150,8 @@ module horopter_agreement (
       patches_summed_down_by_s14_q <= patches_summed_down_by_s13_q;
       patches_read_row_differing_s14_q <= patches_read_row_differing_s13_q;
       patches_read_first_s14_q <= patches_read_first_s13_q;
+      select_507_s14_q <= select_507_s13_q;
       row_starts_s14_q <= row_starts_s13_q;
-      select_508_s14_q <= select_508_s13_q;
       select_512_s14_q <= select_512_s13_q;
       and_521_s14_q <= and_521_s13_q;
       and_522_s14_q <= and_522_s13_q;
@@ -5161,7 +5163,7 @@ module horopter_agreement (
       last_s14_q <= last_s13_q;
       and_546_s14_q <= and_546_s13_q;
       and_548_s14_q <= and_548_s13_q;
-      equal_551_s14_q <= select_508_s13_q == 4'h3;
+      equal_551_s14_q <= select_507_s13_q == 4'h3;
       equal_568_s14_q <= equal_568_s13_q;
       select_572_s14_q <= select_572_s13_q;
       equal_573_s14_q <= equal_573_s13_q;
@@ -5264,29 +5266,29 @@ module horopter_agreement (
       and_2098_s14_q <= seen_columns_rdata_s13_q[16] & inside_v_s13_q;
       and_2114_s14_q <= seen_columns_rdata_s13_q[17] & inside_v_s13_q;
       and_2137_s14_q <= and_2137_s13_q;
-      equal_2278_s14_q <= equal_2278_s13_q;
-      equal_2467_s14_q <= equal_2467_s13_q;
-      and_2594_s14_q <= and_2594_s13_q;
-      and_2618_s14_q <= seen_columns_rdata_s13_q[15] & inside_v_s13_q;
-      equal_2679_s14_q <= equal_2679_s13_q;
-      difference_2683_s14_q <= difference_2683[7:2];
-      sum_2685_s14_q <= sum_2685_s13_q;
-      select_2766_s14_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
-      and_2991_s14_q <= and_2991_s13_q;
-      less_3117_s14_q <= less_3117_s13_q;
-      equal_3460_s14_q <= patches_match_row_s13_q == 4'h0;
-      select_3548_s14_q <= select_3548_s13_q;
-      select_3555_s14_q <= select_3555;
-      select_3564_s14_q <= select_3564;
-      and_3570_s14_q <= equal_3544_s13_q & ({sum_3568[6], sum_3568} < 8'hfb);
-      select_3579_s14_q <= select_3579_s13_q;
-      less_3870_s14_q <= less_3870_s13_q;
-      sum_3871_s14_q <= sum_3871[7];
-      select_3913_s14_q <= sum_1993_s13_q ? (equal_1776_s13_q & or_1995) : or_1995;
-      equal_3924_s14_q <= x_s13_q[6:3] == 4'h7;
-      equal_3963_s14_q <= x_s13_q[6:3] == 4'h6;
-      and_4079_s14_q <= seen_columns_rdata_s13_q[6] & inside_v_s13_q;
-      equal_4089_s14_q <= equal_4089_s13_q;
+      equal_2280_s14_q <= equal_2280_s13_q;
+      equal_2469_s14_q <= equal_2469_s13_q;
+      and_2596_s14_q <= and_2596_s13_q;
+      and_2620_s14_q <= seen_columns_rdata_s13_q[15] & inside_v_s13_q;
+      equal_2681_s14_q <= equal_2681_s13_q;
+      difference_2685_s14_q <= difference_2685[7:2];
+      sum_2687_s14_q <= sum_2687_s13_q;
+      select_2768_s14_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+      and_2993_s14_q <= and_2993_s13_q;
+      less_3119_s14_q <= less_3119_s13_q;
+      equal_3462_s14_q <= patches_match_row_s13_q == 4'h0;
+      select_3550_s14_q <= select_3550_s13_q;
+      select_3557_s14_q <= select_3557;
+      select_3566_s14_q <= select_3566;
+      and_3572_s14_q <= equal_3546_s13_q & ({sum_3570[6], sum_3570} < 8'hfb);
+      select_3581_s14_q <= select_3581_s13_q;
+      less_3872_s14_q <= less_3872_s13_q;
+      sum_3873_s14_q <= sum_3873[7];
+      select_3915_s14_q <= sum_1993_s13_q ? (equal_1776_s13_q & or_1995) : or_1995;
+      equal_3926_s14_q <= x_s13_q[6:3] == 4'h7;
+      equal_3965_s14_q <= x_s13_q[6:3] == 4'h6;
+      and_4081_s14_q <= seen_columns_rdata_s13_q[6] & inside_v_s13_q;
+      equal_4091_s14_q <= equal_4091_s13_q;
     end
   end
 
@@ -5453,150 +5455,150 @@ module horopter_agreement (
   logic near;
   assign near = inside_v_s14_q & (select_2026 ? select_2029 : shown_right_rdata_s14_q[1]);
   // hls/stages/agreement.hpp:276
-  logic [10:0] select_2169;
-  assign select_2169 = sample_pair_whole_s14_q ? (and_546_s14_q ? total : averager_total_0_q) : averager_total_0_q;
   logic [10:0] select_2171;
-  assign select_2171 = sample_pair_whole_s14_q ? (and_546_s14_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2193;
-  assign select_2193 = sample_pair_whole_s14_q ? (and_546_s14_q ? select_561 : averager_mask_q) : averager_mask_q;
+  assign select_2171 = sample_pair_whole_s14_q ? (and_546_s14_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2173;
+  assign select_2173 = sample_pair_whole_s14_q ? (and_546_s14_q ? total_2 : averager_total_1_q) : averager_total_1_q;
   logic select_2195;
-  assign select_2195 = sample_pair_whole_s14_q ? (and_546_s14_q ? select_565 : averager_of_skin_q) : averager_of_skin_q;
+  assign select_2195 = sample_pair_whole_s14_q ? (and_546_s14_q ? select_561 : averager_mask_q) : averager_mask_q;
+  logic select_2197;
+  assign select_2197 = sample_pair_whole_s14_q ? (and_546_s14_q ? select_565 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/agreement.hpp:788
-  logic and_2598;
-  assign and_2598 = not_574_s14_q & (so_s14_q & (ends_cell_s14_q & (inside_v_s14_q & and_2594_s14_q)));
+  logic and_2600;
+  assign and_2600 = not_574_s14_q & (so_s14_q & (ends_cell_s14_q & (inside_v_s14_q & and_2596_s14_q)));
   // hls/stages/agreement.hpp:1105
-  logic not_2617;
-  assign not_2617 = ~(x_s14_q[7:1] == 7'h0);
+  logic not_2619;
+  assign not_2619 = ~(x_s14_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:788
-  logic and_2659;
-  assign and_2659 = so_s14_q & (ends_cell_s14_q & (inside_v_s14_q & (and_2594_s14_q & and_2016)));
+  logic and_2661;
+  assign and_2661 = so_s14_q & (ends_cell_s14_q & (inside_v_s14_q & (and_2596_s14_q & and_2016)));
   // hls/stages/agreement.hpp:1110
-  logic and_2664;
-  assign and_2664 = not_2617 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
+  logic and_2666;
+  assign and_2666 = not_2619 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:247
-  logic and_2688;
-  assign and_2688 = ((and_2014_s14_q & and_633_s14_q) & equal_2679_s14_q) & (~({2'h0, difference_2683_s14_q} < sum_2685_s14_q));
+  logic and_2690;
+  assign and_2690 = ((and_2014_s14_q & and_633_s14_q) & equal_2681_s14_q) & (~({2'h0, difference_2685_s14_q} < sum_2687_s14_q));
   // hls/stages/agreement.hpp:149
-  logic and_2698;
-  assign and_2698 = not_582_s14_q & (slot_s14_q[2] & left_turns_rdata_s14_q[0]);
-  // hls/stages/agreement.hpp:247
   logic and_2700;
-  assign and_2700 = not_582_s14_q & (slot_s14_q[2] & left_turns_rdata_s14_q[1]);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_2701;
-  assign select_2701 = or_578_s14_q ? {and_2700, and_2698} : 2'h0;
+  assign and_2700 = not_582_s14_q & (slot_s14_q[2] & left_turns_rdata_s14_q[0]);
   // hls/stages/agreement.hpp:247
-  logic [1:0] select_2703;
-  assign select_2703 = less_581_s14_q ? 2'h0 : (slot_s14_q[2] ? right_turns_rdata_s14_q : 2'h0);
+  logic and_2702;
+  assign and_2702 = not_582_s14_q & (slot_s14_q[2] & left_turns_rdata_s14_q[1]);
   // hls/stages/agreement.hpp:149
-  logic [1:0] select_2704;
-  assign select_2704 = or_578_s14_q ? select_2703 : 2'h0;
+  logic [1:0] select_2703;
+  assign select_2703 = or_578_s14_q ? {and_2702, and_2700} : 2'h0;
+  // hls/stages/agreement.hpp:247
+  logic [1:0] select_2705;
+  assign select_2705 = less_581_s14_q ? 2'h0 : (slot_s14_q[2] ? right_turns_rdata_s14_q : 2'h0);
+  // hls/stages/agreement.hpp:149
+  logic [1:0] select_2706;
+  assign select_2706 = or_578_s14_q ? select_2705 : 2'h0;
   // hls/stages/registration.hpp:108
-  logic equal_2749;
-  assign equal_2749 = slot_s14_q == 3'h4;
+  logic equal_2751;
+  assign equal_2751 = slot_s14_q == 3'h4;
   // hls/stages/registration.hpp:218
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2766_s14_q[11:7])) ? 12'h7f : select_2766_s14_q;
+  assign residual = ($signed(5'h0) < $signed(select_2768_s14_q[11:7])) ? 12'h7f : select_2768_s14_q;
   // hls/stages/agreement.hpp:788
-  logic select_2810;
-  assign select_2810 = so_s14_q ? (equal_2749 ? right_2_s14_q : registration_of_right_q) : registration_of_right_q;
-  logic select_2813;
-  assign select_2813 = so_s14_q ? (equal_1699_s14_q ? inside_v_s14_q : registration_was_inside_q) : registration_was_inside_q;
+  logic select_2812;
+  assign select_2812 = so_s14_q ? (equal_2751 ? right_2_s14_q : registration_of_right_q) : registration_of_right_q;
+  logic select_2815;
+  assign select_2815 = so_s14_q ? (equal_1699_s14_q ? inside_v_s14_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/agreement.hpp:1129
   logic [1:0] quarter_2;
   assign quarter_2 = all_s14_q ? x_s14_q[1:0] : select_1609;
   // hls/stages/patches.hpp:185
-  logic [11:0] select_3083;
-  assign select_3083 = equal_1785_s14_q ? patches_smooth_values_0_q : (or_1789_s14_q ? smooth_s14_q : patches_smooth_values_0_q);
   logic [11:0] select_3085;
-  assign select_3085 = or_1789_s14_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  assign select_3085 = equal_1785_s14_q ? patches_smooth_values_0_q : (or_1789_s14_q ? smooth_s14_q : patches_smooth_values_0_q);
   logic [11:0] select_3087;
-  assign select_3087 = equal_1783_s14_q ? patches_smooth_values_1_q : (equal_1785_s14_q ? patches_smooth_values_1_q : select_3085);
-  logic [11:0] select_3088;
-  assign select_3088 = or_1789_s14_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  assign select_3087 = or_1789_s14_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3089;
+  assign select_3089 = equal_1783_s14_q ? patches_smooth_values_1_q : (equal_1785_s14_q ? patches_smooth_values_1_q : select_3087);
   logic [11:0] select_3090;
-  assign select_3090 = equal_1783_s14_q ? patches_smooth_values_2_q : (equal_1785_s14_q ? patches_smooth_values_2_q : select_3088);
-  logic [11:0] select_3091;
-  assign select_3091 = or_1789_s14_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  assign select_3090 = or_1789_s14_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3092;
+  assign select_3092 = equal_1783_s14_q ? patches_smooth_values_2_q : (equal_1785_s14_q ? patches_smooth_values_2_q : select_3090);
   logic [11:0] select_3093;
-  assign select_3093 = equal_1783_s14_q ? patches_smooth_values_3_q : (equal_1785_s14_q ? patches_smooth_values_3_q : select_3091);
-  logic [10:0] select_3100;
-  assign select_3100 = or_1789_s14_q ? patches_down_values_1_s14_q : patches_down_values_2_q;
+  assign select_3093 = or_1789_s14_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3095;
+  assign select_3095 = equal_1783_s14_q ? patches_smooth_values_3_q : (equal_1785_s14_q ? patches_smooth_values_3_q : select_3093);
   logic [10:0] select_3102;
-  assign select_3102 = equal_1783_s14_q ? patches_down_values_2_q : (equal_1785_s14_q ? patches_down_values_2_q : select_3100);
-  logic [10:0] select_3103;
-  assign select_3103 = or_1789_s14_q ? patches_down_values_2_q : patches_down_values_3_q;
+  assign select_3102 = or_1789_s14_q ? patches_down_values_1_s14_q : patches_down_values_2_q;
+  logic [10:0] select_3104;
+  assign select_3104 = equal_1783_s14_q ? patches_down_values_2_q : (equal_1785_s14_q ? patches_down_values_2_q : select_3102);
   logic [10:0] select_3105;
-  assign select_3105 = equal_1783_s14_q ? patches_down_values_3_q : (equal_1785_s14_q ? patches_down_values_3_q : select_3103);
+  assign select_3105 = or_1789_s14_q ? patches_down_values_2_q : patches_down_values_3_q;
+  logic [10:0] select_3107;
+  assign select_3107 = equal_1783_s14_q ? patches_down_values_3_q : (equal_1785_s14_q ? patches_down_values_3_q : select_3105);
   // hls/stages/patches.hpp:561
-  logic select_3557;
-  assign select_3557 = less_1961_s14_q ? (not_1963_s14_q & select_3555_s14_q) : select_3555_s14_q;
-  logic select_3566;
-  assign select_3566 = less_1961_s14_q ? (not_1963_s14_q & select_3564_s14_q) : select_3564_s14_q;
+  logic select_3559;
+  assign select_3559 = less_1961_s14_q ? (not_1963_s14_q & select_3557_s14_q) : select_3557_s14_q;
+  logic select_3568;
+  assign select_3568 = less_1961_s14_q ? (not_1963_s14_q & select_3566_s14_q) : select_3566_s14_q;
   // hls/stages/patches.hpp:557
-  logic [9:0] select_3572;
-  assign select_3572 = less_1961_s14_q ? (and_3570_s14_q ? patches_rows_rdata_s14_q : 10'h3ff) : 10'h3ff;
+  logic [9:0] select_3574;
+  assign select_3574 = less_1961_s14_q ? (and_3572_s14_q ? patches_rows_rdata_s14_q : 10'h3ff) : 10'h3ff;
   // hls/stages/patches.hpp:542
-  logic [9:0] select_3583;
-  assign select_3583 = patches_read_above_q ? patches_read_row_differing_s14_q : patches_peak_above_q;
-  // hls/stages/patches.hpp:543
   logic [9:0] select_3585;
-  assign select_3585 = patches_read_below_q ? patches_read_row_differing_s14_q : patches_peak_below_q;
+  assign select_3585 = patches_read_above_q ? patches_read_row_differing_s14_q : patches_peak_above_q;
+  // hls/stages/patches.hpp:543
+  logic [9:0] select_3587;
+  assign select_3587 = patches_read_below_q ? patches_read_row_differing_s14_q : patches_peak_below_q;
   // hls/stages/patches.hpp:580
-  logic less_3622;
-  assign less_3622 = select_3583 < select_3585;
+  logic less_3624;
+  assign less_3624 = select_3585 < select_3587;
   // hls/stages/patches.hpp:581
   logic [9:0] high;
-  assign high = less_3622 ? select_3585 : select_3583;
+  assign high = less_3624 ? select_3587 : select_3585;
   logic [9:0] low;
-  assign low = (select_3585 < select_3583) ? select_3585 : select_3583;
+  assign low = (select_3587 < select_3585) ? select_3587 : select_3585;
   // hls/stages/agreement.hpp:788
-  logic select_3867;
-  assign select_3867 = equal_573_s14_q ? shown_shown_q : (so_s14_q ? select_2026 : shown_shown_q);
   logic select_3869;
-  assign select_3869 = equal_573_s14_q ? shown_nearer_q : (so_s14_q ? select_2029 : shown_nearer_q);
+  assign select_3869 = equal_573_s14_q ? shown_shown_q : (so_s14_q ? select_2026 : shown_shown_q);
+  logic select_3871;
+  assign select_3871 = equal_573_s14_q ? shown_nearer_q : (so_s14_q ? select_2029 : shown_nearer_q);
   // hls/stages/agreement.hpp:460
-  logic [2:0] select_3873;
-  assign select_3873 = less_3870_s14_q ? (sum_3871_s14_q ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_3875;
-  assign select_3875 = equal_2467_s14_q ? (equal_678_s14_q ? 3'h0 : select_3873) : region_row_q;
+  assign select_3875 = less_3872_s14_q ? (sum_3873_s14_q ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_3877;
+  assign select_3877 = equal_2469_s14_q ? (equal_678_s14_q ? 3'h0 : select_3875) : region_row_q;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3871_s14_q;
+  assign next = ~sum_3873_s14_q;
   // hls/stages/agreement.hpp:460
-  logic select_3906;
-  assign select_3906 = equal_2467_s14_q ? (equal_678_s14_q | (less_3870_s14_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_3908;
+  assign select_3908 = equal_2469_s14_q ? (equal_678_s14_q | (less_3872_s14_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:205
-  logic or_3911;
-  assign or_3911 = segment_starts_q | not_576_s14_q;
+  logic or_3913;
+  assign or_3913 = segment_starts_q | not_576_s14_q;
   // hls/stages/agreement.hpp:788
-  logic select_3915;
-  assign select_3915 = ends_cell_s14_q ? (inside_v_s14_q ? select_3913_s14_q : or_3911) : or_3911;
+  logic select_3917;
+  assign select_3917 = ends_cell_s14_q ? (inside_v_s14_q ? select_3915_s14_q : or_3913) : or_3913;
   // hls/stages/agreement.hpp:1217
-  logic equal_3944;
-  assign equal_3944 = x_s14_q[6:3] == 4'ha;
-  logic equal_3948;
-  assign equal_3948 = x_s14_q[6:3] == 4'h9;
-  logic equal_3949;
-  assign equal_3949 = x_s14_q[6:3] == 4'h8;
+  logic equal_3946;
+  assign equal_3946 = x_s14_q[6:3] == 4'ha;
+  logic equal_3950;
+  assign equal_3950 = x_s14_q[6:3] == 4'h9;
+  logic equal_3951;
+  assign equal_3951 = x_s14_q[6:3] == 4'h8;
   // hls/stages/agreement.hpp:1125
-  logic [7:0] select_3965;
-  assign select_3965 = equal_3924_s14_q ? cfg_unproven_limit_i : (equal_3963_s14_q ? cfg_explained_limit_i : cfg_regions_limit_i);
   logic [7:0] select_3967;
-  assign select_3967 = equal_3948 ? cfg_hidden_limit_i : (equal_3949 ? cfg_unproven_skin_limit_i : select_3965);
+  assign select_3967 = equal_3926_s14_q ? cfg_unproven_limit_i : (equal_3965_s14_q ? cfg_explained_limit_i : cfg_regions_limit_i);
+  logic [7:0] select_3969;
+  assign select_3969 = equal_3950 ? cfg_hidden_limit_i : (equal_3951 ? cfg_unproven_skin_limit_i : select_3967);
   // hls/stages/agreement.hpp:788
-  logic select_4077;
-  assign select_4077 = so_s14_q ? (ends_cell_s14_q ? and_2066_s14_q : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4081;
-  assign select_4081 = so_s14_q ? (ends_cell_s14_q ? and_4079_s14_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
+  logic select_4079;
+  assign select_4079 = so_s14_q ? (ends_cell_s14_q ? and_2066_s14_q : centres_values_0_textured_q) : centres_values_0_textured_q;
   logic select_4083;
-  assign select_4083 = ends_cell_s14_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  assign select_4083 = so_s14_q ? (ends_cell_s14_q ? and_4081_s14_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
   logic select_4085;
-  assign select_4085 = equal_573_s14_q ? centres_values_1_textured_q : (so_s14_q ? select_4083 : centres_values_1_textured_q);
-  logic select_4086;
-  assign select_4086 = ends_cell_s14_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  assign select_4085 = ends_cell_s14_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4087;
+  assign select_4087 = equal_573_s14_q ? centres_values_1_textured_q : (so_s14_q ? select_4085 : centres_values_1_textured_q);
   logic select_4088;
-  assign select_4088 = equal_573_s14_q ? centres_values_1_of_skin_q : (so_s14_q ? select_4086 : centres_values_1_of_skin_q);
+  assign select_4088 = ends_cell_s14_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4090;
+  assign select_4090 = equal_573_s14_q ? centres_values_1_of_skin_q : (so_s14_q ? select_4088 : centres_values_1_of_skin_q);
 
   // Memory patches_choices, 64 x 23, DISTANCE 24, hls/stages/patches.hpp:768; read in stage 14, written in stage 16: 14 < 16 < 14 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -5724,30 +5726,30 @@ module horopter_agreement (
       centres_values_1_textured_q <= 1'b0;
       centres_values_1_of_skin_q <= 1'b0;
     end else if (s14_en) begin
-      averager_mask_q <= select_2193;
-      averager_of_skin_q <= select_2195;
-      registration_of_right_q <= equal_573_s14_q ? registration_of_right_q : select_2810;
-      registration_was_inside_q <= equal_573_s14_q ? registration_was_inside_q : select_2813;
-      patches_smooth_values_0_q <= equal_1783_s14_q ? patches_smooth_values_0_q : select_3083;
-      patches_smooth_values_1_q <= select_3087;
-      patches_smooth_values_2_q <= select_3090;
-      patches_smooth_values_3_q <= select_3093;
-      patches_down_values_2_q <= select_3102;
-      patches_down_values_3_q <= select_3105;
-      patches_read_above_q <= equal_1783_s14_q ? select_3557 : patches_read_above_q;
-      patches_read_below_q <= equal_1783_s14_q ? select_3566 : patches_read_below_q;
-      patches_peak_above_q <= equal_1783_s14_q ? select_3583 : patches_peak_above_q;
-      patches_peak_below_q <= equal_1783_s14_q ? select_3585 : patches_peak_below_q;
-      shown_shown_q <= select_3867;
-      shown_nearer_q <= select_3869;
-      region_row_q <= and_548_s14_q ? select_3875 : region_row_q;
+      averager_mask_q <= select_2195;
+      averager_of_skin_q <= select_2197;
+      registration_of_right_q <= equal_573_s14_q ? registration_of_right_q : select_2812;
+      registration_was_inside_q <= equal_573_s14_q ? registration_was_inside_q : select_2815;
+      patches_smooth_values_0_q <= equal_1783_s14_q ? patches_smooth_values_0_q : select_3085;
+      patches_smooth_values_1_q <= select_3089;
+      patches_smooth_values_2_q <= select_3092;
+      patches_smooth_values_3_q <= select_3095;
+      patches_down_values_2_q <= select_3104;
+      patches_down_values_3_q <= select_3107;
+      patches_read_above_q <= equal_1783_s14_q ? select_3559 : patches_read_above_q;
+      patches_read_below_q <= equal_1783_s14_q ? select_3568 : patches_read_below_q;
+      patches_peak_above_q <= equal_1783_s14_q ? select_3585 : patches_peak_above_q;
+      patches_peak_below_q <= equal_1783_s14_q ? select_3587 : patches_peak_below_q;
+      shown_shown_q <= select_3869;
+      shown_nearer_q <= select_3871;
+      region_row_q <= and_548_s14_q ? select_3877 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_fresh_q <= and_548_s14_q ? select_3906 : region_fresh_q;
-      segment_starts_q <= equal_573_s14_q ? or_3911 : (so_s14_q ? select_3915 : or_3911);
-      centres_values_0_textured_q <= equal_573_s14_q ? centres_values_0_textured_q : select_4077;
-      centres_values_0_of_skin_q <= equal_573_s14_q ? centres_values_0_of_skin_q : select_4081;
-      centres_values_1_textured_q <= select_4085;
-      centres_values_1_of_skin_q <= select_4088;
+      region_fresh_q <= and_548_s14_q ? select_3908 : region_fresh_q;
+      segment_starts_q <= equal_573_s14_q ? or_3913 : (so_s14_q ? select_3917 : or_3913);
+      centres_values_0_textured_q <= equal_573_s14_q ? centres_values_0_textured_q : select_4079;
+      centres_values_0_of_skin_q <= equal_573_s14_q ? centres_values_0_of_skin_q : select_4083;
+      centres_values_1_textured_q <= select_4087;
+      centres_values_1_of_skin_q <= select_4090;
     end
   end
 
@@ -5760,8 +5762,8 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s14_en) begin
-      averager_total_0_q <= select_2169;
-      averager_total_1_q <= select_2171;
+      averager_total_0_q <= select_2171;
+      averager_total_1_q <= select_2173;
     end
   end
 
@@ -5796,8 +5798,8 @@ module horopter_agreement (
   logic region_fresh_s15_q;
   logic centres_values_1_textured_s15_q;
   logic centres_values_1_of_skin_s15_q;
+  logic [3:0] select_507_s15_q;
   logic row_starts_s15_q;
-  logic [3:0] select_508_s15_q;
   logic [6:0] select_542_s15_q;
   logic [6:0] last_s15_q;
   logic and_546_s15_q;
@@ -5919,41 +5921,41 @@ module horopter_agreement (
   logic and_2116_s15_q;
   logic and_2117_s15_q;
   logic and_2137_s15_q;
-  logic equal_2278_s15_q;
-  logic equal_2467_s15_q;
-  logic and_2598_s15_q;
-  logic not_2617_s15_q;
-  logic and_2618_s15_q;
+  logic equal_2280_s15_q;
+  logic equal_2469_s15_q;
+  logic and_2600_s15_q;
+  logic not_2619_s15_q;
   logic and_2620_s15_q;
-  logic and_2621_s15_q;
-  logic and_2660_s15_q;
-  logic and_2667_s15_q;
-  logic and_2691_s15_q;
-  logic select_2701_s15_q;
-  logic select_2704_s15_q;
-  logic and_2705_s15_q;
-  logic and_2752_s15_q;
-  logic and_2753_s15_q;
+  logic and_2622_s15_q;
+  logic and_2623_s15_q;
+  logic and_2662_s15_q;
+  logic and_2669_s15_q;
+  logic and_2693_s15_q;
+  logic select_2703_s15_q;
+  logic select_2706_s15_q;
+  logic and_2707_s15_q;
+  logic and_2754_s15_q;
+  logic and_2755_s15_q;
   logic [11:0] residual_s15_q;
-  logic equal_2815_s15_q;
-  logic [3:0] not_2816_s15_q;
+  logic equal_2817_s15_q;
+  logic [3:0] not_2818_s15_q;
   logic [1:0] quarter_2_s15_q;
-  logic and_2991_s15_q;
-  logic less_3117_s15_q;
-  logic equal_3460_s15_q;
-  logic [4:0] select_3548_s15_q;
-  logic [9:0] select_3572_s15_q;
-  logic [14:0] select_3579_s15_q;
-  logic less_3622_s15_q;
+  logic and_2993_s15_q;
+  logic less_3119_s15_q;
+  logic equal_3462_s15_q;
+  logic [4:0] select_3550_s15_q;
+  logic [9:0] select_3574_s15_q;
+  logic [14:0] select_3581_s15_q;
+  logic less_3624_s15_q;
   logic [9:0] high_s15_q;
   logic [9:0] low_s15_q;
-  logic equal_3924_s15_q;
-  logic equal_3944_s15_q;
-  logic equal_3947_s15_q;
-  logic equal_3948_s15_q;
+  logic equal_3926_s15_q;
+  logic equal_3946_s15_q;
   logic equal_3949_s15_q;
-  logic [7:0] select_3968_s15_q;
-  logic equal_4089_s15_q;
+  logic equal_3950_s15_q;
+  logic equal_3951_s15_q;
+  logic [7:0] select_3970_s15_q;
+  logic equal_4091_s15_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s15_q <= pixel_0_s14_q;
@@ -5987,8 +5989,8 @@ module horopter_agreement (
       region_fresh_s15_q <= region_fresh_q;
       centres_values_1_textured_s15_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s15_q <= centres_values_1_of_skin_q;
+      select_507_s15_q <= select_507_s14_q;
       row_starts_s15_q <= row_starts_s14_q;
-      select_508_s15_q <= select_508_s14_q;
       select_542_s15_q <= select_542_s14_q;
       last_s15_q <= last_s14_q;
       and_546_s15_q <= and_546_s14_q;
@@ -6110,41 +6112,41 @@ module horopter_agreement (
       and_2116_s15_q <= seen_columns_rdata_s14_q[8] & inside_v_s14_q;
       and_2117_s15_q <= seen_columns_rdata_s14_q[4] & inside_v_s14_q;
       and_2137_s15_q <= and_2137_s14_q;
-      equal_2278_s15_q <= equal_2278_s14_q;
-      equal_2467_s15_q <= equal_2467_s14_q;
-      and_2598_s15_q <= and_2598;
-      not_2617_s15_q <= not_2617;
-      and_2618_s15_q <= and_2618_s14_q;
-      and_2620_s15_q <= seen_columns_rdata_s14_q[6] & inside_v_s14_q;
-      and_2621_s15_q <= seen_columns_rdata_s14_q[2] & inside_v_s14_q;
-      and_2660_s15_q <= not_574_s14_q & and_2659;
-      and_2667_s15_q <= not_574_s14_q & (so_s14_q & (ends_cell_s14_q & and_2664));
-      and_2691_s15_q <= inside_v_s14_q & (or_578_s14_q & (not_582_s14_q & and_2688));
-      select_2701_s15_q <= select_2701[1];
-      select_2704_s15_q <= select_2704[1];
-      and_2705_s15_q <= select_2701[0] & select_2704[0];
-      and_2752_s15_q <= not_574_s14_q & (so_s14_q & (half_ends & equal_2749));
-      and_2753_s15_q <= and_635 & less_1698_s14_q;
+      equal_2280_s15_q <= equal_2280_s14_q;
+      equal_2469_s15_q <= equal_2469_s14_q;
+      and_2600_s15_q <= and_2600;
+      not_2619_s15_q <= not_2619;
+      and_2620_s15_q <= and_2620_s14_q;
+      and_2622_s15_q <= seen_columns_rdata_s14_q[6] & inside_v_s14_q;
+      and_2623_s15_q <= seen_columns_rdata_s14_q[2] & inside_v_s14_q;
+      and_2662_s15_q <= not_574_s14_q & and_2661;
+      and_2669_s15_q <= not_574_s14_q & (so_s14_q & (ends_cell_s14_q & and_2666));
+      and_2693_s15_q <= inside_v_s14_q & (or_578_s14_q & (not_582_s14_q & and_2690));
+      select_2703_s15_q <= select_2703[1];
+      select_2706_s15_q <= select_2706[1];
+      and_2707_s15_q <= select_2703[0] & select_2706[0];
+      and_2754_s15_q <= not_574_s14_q & (so_s14_q & (half_ends & equal_2751));
+      and_2755_s15_q <= and_635 & less_1698_s14_q;
       residual_s15_q <= residual;
-      equal_2815_s15_q <= sum_1612 == 2'h2;
-      not_2816_s15_q <= ~select_1659;
+      equal_2817_s15_q <= sum_1612 == 2'h2;
+      not_2818_s15_q <= ~select_1659;
       quarter_2_s15_q <= quarter_2;
-      and_2991_s15_q <= and_2991_s14_q;
-      less_3117_s15_q <= less_3117_s14_q;
-      equal_3460_s15_q <= equal_3460_s14_q;
-      select_3548_s15_q <= select_3548_s14_q;
-      select_3572_s15_q <= select_3572;
-      select_3579_s15_q <= select_3579_s14_q;
-      less_3622_s15_q <= less_3622;
+      and_2993_s15_q <= and_2993_s14_q;
+      less_3119_s15_q <= less_3119_s14_q;
+      equal_3462_s15_q <= equal_3462_s14_q;
+      select_3550_s15_q <= select_3550_s14_q;
+      select_3574_s15_q <= select_3574;
+      select_3581_s15_q <= select_3581_s14_q;
+      less_3624_s15_q <= less_3624;
       high_s15_q <= high;
       low_s15_q <= low;
-      equal_3924_s15_q <= equal_3924_s14_q;
-      equal_3944_s15_q <= equal_3944;
-      equal_3947_s15_q <= x_s14_q[6:3] == 4'hb;
-      equal_3948_s15_q <= equal_3948;
-      equal_3949_s15_q <= equal_3949;
-      select_3968_s15_q <= equal_3944 ? cfg_regions_limit_i : select_3967;
-      equal_4089_s15_q <= equal_4089_s14_q;
+      equal_3926_s15_q <= equal_3926_s14_q;
+      equal_3946_s15_q <= equal_3946;
+      equal_3949_s15_q <= x_s14_q[6:3] == 4'hb;
+      equal_3950_s15_q <= equal_3950;
+      equal_3951_s15_q <= equal_3951;
+      select_3970_s15_q <= equal_3946 ? cfg_regions_limit_i : select_3969;
+      equal_4091_s15_q <= equal_4091_s14_q;
     end
   end
 
@@ -6347,220 +6349,220 @@ module horopter_agreement (
   logic [1:0] sum_2119;
   assign sum_2119 = {1'b0, and_2116_s15_q} + ({1'b0, near_s15_q} + {1'b0, and_2117_s15_q});
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_2161;
-  assign select_2161 = sample_pair_whole_s15_q ? (and_546_s15_q ? grey_s15_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_2163;
-  assign select_2163 = sample_pair_whole_s15_q ? (and_546_s15_q ? grey_2_s15_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  assign select_2163 = sample_pair_whole_s15_q ? (and_546_s15_q ? grey_s15_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_2165;
-  assign select_2165 = sample_pair_whole_s15_q ? (and_546_s15_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  assign select_2165 = sample_pair_whole_s15_q ? (and_546_s15_q ? grey_2_s15_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
   logic [8:0] select_2167;
-  assign select_2167 = sample_pair_whole_s15_q ? (and_546_s15_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  assign select_2167 = sample_pair_whole_s15_q ? (and_546_s15_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2169;
+  assign select_2169 = sample_pair_whole_s15_q ? (and_546_s15_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2172;
-  assign sum_2172 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s15_q};
-  logic [9:0] sum_2180;
-  assign sum_2180 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s15_q};
+  logic [9:0] sum_2174;
+  assign sum_2174 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s15_q};
+  logic [9:0] sum_2182;
+  assign sum_2182 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s15_q};
   // hls/stages/agreement.hpp:520
-  logic [8:0] select_2196;
-  assign select_2196 = and_548_s15_q ? select_554_s15_q : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2197;
-  assign select_2197 = and_548_s15_q ? select_558_s15_q : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2198;
+  assign select_2198 = and_548_s15_q ? select_554_s15_q : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2199;
-  assign select_2199 = and_548_s15_q ? census_memory_rdata_s15_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2200;
-  assign select_2200 = and_548_s15_q ? census_memory_rdata_s15_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2201;
-  assign select_2201 = and_548_s15_q ? census_memory_rdata_s15_q[18] : census_columns_values_0_cell_1_mask_q;
+  assign select_2199 = and_548_s15_q ? select_558_s15_q : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2201;
+  assign select_2201 = and_548_s15_q ? census_memory_rdata_s15_q[8:0] : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_2202;
-  assign select_2202 = and_548_s15_q ? census_memory_rdata_s15_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2203;
-  assign select_2203 = and_548_s15_q ? census_memory_rdata_s15_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2204;
-  assign select_2204 = and_548_s15_q ? census_memory_rdata_s15_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2205;
-  assign select_2205 = and_548_s15_q ? census_memory_rdata_s15_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_2206;
-  assign select_2206 = and_548_s15_q ? census_memory_rdata_s15_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2207;
-  assign select_2207 = and_548_s15_q ? census_memory_rdata_s15_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2208;
-  assign select_2208 = and_548_s15_q ? census_memory_rdata_s15_q[58] : census_columns_values_0_cell_3_mask_q;
+  assign select_2202 = and_548_s15_q ? census_memory_rdata_s15_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2203;
+  assign select_2203 = and_548_s15_q ? census_memory_rdata_s15_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2204;
+  assign select_2204 = and_548_s15_q ? census_memory_rdata_s15_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2205;
+  assign select_2205 = and_548_s15_q ? census_memory_rdata_s15_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2206;
+  assign select_2206 = and_548_s15_q ? census_memory_rdata_s15_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2207;
+  assign select_2207 = and_548_s15_q ? census_memory_rdata_s15_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2208;
+  assign select_2208 = and_548_s15_q ? census_memory_rdata_s15_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_2209;
-  assign select_2209 = and_548_s15_q ? census_memory_rdata_s15_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2210;
-  assign select_2210 = and_548_s15_q ? census_memory_rdata_s15_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2211;
-  assign select_2211 = and_548_s15_q ? census_memory_rdata_s15_q[77] : census_columns_values_0_cell_4_mask_q;
+  assign select_2209 = and_548_s15_q ? census_memory_rdata_s15_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2210;
+  assign select_2210 = and_548_s15_q ? census_memory_rdata_s15_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2211;
+  assign select_2211 = and_548_s15_q ? census_memory_rdata_s15_q[67:59] : census_columns_values_0_cell_4_left_q;
   logic [8:0] select_2212;
-  assign select_2212 = and_548_s15_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2213;
-  assign select_2213 = and_548_s15_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  assign select_2212 = and_548_s15_q ? census_memory_rdata_s15_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2213;
+  assign select_2213 = and_548_s15_q ? census_memory_rdata_s15_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2214;
+  assign select_2214 = and_548_s15_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
   logic [8:0] select_2215;
-  assign select_2215 = and_548_s15_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2216;
-  assign select_2216 = and_548_s15_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  assign select_2215 = and_548_s15_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic [8:0] select_2217;
+  assign select_2217 = and_548_s15_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
   logic [8:0] select_2218;
-  assign select_2218 = and_548_s15_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2219;
-  assign select_2219 = and_548_s15_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2221;
-  assign select_2221 = and_548_s15_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_2222;
-  assign select_2222 = and_548_s15_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2223;
-  assign select_2223 = and_548_s15_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  assign select_2218 = and_548_s15_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic [8:0] select_2220;
+  assign select_2220 = and_548_s15_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2221;
+  assign select_2221 = and_548_s15_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2223;
+  assign select_2223 = and_548_s15_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2224;
+  assign select_2224 = and_548_s15_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_2225;
-  assign select_2225 = and_548_s15_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2226;
-  assign select_2226 = and_548_s15_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  assign select_2225 = and_548_s15_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic [8:0] select_2227;
+  assign select_2227 = and_548_s15_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
   logic [8:0] select_2228;
-  assign select_2228 = and_548_s15_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2229;
-  assign select_2229 = and_548_s15_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  assign select_2228 = and_548_s15_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic [8:0] select_2230;
+  assign select_2230 = and_548_s15_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
   logic [8:0] select_2231;
-  assign select_2231 = and_548_s15_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_2232;
-  assign select_2232 = and_548_s15_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  assign select_2231 = and_548_s15_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic [8:0] select_2233;
+  assign select_2233 = and_548_s15_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
   logic [8:0] select_2234;
-  assign select_2234 = and_548_s15_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_2235;
-  assign select_2235 = and_548_s15_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  assign select_2234 = and_548_s15_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic [8:0] select_2236;
+  assign select_2236 = and_548_s15_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
   logic [8:0] select_2237;
-  assign select_2237 = and_548_s15_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2238;
-  assign select_2238 = and_548_s15_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  assign select_2237 = and_548_s15_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic [8:0] select_2239;
+  assign select_2239 = and_548_s15_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
   logic [8:0] select_2240;
-  assign select_2240 = and_548_s15_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2241;
-  assign select_2241 = and_548_s15_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic [8:0] select_2244;
-  assign select_2244 = and_548_s15_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2245;
-  assign select_2245 = and_548_s15_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic [8:0] select_2248;
-  assign select_2248 = and_548_s15_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2249;
-  assign select_2249 = and_548_s15_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  assign select_2240 = and_548_s15_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic [8:0] select_2242;
+  assign select_2242 = and_548_s15_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2243;
+  assign select_2243 = and_548_s15_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic [8:0] select_2246;
+  assign select_2246 = and_548_s15_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2247;
+  assign select_2247 = and_548_s15_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic [8:0] select_2250;
+  assign select_2250 = and_548_s15_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2251;
+  assign select_2251 = and_548_s15_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
   // hls/stages/census.hpp:286
-  logic [9:0] difference_2253;
-  assign difference_2253 = {1'b0, select_558_s15_q} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [9:0] difference_2256;
-  assign difference_2256 = {1'b0, census_memory_rdata_s15_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [9:0] difference_2260;
-  assign difference_2260 = {1'b0, census_memory_rdata_s15_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [9:0] difference_2264;
-  assign difference_2264 = {1'b0, census_memory_rdata_s15_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [9:0] difference_2268;
-  assign difference_2268 = {1'b0, census_memory_rdata_s15_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [9:0] difference_2255;
+  assign difference_2255 = {1'b0, select_558_s15_q} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [9:0] difference_2258;
+  assign difference_2258 = {1'b0, census_memory_rdata_s15_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [9:0] difference_2262;
+  assign difference_2262 = {1'b0, census_memory_rdata_s15_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [9:0] difference_2266;
+  assign difference_2266 = {1'b0, census_memory_rdata_s15_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [9:0] difference_2270;
+  assign difference_2270 = {1'b0, census_memory_rdata_s15_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
   // hls/stages/agreement.hpp:1142
-  logic equal_2293;
-  assign equal_2293 = x_s15_q[6:0] == 7'h70;
+  logic equal_2295;
+  assign equal_2295 = x_s15_q[6:0] == 7'h70;
   // hls/stages/agreement.hpp:788
-  logic select_2299;
-  assign select_2299 = equal_573_s15_q ? (moments_has_before_q | equal_2293) : moments_has_before_q;
+  logic select_2301;
+  assign select_2301 = equal_573_s15_q ? (moments_has_before_q | equal_2295) : moments_has_before_q;
   // hls/stages/census.hpp:371
-  logic [9:0] difference_2364;
-  assign difference_2364 = {1'b0, select_554_s15_q} - {1'b0, sharpness_last_mean_0_q};
-  logic [9:0] difference_2376;
-  assign difference_2376 = {1'b0, select_558_s15_q} - {1'b0, sharpness_last_mean_1_q};
+  logic [9:0] difference_2366;
+  assign difference_2366 = {1'b0, select_554_s15_q} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2378;
+  assign difference_2378 = {1'b0, select_558_s15_q} - {1'b0, sharpness_last_mean_1_q};
   // hls/stages/agreement.hpp:520
-  logic and_2592;
-  assign and_2592 = and_548_s15_q & (equal_678_s15_q & equal_2467_s15_q);
+  logic and_2594;
+  assign and_2594 = and_548_s15_q & (equal_678_s15_q & equal_2469_s15_q);
   // hls/stages/agreement.hpp:788
-  logic and_2603;
-  assign and_2603 = not_574_s15_q & (so_s15_q & (ends_cell_s15_q & textured_s15_q));
+  logic and_2605;
+  assign and_2605 = not_574_s15_q & (so_s15_q & (ends_cell_s15_q & textured_s15_q));
   // hls/stages/agreement.hpp:1030
-  logic and_2619;
-  assign and_2619 = seen_columns_rdata_s15_q[10] & inside_v_s15_q;
+  logic and_2621;
+  assign and_2621 = seen_columns_rdata_s15_q[10] & inside_v_s15_q;
   // hls/stages/agreement.hpp:1088
-  logic [1:0] sum_2623;
-  assign sum_2623 = {1'b0, and_2620_s15_q} + ({1'b0, explained} + {1'b0, and_2621_s15_q});
+  logic [1:0] sum_2625;
+  assign sum_2625 = {1'b0, and_2622_s15_q} + ({1'b0, explained} + {1'b0, and_2623_s15_q});
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2662;
-  assign select_2662 = and_2592 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2660_s15_q});
-  logic [13:0] select_2669;
-  assign select_2669 = and_2592 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2667_s15_q});
+  logic [13:0] select_2664;
+  assign select_2664 = and_2594 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2662_s15_q});
+  logic [13:0] select_2671;
+  assign select_2671 = and_2594 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2669_s15_q});
   // hls/stages/agreement.hpp:1027
-  logic and_2706;
-  assign and_2706 = and_635_s15_q & and_2705_s15_q;
+  logic and_2708;
+  assign and_2708 = and_635_s15_q & and_2707_s15_q;
   // hls/stages/agreement.hpp:788
-  logic and_2709;
-  assign and_2709 = ends_cell_s15_q & (inside_v_s15_q & (select_2701_s15_q & and_2706));
-  logic and_2716;
-  assign and_2716 = ends_cell_s15_q & (inside_v_s15_q & (select_2704_s15_q & and_2706));
+  logic and_2711;
+  assign and_2711 = ends_cell_s15_q & (inside_v_s15_q & (select_2703_s15_q & and_2708));
+  logic and_2718;
+  assign and_2718 = ends_cell_s15_q & (inside_v_s15_q & (select_2706_s15_q & and_2708));
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_2787;
-  assign difference_2787 = 13'h0 - {residual_s15_q[11], residual_s15_q};
-  logic less_2802;
-  assign less_2802 = $signed(difference_2787) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic [12:0] difference_2789;
+  assign difference_2789 = 13'h0 - {residual_s15_q[11], residual_s15_q};
+  logic less_2804;
+  assign less_2804 = $signed(difference_2789) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/registration.hpp:269
-  logic [3:0] select_2818;
-  assign select_2818 = equal_2815_s15_q ? (registration_fresh_q & not_2816_s15_q) : registration_fresh_q;
-  // hls/stages/agreement.hpp:788
   logic [3:0] select_2820;
-  assign select_2820 = so_s15_q ? (and_1654_s15_q ? select_2818 : registration_fresh_q) : registration_fresh_q;
-  // hls/stages/registration.hpp:242
+  assign select_2820 = equal_2817_s15_q ? (registration_fresh_q & not_2818_s15_q) : registration_fresh_q;
+  // hls/stages/agreement.hpp:788
   logic [3:0] select_2822;
-  assign select_2822 = and_2592 ? 4'hf : (equal_573_s15_q ? registration_fresh_q : select_2820);
+  assign select_2822 = so_s15_q ? (and_1654_s15_q ? select_2820 : registration_fresh_q) : registration_fresh_q;
+  // hls/stages/registration.hpp:242
+  logic [3:0] select_2824;
+  assign select_2824 = and_2594 ? 4'hf : (equal_573_s15_q ? registration_fresh_q : select_2822);
   // hls/stages/registration.hpp:258
-  logic not_2843;
-  assign not_2843 = ~quarter_2_s15_q[1];
-  logic [3:0] select_2844;
-  assign select_2844 = quarter_2_s15_q[0] ? {quarter_2_s15_q[1], 1'b0, not_2843, 1'b0} : {1'b0, quarter_2_s15_q[1], 1'b0, not_2843};
+  logic not_2845;
+  assign not_2845 = ~quarter_2_s15_q[1];
+  logic [3:0] select_2846;
+  assign select_2846 = quarter_2_s15_q[0] ? {quarter_2_s15_q[1], 1'b0, not_2845, 1'b0} : {1'b0, quarter_2_s15_q[1], 1'b0, not_2845};
   // hls/stages/patches.hpp:506
   logic [27:0] word;
   assign word = or_1886_s15_q ? patches_right_codes_rdata_s15_q : 28'h0;
   // hls/stages/patches.hpp:523
-  logic [47:0] select_3150;
-  assign select_3150 = new_row_s15_q ? patches_left_codes_rdata_s15_q : patches_left_row_q;
-  // hls/stages/patches.hpp:185
   logic [47:0] select_3152;
-  assign select_3152 = equal_1783_s15_q ? patches_left_row_q : (equal_1785_s15_q ? select_3150 : patches_left_row_q);
-  logic [4:0] select_3497;
-  assign select_3497 = equal_1785_s15_q ? patches_along_s15_q : patches_summed_row_column_q;
+  assign select_3152 = new_row_s15_q ? patches_left_codes_rdata_s15_q : patches_left_row_q;
+  // hls/stages/patches.hpp:185
+  logic [47:0] select_3154;
+  assign select_3154 = equal_1783_s15_q ? patches_left_row_q : (equal_1785_s15_q ? select_3152 : patches_left_row_q);
+  logic [4:0] select_3499;
+  assign select_3499 = equal_1785_s15_q ? patches_along_s15_q : patches_summed_row_column_q;
   // hls/stages/patches.hpp:558
-  logic [9:0] select_3574;
-  assign select_3574 = less_1961_s15_q ? (equal_1964_s15_q ? 10'h3ff : select_3572_s15_q) : 10'h3ff;
+  logic [9:0] select_3576;
+  assign select_3576 = less_1961_s15_q ? (equal_1964_s15_q ? 10'h3ff : select_3574_s15_q) : 10'h3ff;
   // hls/stages/patches.hpp:561
-  logic [9:0] select_3575;
-  assign select_3575 = equal_1964_s15_q ? select_3574 : select_3572_s15_q;
   logic [9:0] select_3577;
-  assign select_3577 = less_1961_s15_q ? (equal_1962_s15_q ? 10'h3ff : select_3575) : select_3575;
+  assign select_3577 = equal_1964_s15_q ? select_3576 : select_3574_s15_q;
+  logic [9:0] select_3579;
+  assign select_3579 = less_1961_s15_q ? (equal_1962_s15_q ? 10'h3ff : select_3577) : select_3577;
   // hls/stages/patches.hpp:582
   logic [9:0] eight;
   assign eight = high_s15_q - low_s15_q;
   logic [9:0] fall_2;
-  assign fall_2 = high_s15_q - select_3579_s15_q[9:0];
+  assign fall_2 = high_s15_q - select_3581_s15_q[9:0];
   // hls/stages/agreement.hpp:1223
-  logic equal_3700;
-  assign equal_3700 = x_s15_q[2:0] == 3'h0;
+  logic equal_3702;
+  assign equal_3702 = x_s15_q[2:0] == 3'h0;
   // hls/stages/agreement.hpp:1217
-  logic equal_3946;
-  assign equal_3946 = x_s15_q[6:3] == 4'hc;
+  logic equal_3948;
+  assign equal_3948 = x_s15_q[6:3] == 4'hc;
   // hls/stages/agreement.hpp:1125
-  logic [7:0] select_3969;
-  assign select_3969 = equal_3947_s15_q ? {cfg_on_skin_limit_i, 3'h0} : select_3968_s15_q;
+  logic [7:0] select_3971;
+  assign select_3971 = equal_3949_s15_q ? {cfg_on_skin_limit_i, 3'h0} : select_3970_s15_q;
   logic [7:0] limit;
-  assign limit = equal_3946 ? cfg_regions_limit_i : select_3969;
+  assign limit = equal_3948 ? cfg_regions_limit_i : select_3971;
   // hls/stages/agreement.hpp:1231
-  logic not_3971;
-  assign not_3971 = ~x_s15_q[2];
-  logic [3:0] select_3972;
-  assign select_3972 = x_s15_q[1] ? {x_s15_q[2], 1'b0, not_3971, 1'b0} : {1'b0, x_s15_q[2], 1'b0, not_3971};
-  logic [7:0] select_3973;
-  assign select_3973 = x_s15_q[0] ? {select_3972[3], 1'b0, select_3972[2], 1'b0, select_3972[1], 1'b0, select_3972[0], 1'b0} : {1'b0, select_3972[3], 1'b0, select_3972[2], 1'b0, select_3972[1], 1'b0, select_3972[0]};
+  logic not_3973;
+  assign not_3973 = ~x_s15_q[2];
+  logic [3:0] select_3974;
+  assign select_3974 = x_s15_q[1] ? {x_s15_q[2], 1'b0, not_3973, 1'b0} : {1'b0, x_s15_q[2], 1'b0, not_3973};
+  logic [7:0] select_3975;
+  assign select_3975 = x_s15_q[0] ? {select_3974[3], 1'b0, select_3974[2], 1'b0, select_3974[1], 1'b0, select_3974[0], 1'b0} : {1'b0, select_3974[3], 1'b0, select_3974[2], 1'b0, select_3974[1], 1'b0, select_3974[0]};
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3977;
-  assign select_3977 = equal_3948_s15_q ? counts_skin_supervised_q : (equal_3949_s15_q ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] select_3979;
-  assign select_3979 = equal_3947_s15_q ? counts_skin_textured_q : (equal_3944_s15_q ? counts_textured_q : select_3977);
+  assign select_3979 = equal_3950_s15_q ? counts_skin_supervised_q : (equal_3951_s15_q ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_3981;
+  assign select_3981 = equal_3949_s15_q ? counts_skin_textured_q : (equal_3946_s15_q ? counts_textured_q : select_3979);
   logic [13:0] of;
-  assign of = equal_3946 ? counts_textured_q : select_3979;
+  assign of = equal_3948 ? counts_textured_q : select_3981;
   // hls/stages/registration.hpp:258
-  logic not_4182;
-  assign not_4182 = ~quarter_s15_q[1];
-  logic [3:0] select_4183;
-  assign select_4183 = quarter_s15_q[0] ? {quarter_s15_q[1], 1'b0, not_4182, 1'b0} : {1'b0, quarter_s15_q[1], 1'b0, not_4182};
+  logic not_4184;
+  assign not_4184 = ~quarter_s15_q[1];
+  logic [3:0] select_4185;
+  assign select_4185 = quarter_s15_q[0] ? {quarter_s15_q[1], 1'b0, not_4184, 1'b0} : {1'b0, quarter_s15_q[1], 1'b0, not_4184};
 
   // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:277; read in stage 15, written in stage 19: 15 < 19 < 15 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -6719,15 +6721,15 @@ module horopter_agreement (
       segment_started_q <= 1'b0;
     end else if (s15_en) begin
       census_filled_q <= and_548_s15_q ? {select_681[2:0], 1'b1} : census_filled_q;
-      moments_has_before_q <= select_2299;
+      moments_has_before_q <= select_2301;
       rows_passed_above_q <= and_548_s15_q ? select_680 : rows_passed_above_q;
-      counts_textured_q <= and_2592 ? 14'h0 : (counts_textured_q + {13'h0, and_2603});
-      counts_skin_supervised_q <= select_2662;
-      counts_skin_textured_q <= select_2669;
-      registration_fresh_q <= select_2822;
-      patches_left_row_q <= select_3152;
-      patches_summed_row_column_q <= equal_1783_s15_q ? patches_summed_row_column_q : select_3497;
-      patches_read_far_q <= equal_1783_s15_q ? select_3577 : patches_read_far_q;
+      counts_textured_q <= and_2594 ? 14'h0 : (counts_textured_q + {13'h0, and_2605});
+      counts_skin_supervised_q <= select_2664;
+      counts_skin_textured_q <= select_2671;
+      registration_fresh_q <= select_2824;
+      patches_left_row_q <= select_3154;
+      patches_summed_row_column_q <= equal_1783_s15_q ? patches_summed_row_column_q : select_3499;
+      patches_read_far_q <= equal_1783_s15_q ? select_3579 : patches_read_far_q;
       segment_started_q <= ~segment_starts_q;
     end
   end
@@ -6785,50 +6787,50 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s15_en) begin
-      averager_quarter_1_0_q <= select_2161;
-      averager_quarter_1_1_q <= select_2163;
-      averager_quarter_2_0_q <= select_2165;
-      averager_quarter_2_1_q <= select_2167;
-      census_columns_values_0_cell_0_left_q <= select_2196;
-      census_columns_values_0_cell_0_right_q <= select_2197;
-      census_columns_values_0_cell_1_left_q <= select_2199;
-      census_columns_values_0_cell_1_right_q <= select_2200;
-      census_columns_values_0_cell_1_mask_q <= select_2201;
-      census_columns_values_0_cell_2_left_q <= select_2202;
-      census_columns_values_0_cell_2_right_q <= select_2203;
-      census_columns_values_0_cell_2_mask_q <= select_2204;
-      census_columns_values_0_cell_2_of_skin_q <= select_2205;
-      census_columns_values_0_cell_3_left_q <= select_2206;
-      census_columns_values_0_cell_3_right_q <= select_2207;
-      census_columns_values_0_cell_3_mask_q <= select_2208;
-      census_columns_values_0_cell_4_left_q <= select_2209;
-      census_columns_values_0_cell_4_right_q <= select_2210;
-      census_columns_values_0_cell_4_mask_q <= select_2211;
-      census_columns_values_1_cell_0_left_q <= select_2212;
-      census_columns_values_1_cell_0_right_q <= select_2213;
-      census_columns_values_1_cell_1_left_q <= select_2215;
-      census_columns_values_1_cell_1_right_q <= select_2216;
-      census_columns_values_1_cell_2_left_q <= select_2218;
-      census_columns_values_1_cell_2_right_q <= select_2219;
-      census_columns_values_1_cell_2_of_skin_q <= select_2221;
-      census_columns_values_1_cell_3_left_q <= select_2222;
-      census_columns_values_1_cell_3_right_q <= select_2223;
-      census_columns_values_1_cell_4_left_q <= select_2225;
-      census_columns_values_1_cell_4_right_q <= select_2226;
-      census_columns_values_2_cell_0_left_q <= select_2228;
-      census_columns_values_2_cell_0_right_q <= select_2229;
-      census_columns_values_2_cell_1_left_q <= select_2231;
-      census_columns_values_2_cell_1_right_q <= select_2232;
-      census_columns_values_2_cell_2_left_q <= select_2234;
-      census_columns_values_2_cell_2_right_q <= select_2235;
-      census_columns_values_2_cell_3_left_q <= select_2237;
-      census_columns_values_2_cell_3_right_q <= select_2238;
-      census_columns_values_2_cell_4_left_q <= select_2240;
-      census_columns_values_2_cell_4_right_q <= select_2241;
-      census_columns_values_3_cell_1_left_q <= select_2244;
-      census_columns_values_3_cell_1_right_q <= select_2245;
-      census_columns_values_3_cell_3_left_q <= select_2248;
-      census_columns_values_3_cell_3_right_q <= select_2249;
+      averager_quarter_1_0_q <= select_2163;
+      averager_quarter_1_1_q <= select_2165;
+      averager_quarter_2_0_q <= select_2167;
+      averager_quarter_2_1_q <= select_2169;
+      census_columns_values_0_cell_0_left_q <= select_2198;
+      census_columns_values_0_cell_0_right_q <= select_2199;
+      census_columns_values_0_cell_1_left_q <= select_2201;
+      census_columns_values_0_cell_1_right_q <= select_2202;
+      census_columns_values_0_cell_1_mask_q <= select_2203;
+      census_columns_values_0_cell_2_left_q <= select_2204;
+      census_columns_values_0_cell_2_right_q <= select_2205;
+      census_columns_values_0_cell_2_mask_q <= select_2206;
+      census_columns_values_0_cell_2_of_skin_q <= select_2207;
+      census_columns_values_0_cell_3_left_q <= select_2208;
+      census_columns_values_0_cell_3_right_q <= select_2209;
+      census_columns_values_0_cell_3_mask_q <= select_2210;
+      census_columns_values_0_cell_4_left_q <= select_2211;
+      census_columns_values_0_cell_4_right_q <= select_2212;
+      census_columns_values_0_cell_4_mask_q <= select_2213;
+      census_columns_values_1_cell_0_left_q <= select_2214;
+      census_columns_values_1_cell_0_right_q <= select_2215;
+      census_columns_values_1_cell_1_left_q <= select_2217;
+      census_columns_values_1_cell_1_right_q <= select_2218;
+      census_columns_values_1_cell_2_left_q <= select_2220;
+      census_columns_values_1_cell_2_right_q <= select_2221;
+      census_columns_values_1_cell_2_of_skin_q <= select_2223;
+      census_columns_values_1_cell_3_left_q <= select_2224;
+      census_columns_values_1_cell_3_right_q <= select_2225;
+      census_columns_values_1_cell_4_left_q <= select_2227;
+      census_columns_values_1_cell_4_right_q <= select_2228;
+      census_columns_values_2_cell_0_left_q <= select_2230;
+      census_columns_values_2_cell_0_right_q <= select_2231;
+      census_columns_values_2_cell_1_left_q <= select_2233;
+      census_columns_values_2_cell_1_right_q <= select_2234;
+      census_columns_values_2_cell_2_left_q <= select_2236;
+      census_columns_values_2_cell_2_right_q <= select_2237;
+      census_columns_values_2_cell_3_left_q <= select_2239;
+      census_columns_values_2_cell_3_right_q <= select_2240;
+      census_columns_values_2_cell_4_left_q <= select_2242;
+      census_columns_values_2_cell_4_right_q <= select_2243;
+      census_columns_values_3_cell_1_left_q <= select_2246;
+      census_columns_values_3_cell_1_right_q <= select_2247;
+      census_columns_values_3_cell_3_left_q <= select_2250;
+      census_columns_values_3_cell_3_right_q <= select_2251;
       sharpness_last_mean_0_q <= and_548_s15_q ? select_554_s15_q : sharpness_last_mean_0_q;
       sharpness_last_mean_1_q <= and_548_s15_q ? select_558_s15_q : sharpness_last_mean_1_q;
     end
@@ -6871,8 +6873,8 @@ module horopter_agreement (
   logic segment_started_s16_q;
   logic centres_values_1_textured_s16_q;
   logic centres_values_1_of_skin_s16_q;
+  logic [3:0] select_507_s16_q;
   logic row_starts_s16_q;
-  logic [3:0] select_508_s16_q;
   logic [6:0] select_542_s16_q;
   logic [6:0] last_s16_q;
   logic and_546_s16_q;
@@ -7015,64 +7017,64 @@ module horopter_agreement (
   logic and_2114_s16_q;
   logic [2:0] sum_2120_s16_q;
   logic and_2137_s16_q;
-  logic sum_2172_s16_q;
-  logic [9:0] difference_2173_s16_q;
-  logic sum_2180_s16_q;
-  logic [9:0] difference_2181_s16_q;
-  logic difference_2253_s16_q;
-  logic [8:0] xor_2254_s16_q;
-  logic difference_2256_s16_q;
-  logic [8:0] xor_2257_s16_q;
-  logic difference_2260_s16_q;
-  logic [8:0] xor_2261_s16_q;
-  logic difference_2264_s16_q;
-  logic [8:0] xor_2265_s16_q;
-  logic difference_2268_s16_q;
-  logic [8:0] xor_2269_s16_q;
-  logic equal_2278_s16_q;
-  logic equal_2293_s16_q;
-  logic difference_2364_s16_q;
-  logic [8:0] xor_2365_s16_q;
-  logic difference_2376_s16_q;
-  logic [8:0] xor_2377_s16_q;
-  logic equal_2467_s16_q;
-  logic and_2592_s16_q;
-  logic and_2598_s16_q;
-  logic and_2603_s16_q;
-  logic not_2617_s16_q;
-  logic and_2618_s16_q;
-  logic [2:0] sum_2624_s16_q;
-  logic and_2694_s16_q;
-  logic and_2711_s16_q;
-  logic and_2718_s16_q;
-  logic and_2752_s16_q;
-  logic and_2753_s16_q;
+  logic sum_2174_s16_q;
+  logic [9:0] difference_2175_s16_q;
+  logic sum_2182_s16_q;
+  logic [9:0] difference_2183_s16_q;
+  logic difference_2255_s16_q;
+  logic [8:0] xor_2256_s16_q;
+  logic difference_2258_s16_q;
+  logic [8:0] xor_2259_s16_q;
+  logic difference_2262_s16_q;
+  logic [8:0] xor_2263_s16_q;
+  logic difference_2266_s16_q;
+  logic [8:0] xor_2267_s16_q;
+  logic difference_2270_s16_q;
+  logic [8:0] xor_2271_s16_q;
+  logic equal_2280_s16_q;
+  logic equal_2295_s16_q;
+  logic difference_2366_s16_q;
+  logic [8:0] xor_2367_s16_q;
+  logic difference_2378_s16_q;
+  logic [8:0] xor_2379_s16_q;
+  logic equal_2469_s16_q;
+  logic and_2594_s16_q;
+  logic and_2600_s16_q;
+  logic and_2605_s16_q;
+  logic not_2619_s16_q;
+  logic and_2620_s16_q;
+  logic [2:0] sum_2626_s16_q;
+  logic and_2696_s16_q;
+  logic and_2713_s16_q;
+  logic and_2720_s16_q;
+  logic and_2754_s16_q;
+  logic and_2755_s16_q;
   logic [7:0] residual_s16_q;
-  logic less_2788_s16_q;
-  logic less_2802_s16_q;
-  logic equal_2846_s16_q;
-  logic and_2991_s16_q;
+  logic less_2790_s16_q;
+  logic less_2804_s16_q;
+  logic equal_2848_s16_q;
+  logic and_2993_s16_q;
   logic [27:0] word_s16_q;
-  logic equal_3111_s16_q;
-  logic less_3117_s16_q;
-  logic [47:0] select_3150_s16_q;
-  logic equal_3460_s16_q;
-  logic [4:0] select_3548_s16_q;
-  logic [14:0] select_3579_s16_q;
-  logic less_3622_s16_q;
+  logic equal_3113_s16_q;
+  logic less_3119_s16_q;
+  logic [47:0] select_3152_s16_q;
+  logic equal_3462_s16_q;
+  logic [4:0] select_3550_s16_q;
+  logic [14:0] select_3581_s16_q;
+  logic less_3624_s16_q;
   logic [9:0] eight_s16_q;
   logic [9:0] fall_2_s16_q;
-  logic equal_3700_s16_q;
-  logic and_3925_s16_q;
-  logic equal_3944_s16_q;
+  logic equal_3702_s16_q;
+  logic and_3927_s16_q;
   logic equal_3946_s16_q;
-  logic equal_3947_s16_q;
   logic equal_3948_s16_q;
   logic equal_3949_s16_q;
-  logic equal_3975_s16_q;
+  logic equal_3950_s16_q;
+  logic equal_3951_s16_q;
+  logic equal_3977_s16_q;
   logic [13:0] of_s16_q;
-  logic equal_4089_s16_q;
-  logic equal_4185_s16_q;
+  logic equal_4091_s16_q;
+  logic equal_4187_s16_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s16_q <= pixel_0_s15_q;
@@ -7112,8 +7114,8 @@ module horopter_agreement (
       segment_started_s16_q <= segment_started_q;
       centres_values_1_textured_s16_q <= centres_values_1_textured_s15_q;
       centres_values_1_of_skin_s16_q <= centres_values_1_of_skin_s15_q;
+      select_507_s16_q <= select_507_s15_q;
       row_starts_s16_q <= row_starts_s15_q;
-      select_508_s16_q <= select_508_s15_q;
       select_542_s16_q <= select_542_s15_q;
       last_s16_q <= last_s15_q;
       and_546_s16_q <= and_546_s15_q;
@@ -7256,64 +7258,64 @@ module horopter_agreement (
       and_2114_s16_q <= and_2114_s15_q;
       sum_2120_s16_q <= {2'h0, and_2115} + {1'b0, sum_2119};
       and_2137_s16_q <= and_2137_s15_q;
-      sum_2172_s16_q <= sum_2172[0];
-      difference_2173_s16_q <= {1'b0, sum_2172[9:1]} - {1'b0, averager_quarter_1_0_q};
-      sum_2180_s16_q <= sum_2180[0];
-      difference_2181_s16_q <= {1'b0, sum_2180[9:1]} - {1'b0, averager_quarter_1_1_q};
-      difference_2253_s16_q <= difference_2253[9];
-      xor_2254_s16_q <= difference_2253[8:0] ^ {9{difference_2253[9]}};
-      difference_2256_s16_q <= difference_2256[9];
-      xor_2257_s16_q <= difference_2256[8:0] ^ {9{difference_2256[9]}};
-      difference_2260_s16_q <= difference_2260[9];
-      xor_2261_s16_q <= difference_2260[8:0] ^ {9{difference_2260[9]}};
-      difference_2264_s16_q <= difference_2264[9];
-      xor_2265_s16_q <= difference_2264[8:0] ^ {9{difference_2264[9]}};
-      difference_2268_s16_q <= difference_2268[9];
-      xor_2269_s16_q <= difference_2268[8:0] ^ {9{difference_2268[9]}};
-      equal_2278_s16_q <= equal_2278_s15_q;
-      equal_2293_s16_q <= equal_2293;
-      difference_2364_s16_q <= difference_2364[9];
-      xor_2365_s16_q <= difference_2364[8:0] ^ {9{difference_2364[9]}};
-      difference_2376_s16_q <= difference_2376[9];
-      xor_2377_s16_q <= difference_2376[8:0] ^ {9{difference_2376[9]}};
-      equal_2467_s16_q <= equal_2467_s15_q;
-      and_2592_s16_q <= and_2592;
-      and_2598_s16_q <= and_2598_s15_q;
-      and_2603_s16_q <= and_2603;
-      not_2617_s16_q <= not_2617_s15_q;
-      and_2618_s16_q <= and_2618_s15_q;
-      sum_2624_s16_q <= {2'h0, and_2619} + {1'b0, sum_2623};
-      and_2694_s16_q <= not_574_s15_q & (so_s15_q & (ends_cell_s15_q & and_2691_s15_q));
-      and_2711_s16_q <= not_574_s15_q & (so_s15_q & and_2709);
-      and_2718_s16_q <= not_574_s15_q & (so_s15_q & and_2716);
-      and_2752_s16_q <= and_2752_s15_q;
-      and_2753_s16_q <= and_2753_s15_q;
+      sum_2174_s16_q <= sum_2174[0];
+      difference_2175_s16_q <= {1'b0, sum_2174[9:1]} - {1'b0, averager_quarter_1_0_q};
+      sum_2182_s16_q <= sum_2182[0];
+      difference_2183_s16_q <= {1'b0, sum_2182[9:1]} - {1'b0, averager_quarter_1_1_q};
+      difference_2255_s16_q <= difference_2255[9];
+      xor_2256_s16_q <= difference_2255[8:0] ^ {9{difference_2255[9]}};
+      difference_2258_s16_q <= difference_2258[9];
+      xor_2259_s16_q <= difference_2258[8:0] ^ {9{difference_2258[9]}};
+      difference_2262_s16_q <= difference_2262[9];
+      xor_2263_s16_q <= difference_2262[8:0] ^ {9{difference_2262[9]}};
+      difference_2266_s16_q <= difference_2266[9];
+      xor_2267_s16_q <= difference_2266[8:0] ^ {9{difference_2266[9]}};
+      difference_2270_s16_q <= difference_2270[9];
+      xor_2271_s16_q <= difference_2270[8:0] ^ {9{difference_2270[9]}};
+      equal_2280_s16_q <= equal_2280_s15_q;
+      equal_2295_s16_q <= equal_2295;
+      difference_2366_s16_q <= difference_2366[9];
+      xor_2367_s16_q <= difference_2366[8:0] ^ {9{difference_2366[9]}};
+      difference_2378_s16_q <= difference_2378[9];
+      xor_2379_s16_q <= difference_2378[8:0] ^ {9{difference_2378[9]}};
+      equal_2469_s16_q <= equal_2469_s15_q;
+      and_2594_s16_q <= and_2594;
+      and_2600_s16_q <= and_2600_s15_q;
+      and_2605_s16_q <= and_2605;
+      not_2619_s16_q <= not_2619_s15_q;
+      and_2620_s16_q <= and_2620_s15_q;
+      sum_2626_s16_q <= {2'h0, and_2621} + {1'b0, sum_2625};
+      and_2696_s16_q <= not_574_s15_q & (so_s15_q & (ends_cell_s15_q & and_2693_s15_q));
+      and_2713_s16_q <= not_574_s15_q & (so_s15_q & and_2711);
+      and_2720_s16_q <= not_574_s15_q & (so_s15_q & and_2718);
+      and_2754_s16_q <= and_2754_s15_q;
+      and_2755_s16_q <= and_2755_s15_q;
       residual_s16_q <= residual_s15_q[7:0];
-      less_2788_s16_q <= $signed(difference_2787) < $signed({7'h0, cfg_moved_limit_i});
-      less_2802_s16_q <= less_2802;
-      equal_2846_s16_q <= (registration_fresh_q & select_2844) == 4'h0;
-      and_2991_s16_q <= and_2991_s15_q;
+      less_2790_s16_q <= $signed(difference_2789) < $signed({7'h0, cfg_moved_limit_i});
+      less_2804_s16_q <= less_2804;
+      equal_2848_s16_q <= (registration_fresh_q & select_2846) == 4'h0;
+      and_2993_s16_q <= and_2993_s15_q;
       word_s16_q <= word;
-      equal_3111_s16_q <= patches_along_s15_q == 5'h7;
-      less_3117_s16_q <= less_3117_s15_q;
-      select_3150_s16_q <= select_3150;
-      equal_3460_s16_q <= equal_3460_s15_q;
-      select_3548_s16_q <= select_3548_s15_q;
-      select_3579_s16_q <= select_3579_s15_q;
-      less_3622_s16_q <= less_3622_s15_q;
+      equal_3113_s16_q <= patches_along_s15_q == 5'h7;
+      less_3119_s16_q <= less_3119_s15_q;
+      select_3152_s16_q <= select_3152;
+      equal_3462_s16_q <= equal_3462_s15_q;
+      select_3550_s16_q <= select_3550_s15_q;
+      select_3581_s16_q <= select_3581_s15_q;
+      less_3624_s16_q <= less_3624_s15_q;
       eight_s16_q <= eight;
       fall_2_s16_q <= fall_2;
-      equal_3700_s16_q <= equal_3700;
-      and_3925_s16_q <= equal_3924_s15_q & equal_3700;
-      equal_3944_s16_q <= equal_3944_s15_q;
-      equal_3946_s16_q <= equal_3946;
-      equal_3947_s16_q <= equal_3947_s15_q;
-      equal_3948_s16_q <= equal_3948_s15_q;
+      equal_3702_s16_q <= equal_3702;
+      and_3927_s16_q <= equal_3926_s15_q & equal_3702;
+      equal_3946_s16_q <= equal_3946_s15_q;
+      equal_3948_s16_q <= equal_3948;
       equal_3949_s16_q <= equal_3949_s15_q;
-      equal_3975_s16_q <= (limit & select_3973) == 8'h0;
+      equal_3950_s16_q <= equal_3950_s15_q;
+      equal_3951_s16_q <= equal_3951_s15_q;
+      equal_3977_s16_q <= (limit & select_3975) == 8'h0;
       of_s16_q <= of;
-      equal_4089_s16_q <= equal_4089_s15_q;
-      equal_4185_s16_q <= (registration_fresh_q & select_4183) == 4'h0;
+      equal_4091_s16_q <= equal_4091_s15_q;
+      equal_4187_s16_q <= (registration_fresh_q & select_4185) == 4'h0;
     end
   end
 
@@ -7470,229 +7472,229 @@ module horopter_agreement (
   logic [2:0] select_2122;
   assign select_2122 = age_s16_q ? box_nearer_columns_values_4_q : 3'h0;
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2174;
-  assign xor_2174 = {difference_2173_s16_q[8:0], sum_2172_s16_q} ^ {10{difference_2173_s16_q[9]}};
+  logic [9:0] xor_2176;
+  assign xor_2176 = {difference_2175_s16_q[8:0], sum_2174_s16_q} ^ {10{difference_2175_s16_q[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2173_s16_q[9]} + {1'b0, xor_2174};
-  logic [9:0] xor_2182;
-  assign xor_2182 = {difference_2181_s16_q[8:0], sum_2180_s16_q} ^ {10{difference_2181_s16_q[9]}};
+  assign size = {10'h0, difference_2175_s16_q[9]} + {1'b0, xor_2176};
+  logic [9:0] xor_2184;
+  assign xor_2184 = {difference_2183_s16_q[8:0], sum_2182_s16_q} ^ {10{difference_2183_s16_q[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2181_s16_q[9]} + {1'b0, xor_2182};
+  assign size_2 = {10'h0, difference_2183_s16_q[9]} + {1'b0, xor_2184};
   // hls/stages/agreement.hpp:520
-  logic select_2198;
-  assign select_2198 = and_548_s16_q ? whole_2_s16_q : census_columns_values_0_cell_0_mask_q;
-  logic select_2214;
-  assign select_2214 = and_548_s16_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic select_2217;
-  assign select_2217 = and_548_s16_q ? census_columns_values_0_cell_1_mask_s16_q : census_columns_values_1_cell_1_mask_q;
-  logic select_2224;
-  assign select_2224 = and_548_s16_q ? census_columns_values_0_cell_3_mask_s16_q : census_columns_values_1_cell_3_mask_q;
-  logic select_2227;
-  assign select_2227 = and_548_s16_q ? census_columns_values_0_cell_4_mask_s16_q : census_columns_values_1_cell_4_mask_q;
-  logic select_2230;
-  assign select_2230 = and_548_s16_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic select_2233;
-  assign select_2233 = and_548_s16_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic select_2200;
+  assign select_2200 = and_548_s16_q ? whole_2_s16_q : census_columns_values_0_cell_0_mask_q;
+  logic select_2216;
+  assign select_2216 = and_548_s16_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic select_2219;
+  assign select_2219 = and_548_s16_q ? census_columns_values_0_cell_1_mask_s16_q : census_columns_values_1_cell_1_mask_q;
+  logic select_2226;
+  assign select_2226 = and_548_s16_q ? census_columns_values_0_cell_3_mask_s16_q : census_columns_values_1_cell_3_mask_q;
+  logic select_2229;
+  assign select_2229 = and_548_s16_q ? census_columns_values_0_cell_4_mask_s16_q : census_columns_values_1_cell_4_mask_q;
+  logic select_2232;
+  assign select_2232 = and_548_s16_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic select_2235;
+  assign select_2235 = and_548_s16_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
   // hls/stages/census.hpp:286
-  logic [9:0] sum_2255;
-  assign sum_2255 = {9'h0, difference_2253_s16_q} + {1'b0, xor_2254_s16_q};
-  logic [9:0] sum_2258;
-  assign sum_2258 = {9'h0, difference_2256_s16_q} + {1'b0, xor_2257_s16_q};
+  logic [9:0] sum_2257;
+  assign sum_2257 = {9'h0, difference_2255_s16_q} + {1'b0, xor_2256_s16_q};
+  logic [9:0] sum_2260;
+  assign sum_2260 = {9'h0, difference_2258_s16_q} + {1'b0, xor_2259_s16_q};
   // hls/stages/moments.hpp:54
-  logic [13:0] sum_2290;
-  assign sum_2290 = {13'h0, moments_turns_0_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_0_q);
   logic [13:0] sum_2292;
-  assign sum_2292 = {13'h0, moments_turns_1_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_1_q);
+  assign sum_2292 = {13'h0, moments_turns_0_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2294;
+  assign sum_2294 = {13'h0, moments_turns_1_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_1_q);
   // hls/stages/agreement.hpp:788
-  logic and_2333;
-  assign and_2333 = not_576_s16_q & (equal_577_s16_q & (inside_v_s16_q & and_1596_s16_q));
-  logic and_2337;
-  assign and_2337 = not_576_s16_q & (equal_577_s16_q & (inside_v_s16_q & and_1605_s16_q));
+  logic and_2335;
+  assign and_2335 = not_576_s16_q & (equal_577_s16_q & (inside_v_s16_q & and_1596_s16_q));
+  logic and_2339;
+  assign and_2339 = not_576_s16_q & (equal_577_s16_q & (inside_v_s16_q & and_1605_s16_q));
   // hls/stages/census.hpp:371
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2364_s16_q} + xor_2365_s16_q;
+  assign contrast = {8'h0, difference_2366_s16_q} + xor_2367_s16_q;
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2376_s16_q} + xor_2377_s16_q;
+  assign contrast_2 = {8'h0, difference_2378_s16_q} + xor_2379_s16_q;
   // hls/stages/agreement.hpp:788
-  logic and_2608;
-  assign and_2608 = not_574_s16_q & (so_s16_q & (ends_cell_s16_q & explained_s16_q));
+  logic and_2610;
+  assign and_2610 = not_574_s16_q & (so_s16_q & (ends_cell_s16_q & explained_s16_q));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2610;
-  assign select_2610 = and_2592_s16_q ? 14'h0 : (counts_explained_q + {13'h0, and_2608});
+  logic [13:0] select_2612;
+  assign select_2612 = and_2594_s16_q ? 14'h0 : (counts_explained_q + {13'h0, and_2610});
   // hls/stages/agreement.hpp:788
-  logic and_2613;
-  assign and_2613 = not_574_s16_q & (so_s16_q & (ends_cell_s16_q & and_2018_s16_q));
+  logic and_2615;
+  assign and_2615 = not_574_s16_q & (so_s16_q & (ends_cell_s16_q & and_2018_s16_q));
   // hls/stages/agreement.hpp:1088
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2618_s16_q} + sum_2624_s16_q;
+  assign explained_2 = {2'h0, and_2620_s16_q} + sum_2626_s16_q;
   // hls/stages/agreement.hpp:1095
-  logic [2:0] select_2626;
-  assign select_2626 = age_s16_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [2:0] select_2628;
+  assign select_2628 = age_s16_q ? box_explained_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:1132
-  logic less_2642;
-  assign less_2642 = region_row_s16_q < x_s16_q[5:3];
+  logic less_2644;
+  assign less_2644 = region_row_s16_q < x_s16_q[5:3];
   // hls/stages/patches.hpp:346
-  logic not_2981;
-  assign not_2981 = ~and_1781_s16_q;
+  logic not_2983;
+  assign not_2983 = ~and_1781_s16_q;
   // hls/stages/patches.hpp:523
   logic [55:0] other;
   assign other = new_row_s16_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
   // hls/stages/patches.hpp:185
-  logic [51:0] select_3107;
-  assign select_3107 = or_1789_s16_q ? {and_1932_s16_q, and_1929_s16_q, and_1913_s16_q, and_1910, patches_codes_at_q[51:4]} : patches_codes_at_q;
   logic [51:0] select_3109;
-  assign select_3109 = equal_1783_s16_q ? patches_codes_at_q : (equal_1785_s16_q ? other[55:4] : select_3107);
+  assign select_3109 = or_1789_s16_q ? {and_1932_s16_q, and_1929_s16_q, and_1913_s16_q, and_1910, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3111;
+  assign select_3111 = equal_1783_s16_q ? patches_codes_at_q : (equal_1785_s16_q ? other[55:4] : select_3109);
   // hls/stages/patches.hpp:522
-  logic [27:0] select_3112;
-  assign select_3112 = equal_3111_s16_q ? word_s16_q : {4'h0, patches_codes_further_q[27:4]};
-  // hls/stages/patches.hpp:185
   logic [27:0] select_3114;
-  assign select_3114 = equal_1785_s16_q ? (new_row_s16_q ? word_s16_q : select_3112) : patches_codes_further_q;
-  // hls/stages/patches.hpp:524
-  logic [55:0] select_3116;
-  assign select_3116 = less_1873_s16_q ? {word_s16_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:494
-  logic [55:0] select_3118;
-  assign select_3118 = less_3117_s16_q ? {word_s16_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  assign select_3114 = equal_3113_s16_q ? word_s16_q : {4'h0, patches_codes_further_q[27:4]};
   // hls/stages/patches.hpp:185
+  logic [27:0] select_3116;
+  assign select_3116 = equal_1785_s16_q ? (new_row_s16_q ? word_s16_q : select_3114) : patches_codes_further_q;
+  // hls/stages/patches.hpp:524
+  logic [55:0] select_3118;
+  assign select_3118 = less_1873_s16_q ? {word_s16_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:494
   logic [55:0] select_3120;
-  assign select_3120 = or_1789_s16_q ? (equal_1788_s16_q ? patches_next_codes_q : select_3118) : patches_next_codes_q;
+  assign select_3120 = less_3119_s16_q ? {word_s16_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:185
   logic [55:0] select_3122;
-  assign select_3122 = equal_1783_s16_q ? patches_next_codes_q : (equal_1785_s16_q ? select_3116 : select_3120);
+  assign select_3122 = or_1789_s16_q ? (equal_1788_s16_q ? patches_next_codes_q : select_3120) : patches_next_codes_q;
+  logic [55:0] select_3124;
+  assign select_3124 = equal_1783_s16_q ? patches_next_codes_q : (equal_1785_s16_q ? select_3118 : select_3122);
   // hls/stages/count_bits.hpp:24
-  logic parity_3127;
-  assign parity_3127 = ^{and_1932_s16_q, and_1929_s16_q, and_1913_s16_q, and_1910};
+  logic parity_3129;
+  assign parity_3129 = ^{and_1932_s16_q, and_1929_s16_q, and_1913_s16_q, and_1910};
   // hls/stages/count_bits.hpp:25
-  logic or_3131;
-  assign or_3131 = ({and_1913_s16_q, and_1910} == 2'h3) | (and_1929_s16_q & (and_1913_s16_q | and_1910));
-  logic and_3132;
-  assign and_3132 = and_1932_s16_q & (^{and_1929_s16_q, and_1913_s16_q, and_1910});
-  // hls/stages/count_bits.hpp:24
-  logic xor_3133;
-  assign xor_3133 = or_3131 ^ and_3132;
-  // hls/stages/count_bits.hpp:27
+  logic or_3133;
+  assign or_3133 = ({and_1913_s16_q, and_1910} == 2'h3) | (and_1929_s16_q & (and_1913_s16_q | and_1910));
   logic and_3134;
-  assign and_3134 = or_3131 & and_3132;
+  assign and_3134 = and_1932_s16_q & (^{and_1929_s16_q, and_1913_s16_q, and_1910});
+  // hls/stages/count_bits.hpp:24
+  logic xor_3135;
+  assign xor_3135 = or_3133 ^ and_3134;
+  // hls/stages/count_bits.hpp:27
+  logic and_3136;
+  assign and_3136 = or_3133 & and_3134;
   // hls/stages/patches.hpp:525
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3150_s16_q;
+  assign bits = other[47:0] ^ select_3152_s16_q;
   // hls/stages/count_bits.hpp:24
-  logic xor_3156;
-  assign xor_3156 = bits[17] ^ (^{select_3150_s16_q[16:15], other[16:15]});
-  logic xor_3159;
-  assign xor_3159 = bits[11] ^ (^{select_3150_s16_q[10:9], other[10:9]});
-  logic xor_3162;
-  assign xor_3162 = bits[14] ^ (^{select_3150_s16_q[13:12], other[13:12]});
-  logic xor_3165;
-  assign xor_3165 = xor_3156 ^ (^{select_3150_s16_q[14:9], other[14:9]});
-  logic xor_3168;
-  assign xor_3168 = bits[47] ^ (^{select_3150_s16_q[46:45], other[46:45]});
-  logic xor_3171;
-  assign xor_3171 = bits[8] ^ (^{select_3150_s16_q[7:6], other[7:6]});
-  logic xor_3174;
-  assign xor_3174 = bits[2] ^ (^{select_3150_s16_q[1:0], other[1:0]});
-  logic xor_3177;
-  assign xor_3177 = bits[5] ^ (^{select_3150_s16_q[4:3], other[4:3]});
-  logic xor_3180;
-  assign xor_3180 = xor_3171 ^ (^{select_3150_s16_q[5:0], other[5:0]});
-  logic parity_3182;
-  assign parity_3182 = ^{select_3150_s16_q[47:45], select_3150_s16_q[8:0], other[47:45], other[8:0]};
-  logic xor_3186;
-  assign xor_3186 = bits[44] ^ (^{select_3150_s16_q[43:42], other[43:42]});
-  logic xor_3189;
-  assign xor_3189 = bits[38] ^ (^{select_3150_s16_q[37:36], other[37:36]});
-  logic xor_3192;
-  assign xor_3192 = bits[41] ^ (^{select_3150_s16_q[40:39], other[40:39]});
-  logic xor_3198;
-  assign xor_3198 = bits[26] ^ (^{select_3150_s16_q[25:24], other[25:24]});
-  logic xor_3201;
-  assign xor_3201 = bits[20] ^ (^{select_3150_s16_q[19:18], other[19:18]});
-  logic xor_3204;
-  assign xor_3204 = bits[23] ^ (^{select_3150_s16_q[22:21], other[22:21]});
-  logic xor_3210;
-  assign xor_3210 = bits[35] ^ (^{select_3150_s16_q[34:33], other[34:33]});
-  logic xor_3213;
-  assign xor_3213 = bits[29] ^ (^{select_3150_s16_q[28:27], other[28:27]});
-  logic xor_3216;
-  assign xor_3216 = bits[32] ^ (^{select_3150_s16_q[31:30], other[31:30]});
+  logic xor_3158;
+  assign xor_3158 = bits[17] ^ (^{select_3152_s16_q[16:15], other[16:15]});
+  logic xor_3161;
+  assign xor_3161 = bits[11] ^ (^{select_3152_s16_q[10:9], other[10:9]});
+  logic xor_3164;
+  assign xor_3164 = bits[14] ^ (^{select_3152_s16_q[13:12], other[13:12]});
+  logic xor_3167;
+  assign xor_3167 = xor_3158 ^ (^{select_3152_s16_q[14:9], other[14:9]});
+  logic xor_3170;
+  assign xor_3170 = bits[47] ^ (^{select_3152_s16_q[46:45], other[46:45]});
+  logic xor_3173;
+  assign xor_3173 = bits[8] ^ (^{select_3152_s16_q[7:6], other[7:6]});
+  logic xor_3176;
+  assign xor_3176 = bits[2] ^ (^{select_3152_s16_q[1:0], other[1:0]});
+  logic xor_3179;
+  assign xor_3179 = bits[5] ^ (^{select_3152_s16_q[4:3], other[4:3]});
+  logic xor_3182;
+  assign xor_3182 = xor_3173 ^ (^{select_3152_s16_q[5:0], other[5:0]});
+  logic parity_3184;
+  assign parity_3184 = ^{select_3152_s16_q[47:45], select_3152_s16_q[8:0], other[47:45], other[8:0]};
+  logic xor_3188;
+  assign xor_3188 = bits[44] ^ (^{select_3152_s16_q[43:42], other[43:42]});
+  logic xor_3191;
+  assign xor_3191 = bits[38] ^ (^{select_3152_s16_q[37:36], other[37:36]});
+  logic xor_3194;
+  assign xor_3194 = bits[41] ^ (^{select_3152_s16_q[40:39], other[40:39]});
+  logic xor_3200;
+  assign xor_3200 = bits[26] ^ (^{select_3152_s16_q[25:24], other[25:24]});
+  logic xor_3203;
+  assign xor_3203 = bits[20] ^ (^{select_3152_s16_q[19:18], other[19:18]});
+  logic xor_3206;
+  assign xor_3206 = bits[23] ^ (^{select_3152_s16_q[22:21], other[22:21]});
+  logic xor_3212;
+  assign xor_3212 = bits[35] ^ (^{select_3152_s16_q[34:33], other[34:33]});
+  logic xor_3215;
+  assign xor_3215 = bits[29] ^ (^{select_3152_s16_q[28:27], other[28:27]});
+  logic xor_3218;
+  assign xor_3218 = bits[32] ^ (^{select_3152_s16_q[31:30], other[31:30]});
   // hls/stages/patches.hpp:185
-  logic select_3500;
-  assign select_3500 = equal_1783_s16_q ? patches_summed_first_q : (equal_1785_s16_q ? new_row_s16_q : patches_summed_first_q);
+  logic select_3502;
+  assign select_3502 = equal_1783_s16_q ? patches_summed_first_q : (equal_1785_s16_q ? new_row_s16_q : patches_summed_first_q);
   // hls/stages/patches.hpp:544
-  logic [9:0] select_3588;
-  assign select_3588 = (patches_read_far_s16_q < patches_peak_far_q) ? patches_read_far_s16_q : patches_peak_far_q;
-  logic [9:0] select_3589;
-  assign select_3589 = patches_read_first_s16_q ? patches_read_far_s16_q : select_3588;
+  logic [9:0] select_3590;
+  assign select_3590 = (patches_read_far_s16_q < patches_peak_far_q) ? patches_read_far_s16_q : patches_peak_far_q;
+  logic [9:0] select_3591;
+  assign select_3591 = patches_read_first_s16_q ? patches_read_far_s16_q : select_3590;
   // hls/stages/patches.hpp:584
-  logic [10:0] sum_3631;
-  assign sum_3631 = {1'b0, fall_2_s16_q} + {2'h0, fall_2_s16_q[9:1]};
+  logic [10:0] sum_3633;
+  assign sum_3633 = {1'b0, fall_2_s16_q} + {2'h0, fall_2_s16_q[9:1]};
   // hls/stages/patches.hpp:585
-  logic [10:0] sum_3635;
-  assign sum_3635 = {1'b0, fall_2_s16_q} + {3'h0, fall_2_s16_q[9:2]};
-  logic less_3639;
-  assign less_3639 = {eight_s16_q, 3'h0} < ({fall_2_s16_q, 3'h0} - {3'h0, fall_2_s16_q});
+  logic [10:0] sum_3637;
+  assign sum_3637 = {1'b0, fall_2_s16_q} + {3'h0, fall_2_s16_q[9:2]};
+  logic less_3641;
+  assign less_3641 = {eight_s16_q, 3'h0} < ({fall_2_s16_q, 3'h0} - {3'h0, fall_2_s16_q});
   // hls/stages/agreement.hpp:1231
-  logic [13:0] select_3962;
-  assign select_3962 = equal_3700_s16_q ? 14'h0 : product_q;
-  logic [13:0] select_3981;
-  assign select_3981 = equal_3975_s16_q ? 14'h0 : of_s16_q;
+  logic [13:0] select_3964;
+  assign select_3964 = equal_3702_s16_q ? 14'h0 : product_q;
+  logic [13:0] select_3983;
+  assign select_3983 = equal_3977_s16_q ? 14'h0 : of_s16_q;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_3962} + {1'b0, select_3981};
+  assign sum_4 = {1'b0, select_3964} + {1'b0, select_3983};
   // hls/stages/agreement.hpp:788
-  logic [2:0] select_4023;
-  assign select_4023 = so_s16_q ? (ends_cell_s16_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
   logic [2:0] select_4025;
-  assign select_4025 = ends_cell_s16_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_4025 = so_s16_q ? (ends_cell_s16_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
   logic [2:0] select_4027;
-  assign select_4027 = equal_573_s16_q ? box_explained_columns_values_1_q : (so_s16_q ? select_4025 : box_explained_columns_values_1_q);
-  logic [2:0] select_4028;
-  assign select_4028 = ends_cell_s16_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_4027 = ends_cell_s16_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_4029;
+  assign select_4029 = equal_573_s16_q ? box_explained_columns_values_1_q : (so_s16_q ? select_4027 : box_explained_columns_values_1_q);
   logic [2:0] select_4030;
-  assign select_4030 = equal_573_s16_q ? box_explained_columns_values_2_q : (so_s16_q ? select_4028 : box_explained_columns_values_2_q);
-  logic [2:0] select_4031;
-  assign select_4031 = ends_cell_s16_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  assign select_4030 = ends_cell_s16_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_4032;
+  assign select_4032 = equal_573_s16_q ? box_explained_columns_values_2_q : (so_s16_q ? select_4030 : box_explained_columns_values_2_q);
   logic [2:0] select_4033;
-  assign select_4033 = equal_573_s16_q ? box_explained_columns_values_3_q : (so_s16_q ? select_4031 : box_explained_columns_values_3_q);
-  logic [2:0] select_4034;
-  assign select_4034 = ends_cell_s16_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  assign select_4033 = ends_cell_s16_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_4035;
+  assign select_4035 = equal_573_s16_q ? box_explained_columns_values_3_q : (so_s16_q ? select_4033 : box_explained_columns_values_3_q);
   logic [2:0] select_4036;
-  assign select_4036 = equal_573_s16_q ? box_explained_columns_values_4_q : (so_s16_q ? select_4034 : box_explained_columns_values_4_q);
-  logic [2:0] select_4041;
-  assign select_4041 = so_s16_q ? (ends_cell_s16_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  assign select_4036 = ends_cell_s16_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_4038;
+  assign select_4038 = equal_573_s16_q ? box_explained_columns_values_4_q : (so_s16_q ? select_4036 : box_explained_columns_values_4_q);
   logic [2:0] select_4043;
-  assign select_4043 = ends_cell_s16_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_4043 = so_s16_q ? (ends_cell_s16_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
   logic [2:0] select_4045;
-  assign select_4045 = equal_573_s16_q ? box_shown_columns_values_1_q : (so_s16_q ? select_4043 : box_shown_columns_values_1_q);
-  logic [2:0] select_4046;
-  assign select_4046 = ends_cell_s16_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_4045 = ends_cell_s16_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4047;
+  assign select_4047 = equal_573_s16_q ? box_shown_columns_values_1_q : (so_s16_q ? select_4045 : box_shown_columns_values_1_q);
   logic [2:0] select_4048;
-  assign select_4048 = equal_573_s16_q ? box_shown_columns_values_2_q : (so_s16_q ? select_4046 : box_shown_columns_values_2_q);
-  logic [2:0] select_4049;
-  assign select_4049 = ends_cell_s16_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  assign select_4048 = ends_cell_s16_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_4050;
+  assign select_4050 = equal_573_s16_q ? box_shown_columns_values_2_q : (so_s16_q ? select_4048 : box_shown_columns_values_2_q);
   logic [2:0] select_4051;
-  assign select_4051 = equal_573_s16_q ? box_shown_columns_values_3_q : (so_s16_q ? select_4049 : box_shown_columns_values_3_q);
-  logic [2:0] select_4052;
-  assign select_4052 = ends_cell_s16_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  assign select_4051 = ends_cell_s16_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_4053;
+  assign select_4053 = equal_573_s16_q ? box_shown_columns_values_3_q : (so_s16_q ? select_4051 : box_shown_columns_values_3_q);
   logic [2:0] select_4054;
-  assign select_4054 = equal_573_s16_q ? box_shown_columns_values_4_q : (so_s16_q ? select_4052 : box_shown_columns_values_4_q);
-  logic [2:0] select_4059;
-  assign select_4059 = so_s16_q ? (ends_cell_s16_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  assign select_4054 = ends_cell_s16_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4056;
+  assign select_4056 = equal_573_s16_q ? box_shown_columns_values_4_q : (so_s16_q ? select_4054 : box_shown_columns_values_4_q);
   logic [2:0] select_4061;
-  assign select_4061 = ends_cell_s16_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_4061 = so_s16_q ? (ends_cell_s16_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
   logic [2:0] select_4063;
-  assign select_4063 = equal_573_s16_q ? box_nearer_columns_values_1_q : (so_s16_q ? select_4061 : box_nearer_columns_values_1_q);
-  logic [2:0] select_4064;
-  assign select_4064 = ends_cell_s16_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_4063 = ends_cell_s16_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4065;
+  assign select_4065 = equal_573_s16_q ? box_nearer_columns_values_1_q : (so_s16_q ? select_4063 : box_nearer_columns_values_1_q);
   logic [2:0] select_4066;
-  assign select_4066 = equal_573_s16_q ? box_nearer_columns_values_2_q : (so_s16_q ? select_4064 : box_nearer_columns_values_2_q);
-  logic [2:0] select_4067;
-  assign select_4067 = ends_cell_s16_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  assign select_4066 = ends_cell_s16_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4068;
+  assign select_4068 = equal_573_s16_q ? box_nearer_columns_values_2_q : (so_s16_q ? select_4066 : box_nearer_columns_values_2_q);
   logic [2:0] select_4069;
-  assign select_4069 = equal_573_s16_q ? box_nearer_columns_values_3_q : (so_s16_q ? select_4067 : box_nearer_columns_values_3_q);
-  logic [2:0] select_4070;
-  assign select_4070 = ends_cell_s16_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  assign select_4069 = ends_cell_s16_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4071;
+  assign select_4071 = equal_573_s16_q ? box_nearer_columns_values_3_q : (so_s16_q ? select_4069 : box_nearer_columns_values_3_q);
   logic [2:0] select_4072;
-  assign select_4072 = equal_573_s16_q ? box_nearer_columns_values_4_q : (so_s16_q ? select_4070 : box_nearer_columns_values_4_q);
+  assign select_4072 = ends_cell_s16_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4074;
+  assign select_4074 = equal_573_s16_q ? box_nearer_columns_values_4_q : (so_s16_q ? select_4072 : box_nearer_columns_values_4_q);
 
   // Memory best_left, write
   logic [6:0] best_left_waddr;
@@ -8108,24 +8110,24 @@ module horopter_agreement (
       columns_passed_q <= 9'h0;
       line_ended_q <= 1'b1;
     end else if (s16_en) begin
-      moments_turned_0_q <= sum_2290;
-      moments_turned_1_q <= sum_2292;
-      moments_turns_0_q <= not_574_s16_q & and_2333;
-      moments_turns_1_q <= not_574_s16_q & and_2337;
-      counts_explained_q <= select_2610;
-      patches_fixed_q <= not_2981 & (patches_fixed_q | (and_2991_s16_q & and_1738));
-      patches_choice_valid_q <= and_1781_s16_q ? (select_1739 & not_2981) : select_1739;
+      moments_turned_0_q <= sum_2292;
+      moments_turned_1_q <= sum_2294;
+      moments_turns_0_q <= not_574_s16_q & and_2335;
+      moments_turns_1_q <= not_574_s16_q & and_2339;
+      counts_explained_q <= select_2612;
+      patches_fixed_q <= not_2983 & (patches_fixed_q | (and_2993_s16_q & and_1738));
+      patches_choice_valid_q <= and_1781_s16_q ? (select_1739 & not_2983) : select_1739;
       patches_choice_column_q <= select_1744;
       patches_choice_shift_q <= select_1749;
       patches_choice_slope_q <= select_1775;
-      patches_codes_at_q <= select_3109;
-      patches_codes_further_q <= equal_1783_s16_q ? patches_codes_further_q : select_3114;
-      patches_next_codes_q <= select_3122;
-      patches_summed_first_q <= select_3500;
-      patches_peak_far_q <= equal_1783_s16_q ? select_3589 : patches_peak_far_q;
-      segment_textured_q <= select_2004 + {6'h0, and_2603_s16_q};
-      segment_explained_q <= select_2009 + {6'h0, and_2608};
-      segment_nearer_q <= select_2019 + {6'h0, and_2613};
+      patches_codes_at_q <= select_3111;
+      patches_codes_further_q <= equal_1783_s16_q ? patches_codes_further_q : select_3116;
+      patches_next_codes_q <= select_3124;
+      patches_summed_first_q <= select_3502;
+      patches_peak_far_q <= equal_1783_s16_q ? select_3591 : patches_peak_far_q;
+      segment_textured_q <= select_2004 + {6'h0, and_2605_s16_q};
+      segment_explained_q <= select_2009 + {6'h0, and_2610};
+      segment_nearer_q <= select_2019 + {6'h0, and_2615};
       product_q <= equal_573_s16_q ? sum_4[14:1] : product_q;
       rows_passed_q <= select_2034;
       columns_passed_q <= {select_2036[7:0], or_2032};
@@ -8162,28 +8164,28 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s16_en) begin
-      census_columns_values_0_cell_0_mask_q <= select_2198;
-      census_columns_values_1_cell_0_mask_q <= select_2214;
-      census_columns_values_1_cell_1_mask_q <= select_2217;
-      census_columns_values_1_cell_3_mask_q <= select_2224;
-      census_columns_values_1_cell_4_mask_q <= select_2227;
-      census_columns_values_2_cell_0_mask_q <= select_2230;
-      census_columns_values_2_cell_1_mask_q <= select_2233;
-      box_explained_columns_values_0_q <= equal_573_s16_q ? box_explained_columns_values_0_q : select_4023;
-      box_explained_columns_values_1_q <= select_4027;
-      box_explained_columns_values_2_q <= select_4030;
-      box_explained_columns_values_3_q <= select_4033;
-      box_explained_columns_values_4_q <= select_4036;
-      box_shown_columns_values_0_q <= equal_573_s16_q ? box_shown_columns_values_0_q : select_4041;
-      box_shown_columns_values_1_q <= select_4045;
-      box_shown_columns_values_2_q <= select_4048;
-      box_shown_columns_values_3_q <= select_4051;
-      box_shown_columns_values_4_q <= select_4054;
-      box_nearer_columns_values_0_q <= equal_573_s16_q ? box_nearer_columns_values_0_q : select_4059;
-      box_nearer_columns_values_1_q <= select_4063;
-      box_nearer_columns_values_2_q <= select_4066;
-      box_nearer_columns_values_3_q <= select_4069;
-      box_nearer_columns_values_4_q <= select_4072;
+      census_columns_values_0_cell_0_mask_q <= select_2200;
+      census_columns_values_1_cell_0_mask_q <= select_2216;
+      census_columns_values_1_cell_1_mask_q <= select_2219;
+      census_columns_values_1_cell_3_mask_q <= select_2226;
+      census_columns_values_1_cell_4_mask_q <= select_2229;
+      census_columns_values_2_cell_0_mask_q <= select_2232;
+      census_columns_values_2_cell_1_mask_q <= select_2235;
+      box_explained_columns_values_0_q <= equal_573_s16_q ? box_explained_columns_values_0_q : select_4025;
+      box_explained_columns_values_1_q <= select_4029;
+      box_explained_columns_values_2_q <= select_4032;
+      box_explained_columns_values_3_q <= select_4035;
+      box_explained_columns_values_4_q <= select_4038;
+      box_shown_columns_values_0_q <= equal_573_s16_q ? box_shown_columns_values_0_q : select_4043;
+      box_shown_columns_values_1_q <= select_4047;
+      box_shown_columns_values_2_q <= select_4050;
+      box_shown_columns_values_3_q <= select_4053;
+      box_shown_columns_values_4_q <= select_4056;
+      box_nearer_columns_values_0_q <= equal_573_s16_q ? box_nearer_columns_values_0_q : select_4061;
+      box_nearer_columns_values_1_q <= select_4065;
+      box_nearer_columns_values_2_q <= select_4068;
+      box_nearer_columns_values_3_q <= select_4071;
+      box_nearer_columns_values_4_q <= select_4074;
     end
   end
 
@@ -8220,8 +8222,8 @@ module horopter_agreement (
   logic [13:0] product_s17_q;
   logic centres_values_1_textured_s17_q;
   logic centres_values_1_of_skin_s17_q;
+  logic [3:0] select_507_s17_q;
   logic row_starts_s17_q;
-  logic [3:0] select_508_s17_q;
   logic [6:0] select_542_s17_q;
   logic [6:0] last_s17_q;
   logic and_546_s17_q;
@@ -8315,84 +8317,84 @@ module horopter_agreement (
   logic and_2137_s17_q;
   logic [10:0] size_s17_q;
   logic [10:0] size_2_s17_q;
-  logic [10:0] sum_2259_s17_q;
-  logic [9:0] sum_2262_s17_q;
-  logic [9:0] sum_2266_s17_q;
-  logic [9:0] sum_2270_s17_q;
-  logic equal_2278_s17_q;
-  logic equal_2293_s17_q;
+  logic [10:0] sum_2261_s17_q;
+  logic [9:0] sum_2264_s17_q;
+  logic [9:0] sum_2268_s17_q;
+  logic [9:0] sum_2272_s17_q;
+  logic equal_2280_s17_q;
+  logic equal_2295_s17_q;
   logic [8:0] contrast_s17_q;
   logic [8:0] contrast_2_s17_q;
-  logic equal_2467_s17_q;
-  logic and_2592_s17_q;
-  logic and_2598_s17_q;
-  logic and_2613_s17_q;
-  logic not_2617_s17_q;
-  logic [3:0] difference_2627_s17_q;
-  logic [9:0] select_2643_s17_q;
-  logic [9:0] select_2646_s17_q;
-  logic and_2694_s17_q;
-  logic and_2711_s17_q;
-  logic and_2718_s17_q;
-  logic and_2752_s17_q;
-  logic and_2753_s17_q;
+  logic equal_2469_s17_q;
+  logic and_2594_s17_q;
+  logic and_2600_s17_q;
+  logic and_2615_s17_q;
+  logic not_2619_s17_q;
+  logic [3:0] difference_2629_s17_q;
+  logic [9:0] select_2645_s17_q;
+  logic [9:0] select_2648_s17_q;
+  logic and_2696_s17_q;
+  logic and_2713_s17_q;
+  logic and_2720_s17_q;
+  logic and_2754_s17_q;
+  logic and_2755_s17_q;
   logic [7:0] residual_s17_q;
-  logic and_2789_s17_q;
-  logic and_2803_s17_q;
-  logic equal_2846_s17_q;
+  logic and_2791_s17_q;
+  logic and_2805_s17_q;
+  logic equal_2848_s17_q;
   logic [8:0] other_s17_q;
-  logic [2:0] select_3135_s17_q;
-  logic [8:0] select_3150_s17_q;
-  logic xor_3165_s17_q;
-  logic xor_3183_s17_q;
-  logic xor_3195_s17_q;
-  logic xor_3207_s17_q;
-  logic xor_3219_s17_q;
-  logic or_3228_s17_q;
-  logic or_3232_s17_q;
-  logic or_3236_s17_q;
-  logic or_3243_s17_q;
-  logic or_3247_s17_q;
-  logic or_3251_s17_q;
-  logic or_3258_s17_q;
-  logic or_3262_s17_q;
-  logic or_3266_s17_q;
-  logic or_3276_s17_q;
-  logic or_3280_s17_q;
-  logic or_3284_s17_q;
-  logic or_3292_s17_q;
-  logic or_3296_s17_q;
-  logic or_3300_s17_q;
-  logic or_3307_s17_q;
-  logic or_3311_s17_q;
-  logic or_3315_s17_q;
-  logic or_3325_s17_q;
-  logic or_3329_s17_q;
-  logic or_3333_s17_q;
-  logic and_3338_s17_q;
-  logic or_3339_s17_q;
-  logic equal_3460_s17_q;
-  logic [4:0] select_3548_s17_q;
-  logic [14:0] select_3579_s17_q;
-  logic [9:0] select_3589_s17_q;
-  logic less_3622_s17_q;
-  logic not_3630_s17_q;
-  logic not_3633_s17_q;
-  logic not_3637_s17_q;
-  logic not_3640_s17_q;
-  logic equal_3700_s17_q;
-  logic and_3925_s17_q;
-  logic less_3926_s17_q;
-  logic equal_3927_s17_q;
-  logic equal_3944_s17_q;
+  logic [2:0] select_3137_s17_q;
+  logic [8:0] select_3152_s17_q;
+  logic xor_3167_s17_q;
+  logic xor_3185_s17_q;
+  logic xor_3197_s17_q;
+  logic xor_3209_s17_q;
+  logic xor_3221_s17_q;
+  logic or_3230_s17_q;
+  logic or_3234_s17_q;
+  logic or_3238_s17_q;
+  logic or_3245_s17_q;
+  logic or_3249_s17_q;
+  logic or_3253_s17_q;
+  logic or_3260_s17_q;
+  logic or_3264_s17_q;
+  logic or_3268_s17_q;
+  logic or_3278_s17_q;
+  logic or_3282_s17_q;
+  logic or_3286_s17_q;
+  logic or_3294_s17_q;
+  logic or_3298_s17_q;
+  logic or_3302_s17_q;
+  logic or_3309_s17_q;
+  logic or_3313_s17_q;
+  logic or_3317_s17_q;
+  logic or_3327_s17_q;
+  logic or_3331_s17_q;
+  logic or_3335_s17_q;
+  logic and_3340_s17_q;
+  logic or_3341_s17_q;
+  logic equal_3462_s17_q;
+  logic [4:0] select_3550_s17_q;
+  logic [14:0] select_3581_s17_q;
+  logic [9:0] select_3591_s17_q;
+  logic less_3624_s17_q;
+  logic not_3632_s17_q;
+  logic not_3635_s17_q;
+  logic not_3639_s17_q;
+  logic not_3642_s17_q;
+  logic equal_3702_s17_q;
+  logic and_3927_s17_q;
+  logic less_3928_s17_q;
+  logic equal_3929_s17_q;
   logic equal_3946_s17_q;
-  logic equal_3947_s17_q;
   logic equal_3948_s17_q;
   logic equal_3949_s17_q;
+  logic equal_3950_s17_q;
+  logic equal_3951_s17_q;
   logic sum_4_s17_q;
-  logic equal_4089_s17_q;
-  logic equal_4185_s17_q;
-  logic [9:0] select_4195_s17_q;
+  logic equal_4091_s17_q;
+  logic equal_4187_s17_q;
+  logic [9:0] select_4197_s17_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s17_q <= pixel_0_s16_q;
@@ -8428,8 +8430,8 @@ module horopter_agreement (
       product_s17_q <= product_q;
       centres_values_1_textured_s17_q <= centres_values_1_textured_s16_q;
       centres_values_1_of_skin_s17_q <= centres_values_1_of_skin_s16_q;
+      select_507_s17_q <= select_507_s16_q;
       row_starts_s17_q <= row_starts_s16_q;
-      select_508_s17_q <= select_508_s16_q;
       select_542_s17_q <= select_542_s16_q;
       last_s17_q <= last_s16_q;
       and_546_s17_q <= and_546_s16_q;
@@ -8523,84 +8525,84 @@ module horopter_agreement (
       and_2137_s17_q <= and_2137_s16_q;
       size_s17_q <= size;
       size_2_s17_q <= size_2;
-      sum_2259_s17_q <= {1'b0, sum_2255} + {1'b0, sum_2258};
-      sum_2262_s17_q <= {9'h0, difference_2260_s16_q} + {1'b0, xor_2261_s16_q};
-      sum_2266_s17_q <= {9'h0, difference_2264_s16_q} + {1'b0, xor_2265_s16_q};
-      sum_2270_s17_q <= {9'h0, difference_2268_s16_q} + {1'b0, xor_2269_s16_q};
-      equal_2278_s17_q <= equal_2278_s16_q;
-      equal_2293_s17_q <= equal_2293_s16_q;
+      sum_2261_s17_q <= {1'b0, sum_2257} + {1'b0, sum_2260};
+      sum_2264_s17_q <= {9'h0, difference_2262_s16_q} + {1'b0, xor_2263_s16_q};
+      sum_2268_s17_q <= {9'h0, difference_2266_s16_q} + {1'b0, xor_2267_s16_q};
+      sum_2272_s17_q <= {9'h0, difference_2270_s16_q} + {1'b0, xor_2271_s16_q};
+      equal_2280_s17_q <= equal_2280_s16_q;
+      equal_2295_s17_q <= equal_2295_s16_q;
       contrast_s17_q <= contrast;
       contrast_2_s17_q <= contrast_2;
-      equal_2467_s17_q <= equal_2467_s16_q;
-      and_2592_s17_q <= and_2592_s16_q;
-      and_2598_s17_q <= and_2598_s16_q;
-      and_2613_s17_q <= and_2613;
-      not_2617_s17_q <= not_2617_s16_q;
-      difference_2627_s17_q <= {1'b0, explained_2} - {1'b0, select_2626};
-      select_2643_s17_q <= less_2642 ? 10'h0 : regions_rdata_s16_q[9:0];
-      select_2646_s17_q <= less_2642 ? 10'h0 : regions_rdata_s16_q[19:10];
-      and_2694_s17_q <= and_2694_s16_q;
-      and_2711_s17_q <= and_2711_s16_q;
-      and_2718_s17_q <= and_2718_s16_q;
-      and_2752_s17_q <= and_2752_s16_q;
-      and_2753_s17_q <= and_2753_s16_q;
+      equal_2469_s17_q <= equal_2469_s16_q;
+      and_2594_s17_q <= and_2594_s16_q;
+      and_2600_s17_q <= and_2600_s16_q;
+      and_2615_s17_q <= and_2615;
+      not_2619_s17_q <= not_2619_s16_q;
+      difference_2629_s17_q <= {1'b0, explained_2} - {1'b0, select_2628};
+      select_2645_s17_q <= less_2644 ? 10'h0 : regions_rdata_s16_q[9:0];
+      select_2648_s17_q <= less_2644 ? 10'h0 : regions_rdata_s16_q[19:10];
+      and_2696_s17_q <= and_2696_s16_q;
+      and_2713_s17_q <= and_2713_s16_q;
+      and_2720_s17_q <= and_2720_s16_q;
+      and_2754_s17_q <= and_2754_s16_q;
+      and_2755_s17_q <= and_2755_s16_q;
       residual_s17_q <= residual_s16_q;
-      and_2789_s17_q <= and_2753_s16_q & less_2788_s16_q;
-      and_2803_s17_q <= and_2753_s16_q & less_2802_s16_q;
-      equal_2846_s17_q <= equal_2846_s16_q;
+      and_2791_s17_q <= and_2755_s16_q & less_2790_s16_q;
+      and_2805_s17_q <= and_2755_s16_q & less_2804_s16_q;
+      equal_2848_s17_q <= equal_2848_s16_q;
       other_s17_q <= other[44:36];
-      select_3135_s17_q <= and_1955_s16_q ? {and_3134, xor_3133, parity_3127} : 3'h0;
-      select_3150_s17_q <= select_3150_s16_q[44:36];
-      xor_3165_s17_q <= xor_3165;
-      xor_3183_s17_q <= xor_3165 ^ parity_3182;
-      xor_3195_s17_q <= xor_3186 ^ (^{select_3150_s16_q[41:36], other[41:36]});
-      xor_3207_s17_q <= xor_3198 ^ (^{select_3150_s16_q[23:18], other[23:18]});
-      xor_3219_s17_q <= xor_3210 ^ (^{select_3150_s16_q[32:27], other[32:27]});
-      or_3228_s17_q <= (xor_3159 & xor_3162) | (xor_3156 & (xor_3159 | xor_3162));
-      or_3232_s17_q <= (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-      or_3236_s17_q <= (xor_3174 & xor_3177) | (xor_3171 & (xor_3174 | xor_3177));
-      or_3243_s17_q <= (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
-      or_3247_s17_q <= (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-      or_3251_s17_q <= (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
-      or_3258_s17_q <= (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
-      or_3262_s17_q <= (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-      or_3266_s17_q <= (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
-      or_3276_s17_q <= (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
-      or_3280_s17_q <= (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-      or_3284_s17_q <= (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
-      or_3292_s17_q <= (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
-      or_3296_s17_q <= (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-      or_3300_s17_q <= (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
-      or_3307_s17_q <= (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
-      or_3311_s17_q <= (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-      or_3315_s17_q <= (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
-      or_3325_s17_q <= (xor_3189 & xor_3192) | (xor_3186 & (xor_3189 | xor_3192));
-      or_3329_s17_q <= (xor_3201 & xor_3204) | (xor_3198 & (xor_3201 | xor_3204));
-      or_3333_s17_q <= (xor_3213 & xor_3216) | (xor_3210 & (xor_3213 | xor_3216));
-      and_3338_s17_q <= xor_3168 & xor_3180;
-      or_3339_s17_q <= xor_3168 | xor_3180;
-      equal_3460_s17_q <= equal_3460_s16_q;
-      select_3548_s17_q <= select_3548_s16_q;
-      select_3579_s17_q <= select_3579_s16_q;
-      select_3589_s17_q <= select_3589;
-      less_3622_s17_q <= less_3622_s16_q;
-      not_3630_s17_q <= ~({eight_s16_q, 3'h0} < {3'h0, fall_2_s16_q});
-      not_3633_s17_q <= ~({eight_s16_q, 3'h0} < {1'b0, sum_3631, fall_2_s16_q[0]});
-      not_3637_s17_q <= ~({eight_s16_q, 3'h0} < {sum_3635, fall_2_s16_q[1:0]});
-      not_3640_s17_q <= ~less_3639;
-      equal_3700_s17_q <= equal_3700_s16_q;
-      and_3925_s17_q <= and_3925_s16_q;
-      less_3926_s17_q <= counts_explained_q < product_q;
-      equal_3927_s17_q <= counts_explained_q == product_q;
-      equal_3944_s17_q <= equal_3944_s16_q;
+      select_3137_s17_q <= and_1955_s16_q ? {and_3136, xor_3135, parity_3129} : 3'h0;
+      select_3152_s17_q <= select_3152_s16_q[44:36];
+      xor_3167_s17_q <= xor_3167;
+      xor_3185_s17_q <= xor_3167 ^ parity_3184;
+      xor_3197_s17_q <= xor_3188 ^ (^{select_3152_s16_q[41:36], other[41:36]});
+      xor_3209_s17_q <= xor_3200 ^ (^{select_3152_s16_q[23:18], other[23:18]});
+      xor_3221_s17_q <= xor_3212 ^ (^{select_3152_s16_q[32:27], other[32:27]});
+      or_3230_s17_q <= (xor_3161 & xor_3164) | (xor_3158 & (xor_3161 | xor_3164));
+      or_3234_s17_q <= (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+      or_3238_s17_q <= (xor_3176 & xor_3179) | (xor_3173 & (xor_3176 | xor_3179));
+      or_3245_s17_q <= (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+      or_3249_s17_q <= (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+      or_3253_s17_q <= (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+      or_3260_s17_q <= (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+      or_3264_s17_q <= (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+      or_3268_s17_q <= (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+      or_3278_s17_q <= (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+      or_3282_s17_q <= (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+      or_3286_s17_q <= (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+      or_3294_s17_q <= (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+      or_3298_s17_q <= (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+      or_3302_s17_q <= (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+      or_3309_s17_q <= (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+      or_3313_s17_q <= (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+      or_3317_s17_q <= (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+      or_3327_s17_q <= (xor_3191 & xor_3194) | (xor_3188 & (xor_3191 | xor_3194));
+      or_3331_s17_q <= (xor_3203 & xor_3206) | (xor_3200 & (xor_3203 | xor_3206));
+      or_3335_s17_q <= (xor_3215 & xor_3218) | (xor_3212 & (xor_3215 | xor_3218));
+      and_3340_s17_q <= xor_3170 & xor_3182;
+      or_3341_s17_q <= xor_3170 | xor_3182;
+      equal_3462_s17_q <= equal_3462_s16_q;
+      select_3550_s17_q <= select_3550_s16_q;
+      select_3581_s17_q <= select_3581_s16_q;
+      select_3591_s17_q <= select_3591;
+      less_3624_s17_q <= less_3624_s16_q;
+      not_3632_s17_q <= ~({eight_s16_q, 3'h0} < {3'h0, fall_2_s16_q});
+      not_3635_s17_q <= ~({eight_s16_q, 3'h0} < {1'b0, sum_3633, fall_2_s16_q[0]});
+      not_3639_s17_q <= ~({eight_s16_q, 3'h0} < {sum_3637, fall_2_s16_q[1:0]});
+      not_3642_s17_q <= ~less_3641;
+      equal_3702_s17_q <= equal_3702_s16_q;
+      and_3927_s17_q <= and_3927_s16_q;
+      less_3928_s17_q <= counts_explained_q < product_q;
+      equal_3929_s17_q <= counts_explained_q == product_q;
       equal_3946_s17_q <= equal_3946_s16_q;
-      equal_3947_s17_q <= equal_3947_s16_q;
       equal_3948_s17_q <= equal_3948_s16_q;
       equal_3949_s17_q <= equal_3949_s16_q;
+      equal_3950_s17_q <= equal_3950_s16_q;
+      equal_3951_s17_q <= equal_3951_s16_q;
       sum_4_s17_q <= sum_4[0];
-      equal_4089_s17_q <= equal_4089_s16_q;
-      equal_4185_s17_q <= equal_4185_s16_q;
-      select_4195_s17_q <= less_2642 ? 10'h0 : regions_rdata_s16_q[29:20];
+      equal_4091_s17_q <= equal_4091_s16_q;
+      equal_4187_s17_q <= equal_4187_s16_q;
+      select_4197_s17_q <= less_2644 ? 10'h0 : regions_rdata_s16_q[29:20];
     end
   end
 
@@ -8704,9 +8706,9 @@ module horopter_agreement (
   assign select_1833 = equal_1689_s17_q ? patches_place_1_shift_q : select_1831[13:8];
   // hls/stages/patches.hpp:133
   logic equal_1848;
-  assign equal_1848 = {select_1804[7], select_542_s17_q, select_508_s17_q} == {1'b0, select_1804[6:0], 4'h0};
+  assign equal_1848 = {select_1804[7], select_542_s17_q, select_507_s17_q} == {1'b0, select_1804[6:0], 4'h0};
   logic equal_1852;
-  assign equal_1852 = {select_1832[7], select_542_s17_q, select_508_s17_q} == {1'b0, select_1832[6:0], 4'h0};
+  assign equal_1852 = {select_1832[7], select_542_s17_q, select_507_s17_q} == {1'b0, select_1832[6:0], 4'h0};
   // hls/stages/agreement.hpp:436
   logic next_row;
   assign next_row = select_2038_s17_q & (began_q & at_cell_end_q);
@@ -8743,243 +8745,243 @@ module horopter_agreement (
   logic [13:0] detail;
   assign detail = {3'h0, size_s17_q} + (equal_551_s17_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2179;
-  assign select_2179 = sample_pair_whole_s17_q ? (and_546_s17_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2181;
+  assign select_2181 = sample_pair_whole_s17_q ? (and_546_s17_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:222
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_2_s17_q} + (equal_551_s17_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2187;
-  assign select_2187 = sample_pair_whole_s17_q ? (and_546_s17_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2189;
+  assign select_2189 = sample_pair_whole_s17_q ? (and_546_s17_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/agreement.hpp:520
-  logic select_2220;
-  assign select_2220 = and_548_s17_q ? census_columns_values_0_cell_2_mask_s17_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2236;
-  assign select_2236 = and_548_s17_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic select_2239;
-  assign select_2239 = and_548_s17_q ? census_columns_values_1_cell_3_mask_s17_q : census_columns_values_2_cell_3_mask_q;
-  logic select_2242;
-  assign select_2242 = and_548_s17_q ? census_columns_values_1_cell_4_mask_s17_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2243;
-  assign select_2243 = and_548_s17_q ? census_columns_values_2_cell_0_mask_s17_q : census_columns_values_3_cell_0_mask_q;
-  logic select_2246;
-  assign select_2246 = and_548_s17_q ? census_columns_values_2_cell_1_mask_s17_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2247;
-  assign select_2247 = and_548_s17_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic select_2250;
-  assign select_2250 = and_548_s17_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2222;
+  assign select_2222 = and_548_s17_q ? census_columns_values_0_cell_2_mask_s17_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2238;
+  assign select_2238 = and_548_s17_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic select_2241;
+  assign select_2241 = and_548_s17_q ? census_columns_values_1_cell_3_mask_s17_q : census_columns_values_2_cell_3_mask_q;
+  logic select_2244;
+  assign select_2244 = and_548_s17_q ? census_columns_values_1_cell_4_mask_s17_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2245;
+  assign select_2245 = and_548_s17_q ? census_columns_values_2_cell_0_mask_s17_q : census_columns_values_3_cell_0_mask_q;
+  logic select_2248;
+  assign select_2248 = and_548_s17_q ? census_columns_values_2_cell_1_mask_s17_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2249;
+  assign select_2249 = and_548_s17_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic select_2252;
+  assign select_2252 = and_548_s17_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
   // hls/stages/census.hpp:286
-  logic [10:0] sum_2263;
-  assign sum_2263 = sum_2259_s17_q + {1'b0, sum_2262_s17_q};
+  logic [10:0] sum_2265;
+  assign sum_2265 = sum_2261_s17_q + {1'b0, sum_2264_s17_q};
   // hls/stages/moments.hpp:117
-  logic [13:0] select_2294;
-  assign select_2294 = equal_2293_s17_q ? moments_turned_0_q : moments_before_0_q;
   logic [13:0] select_2296;
-  assign select_2296 = equal_2293_s17_q ? moments_turned_1_q : moments_before_1_q;
-  logic [14:0] sum_2307;
-  assign sum_2307 = {1'b0, moments_turned_1_q} + 15'h3;
-  logic [14:0] sum_2317;
-  assign sum_2317 = {1'b0, moments_turned_0_q} + 15'h3;
+  assign select_2296 = equal_2295_s17_q ? moments_turned_0_q : moments_before_0_q;
+  logic [13:0] select_2298;
+  assign select_2298 = equal_2295_s17_q ? moments_turned_1_q : moments_before_1_q;
+  logic [14:0] sum_2309;
+  assign sum_2309 = {1'b0, moments_turned_1_q} + 15'h3;
+  logic [14:0] sum_2319;
+  assign sum_2319 = {1'b0, moments_turned_0_q} + 15'h3;
   // hls/stages/agreement.hpp:520
-  logic select_2360;
-  assign select_2360 = and_548_s17_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic select_2362;
+  assign select_2362 = and_548_s17_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:373
-  logic and_2363;
-  assign and_2363 = whole_2_s17_q & (~(last_s17_q[6:1] == 6'h0));
+  logic and_2365;
+  assign and_2365 = whole_2_s17_q & (~(last_s17_q[6:1] == 6'h0));
   // hls/stages/agreement.hpp:457
-  logic and_2369;
-  assign and_2369 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s17_q[8:2]));
-  logic and_2370;
-  assign and_2370 = and_2363 & and_2369;
-  logic and_2381;
-  assign and_2381 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s17_q[8:2]));
-  logic and_2382;
-  assign and_2382 = and_2363 & and_2381;
+  logic and_2371;
+  assign and_2371 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s17_q[8:2]));
+  logic and_2372;
+  assign and_2372 = and_2365 & and_2371;
+  logic and_2383;
+  assign and_2383 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s17_q[8:2]));
+  logic and_2384;
+  assign and_2384 = and_2365 & and_2383;
   // hls/stages/census.hpp:427
-  logic not_2399;
-  assign not_2399 = ~x_s17_q[1];
-  logic [2:0] select_2400;
-  assign select_2400 = x_s17_q[0] ? {1'b0, not_2399, 1'b0} : {x_s17_q[1], 1'b0, not_2399};
-  logic [5:0] select_2401;
-  assign select_2401 = slot_s17_q[2] ? {select_2400[2], 1'b0, select_2400[1], 1'b0, select_2400[0], 1'b0} : {1'b0, select_2400[2], 1'b0, select_2400[1], 1'b0, select_2400[0]};
-  logic [11:0] select_2402;
-  assign select_2402 = slot_s17_q[1] ? {select_2401[5], 1'b0, select_2401[4], 1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0], 1'b0} : {1'b0, select_2401[5], 1'b0, select_2401[4], 1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0]};
+  logic not_2401;
+  assign not_2401 = ~x_s17_q[1];
+  logic [2:0] select_2402;
+  assign select_2402 = x_s17_q[0] ? {1'b0, not_2401, 1'b0} : {x_s17_q[1], 1'b0, not_2401};
+  logic [5:0] select_2403;
+  assign select_2403 = slot_s17_q[2] ? {select_2402[2], 1'b0, select_2402[1], 1'b0, select_2402[0], 1'b0} : {1'b0, select_2402[2], 1'b0, select_2402[1], 1'b0, select_2402[0]};
+  logic [11:0] select_2404;
+  assign select_2404 = slot_s17_q[1] ? {select_2403[5], 1'b0, select_2403[4], 1'b0, select_2403[3], 1'b0, select_2403[2], 1'b0, select_2403[1], 1'b0, select_2403[0], 1'b0} : {1'b0, select_2403[5], 1'b0, select_2403[4], 1'b0, select_2403[3], 1'b0, select_2403[2], 1'b0, select_2403[1], 1'b0, select_2403[0]};
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2600;
-  assign select_2600 = and_2592_s17_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2598_s17_q});
-  logic [13:0] select_2615;
-  assign select_2615 = and_2592_s17_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2613_s17_q});
+  logic [13:0] select_2602;
+  assign select_2602 = and_2594_s17_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2600_s17_q});
+  logic [13:0] select_2617;
+  assign select_2617 = and_2594_s17_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2615_s17_q});
   // hls/stages/agreement.hpp:1095
   logic [4:0] e;
-  assign e = {difference_2627_s17_q[3], difference_2627_s17_q} + (equal_568_s17_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  assign e = {difference_2629_s17_q[3], difference_2629_s17_q} + (equal_568_s17_q ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2713;
-  assign select_2713 = and_2592_s17_q ? 14'h0 : (counts_turned_left_q + {13'h0, and_2711_s17_q});
-  logic [13:0] select_2720;
-  assign select_2720 = and_2592_s17_q ? 14'h0 : (counts_turned_right_q + {13'h0, and_2718_s17_q});
+  logic [13:0] select_2715;
+  assign select_2715 = and_2594_s17_q ? 14'h0 : (counts_turned_left_q + {13'h0, and_2713_s17_q});
+  logic [13:0] select_2722;
+  assign select_2722 = and_2594_s17_q ? 14'h0 : (counts_turned_right_q + {13'h0, and_2720_s17_q});
   // hls/stages/registration.hpp:107
-  logic [7:0] select_2770;
-  assign select_2770 = equal_1699_s17_q ? (and_2753_s17_q ? residual_s17_q : 8'h0) : 8'h0;
+  logic [7:0] select_2772;
+  assign select_2772 = equal_1699_s17_q ? (and_2755_s17_q ? residual_s17_q : 8'h0) : 8'h0;
   // hls/stages/agreement.hpp:788
-  logic and_2777;
-  assign and_2777 = not_574_s17_q & (so_s17_q & (and_2753_s17_q & equal_1699_s17_q));
+  logic and_2779;
+  assign and_2779 = not_574_s17_q & (so_s17_q & (and_2755_s17_q & equal_1699_s17_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_2779;
-  assign select_2779 = and_2752_s17_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2777});
+  logic [5:0] select_2781;
+  assign select_2781 = and_2754_s17_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2779});
   // hls/stages/registration.hpp:107
-  logic and_2781;
-  assign and_2781 = and_2753_s17_q & ($signed(residual_s17_q) < $signed({2'h0, cfg_moved_limit_i}));
+  logic and_2783;
+  assign and_2783 = and_2755_s17_q & ($signed(residual_s17_q) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_2783;
-  assign select_2783 = so_s17_q ? (equal_1699_s17_q ? {and_2781, and_2753_s17_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2791;
-  assign select_2791 = so_s17_q ? (equal_1699_s17_q ? {and_2789_s17_q, and_2753_s17_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2792;
-  assign select_2792 = equal_573_s17_q ? 2'h0 : select_2791;
+  logic [1:0] select_2785;
+  assign select_2785 = so_s17_q ? (equal_1699_s17_q ? {and_2783, and_2755_s17_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2793;
+  assign select_2793 = so_s17_q ? (equal_1699_s17_q ? {and_2791_s17_q, and_2755_s17_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2794;
+  assign select_2794 = equal_573_s17_q ? 2'h0 : select_2793;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2793;
-  assign sum_2793 = registration_half_votes_up_q + {{5{select_2792[1]}}, select_2792};
+  logic [6:0] sum_2795;
+  assign sum_2795 = registration_half_votes_up_q + {{5{select_2794[1]}}, select_2794};
   // hls/stages/registration.hpp:205
-  logic less_2795;
-  assign less_2795 = $signed(residual_s17_q) < $signed({2'h0, cfg_moved_half_limit_i});
+  logic less_2797;
+  assign less_2797 = $signed(residual_s17_q) < $signed({2'h0, cfg_moved_half_limit_i});
   // hls/stages/registration.hpp:107
-  logic and_2796;
-  assign and_2796 = and_2753_s17_q & less_2795;
+  logic and_2798;
+  assign and_2798 = and_2755_s17_q & less_2797;
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_2798;
-  assign select_2798 = so_s17_q ? (equal_1699_s17_q ? {and_2796, and_2753_s17_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2805;
-  assign select_2805 = so_s17_q ? (equal_1699_s17_q ? {and_2803_s17_q, and_2753_s17_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2806;
-  assign select_2806 = equal_573_s17_q ? 2'h0 : select_2805;
+  logic [1:0] select_2800;
+  assign select_2800 = so_s17_q ? (equal_1699_s17_q ? {and_2798, and_2755_s17_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2807;
+  assign select_2807 = so_s17_q ? (equal_1699_s17_q ? {and_2805_s17_q, and_2755_s17_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2808;
+  assign select_2808 = equal_573_s17_q ? 2'h0 : select_2807;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2807;
-  assign sum_2807 = registration_half_half_votes_up_q + {{5{select_2806[1]}}, select_2806};
+  logic [6:0] sum_2809;
+  assign sum_2809 = registration_half_half_votes_up_q + {{5{select_2808[1]}}, select_2808};
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2848;
-  assign select_2848 = or_1641_s17_q ? 12'h0 : (equal_2846_s17_q ? registration_sums_rdata_s17_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1142
   logic [11:0] select_2850;
-  assign select_2850 = equal_1606_s17_q ? 12'h0 : (less_1637_s17_q ? select_2848 : 12'h0);
+  assign select_2850 = or_1641_s17_q ? 12'h0 : (equal_2848_s17_q ? registration_sums_rdata_s17_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:1142
+  logic [11:0] select_2852;
+  assign select_2852 = equal_1606_s17_q ? 12'h0 : (less_1637_s17_q ? select_2850 : 12'h0);
   // hls/stages/registration.hpp:153
-  logic and_2853;
-  assign and_2853 = x_s17_q[1] & all_s17_q;
+  logic and_2855;
+  assign and_2855 = x_s17_q[1] & all_s17_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2856;
-  assign and_2856 = not_1991_s17_q & (less_1637_s17_q & ({and_2853, x_s17_q[0]} == 2'h0));
+  logic and_2858;
+  assign and_2858 = not_1991_s17_q & (less_1637_s17_q & ({and_2855, x_s17_q[0]} == 2'h0));
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2863;
-  assign select_2863 = or_1641_s17_q ? 12'h0 : (equal_2846_s17_q ? registration_sums_rdata_s17_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1142
   logic [11:0] select_2865;
-  assign select_2865 = equal_1606_s17_q ? 12'h0 : (less_1637_s17_q ? select_2863 : 12'h0);
+  assign select_2865 = or_1641_s17_q ? 12'h0 : (equal_2848_s17_q ? registration_sums_rdata_s17_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:1142
+  logic [11:0] select_2867;
+  assign select_2867 = equal_1606_s17_q ? 12'h0 : (less_1637_s17_q ? select_2865 : 12'h0);
   // hls/stages/registration.hpp:150
-  logic not_2871;
-  assign not_2871 = ~all_s17_q;
+  logic not_2873;
+  assign not_2873 = ~all_s17_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2874;
-  assign and_2874 = not_1991_s17_q & (less_1637_s17_q & (x_s17_q[2:0] == {all_s17_q, not_2871, 1'b0}));
+  logic and_2876;
+  assign and_2876 = not_1991_s17_q & (less_1637_s17_q & (x_s17_q[2:0] == {all_s17_q, not_2873, 1'b0}));
   // hls/stages/agreement.hpp:788
-  logic and_2880;
-  assign and_2880 = equal_573_s17_q & (x_s17_q[6] & (not_1991_s17_q & (less_1637_s17_q & all_s17_q)));
+  logic and_2882;
+  assign and_2882 = equal_573_s17_q & (x_s17_q[6] & (not_1991_s17_q & (less_1637_s17_q & all_s17_q)));
   // hls/stages/registration.hpp:157
-  logic equal_2907;
-  assign equal_2907 = x_s17_q[2:0] == 3'h6;
+  logic equal_2909;
+  assign equal_2909 = x_s17_q[2:0] == 3'h6;
   // hls/stages/agreement.hpp:1142
-  logic and_2910;
-  assign and_2910 = not_1991_s17_q & (less_1637_s17_q & (x_s17_q[5] ? x_s17_q[3] : equal_2907));
-  logic and_2919;
-  assign and_2919 = not_1991_s17_q & (less_1637_s17_q & ((~x_s17_q[5]) & (x_s17_q[3] & equal_2907)));
+  logic and_2912;
+  assign and_2912 = not_1991_s17_q & (less_1637_s17_q & (x_s17_q[5] ? x_s17_q[3] : equal_2909));
+  logic and_2921;
+  assign and_2921 = not_1991_s17_q & (less_1637_s17_q & ((~x_s17_q[5]) & (x_s17_q[3] & equal_2909)));
   // hls/stages/agreement.hpp:276
-  logic [7:0] select_3013;
-  assign select_3013 = sample_pair_whole_s17_q ? (equal_1689_s17_q ? patches_place_0_slope_q : select_1803[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3018;
-  assign select_3018 = sample_pair_whole_s17_q ? (equal_1689_s17_q ? patches_place_1_slope_q : select_1831[21:14]) : patches_place_1_slope_q;
+  logic [7:0] select_3015;
+  assign select_3015 = sample_pair_whole_s17_q ? (equal_1689_s17_q ? patches_place_0_slope_q : select_1803[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3020;
+  assign select_3020 = sample_pair_whole_s17_q ? (equal_1689_s17_q ? patches_place_1_slope_q : select_1831[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:185
-  logic [2:0] select_3137;
-  assign select_3137 = equal_1785_s17_q ? 3'h0 : (or_1789_s17_q ? select_3135_s17_q : 3'h0);
+  logic [2:0] select_3139;
+  assign select_3139 = equal_1785_s17_q ? 3'h0 : (or_1789_s17_q ? select_3137_s17_q : 3'h0);
   // hls/stages/patches.hpp:168
-  logic [9:0] sum_3140;
-  assign sum_3140 = {7'h0, patches_set_q} + (equal_1788_s17_q ? 10'h0 : patches_size_q);
+  logic [9:0] sum_3142;
+  assign sum_3142 = {7'h0, patches_set_q} + (equal_1788_s17_q ? 10'h0 : patches_size_q);
   // hls/stages/count_bits.hpp:24
-  logic xor_3220;
-  assign xor_3220 = xor_3207_s17_q ^ xor_3219_s17_q;
+  logic xor_3222;
+  assign xor_3222 = xor_3209_s17_q ^ xor_3221_s17_q;
   // hls/stages/count_bits.hpp:25
-  logic or_3345;
-  assign or_3345 = (xor_3207_s17_q & xor_3219_s17_q) | (xor_3195_s17_q & (xor_3207_s17_q | xor_3219_s17_q));
+  logic or_3347;
+  assign or_3347 = (xor_3209_s17_q & xor_3221_s17_q) | (xor_3197_s17_q & (xor_3209_s17_q | xor_3221_s17_q));
   // hls/stages/patches.hpp:584
-  logic [1:0] sum_3634;
-  assign sum_3634 = {1'b0, not_3630_s17_q} + {1'b0, not_3633_s17_q};
+  logic [1:0] sum_3636;
+  assign sum_3636 = {1'b0, not_3632_s17_q} + {1'b0, not_3635_s17_q};
   // hls/stages/patches.hpp:585
-  logic [1:0] sum_3641;
-  assign sum_3641 = {1'b0, not_3637_s17_q} + {1'b0, not_3640_s17_q};
+  logic [1:0] sum_3643;
+  assign sum_3643 = {1'b0, not_3639_s17_q} + {1'b0, not_3642_s17_q};
   // hls/stages/patches.hpp:584
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3634} + {1'b0, sum_3641};
+  assign fraction = {1'b0, sum_3636} + {1'b0, sum_3643};
   // hls/stages/patches.hpp:598
-  logic [7:0] select_3645;
-  assign select_3645 = patches_second_s17_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  logic [7:0] select_3647;
+  assign select_3647 = patches_second_s17_q ? patches_place_1_slope_q : patches_place_0_slope_q;
   // hls/stages/patches.hpp:597
-  logic [3:0] sum_3646;
-  assign sum_3646 = {2'h0, select_3579_s17_q[14:13]} + 4'hf;
-  logic [5:0] select_3647;
-  assign select_3647 = patches_second_s17_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [6:0] sum_3648;
-  assign sum_3648 = {select_3647[5], select_3647} + {{4{sum_3646[3]}}, sum_3646[3:1]};
+  logic [3:0] sum_3648;
+  assign sum_3648 = {2'h0, select_3581_s17_q[14:13]} + 4'hf;
+  logic [5:0] select_3649;
+  assign select_3649 = patches_second_s17_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [6:0] sum_3650;
+  assign sum_3650 = {select_3649[5], select_3649} + {{4{sum_3648[3]}}, sum_3648[3:1]};
   // hls/stages/agreement.hpp:1188
-  logic or_3922;
-  assign or_3922 = ({counts_textured_s17_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s17_q[13:3] < 11'h5);
+  logic or_3924;
+  assign or_3924 = ({counts_textured_s17_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s17_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1226
   logic too_little;
-  assign too_little = less_3926_s17_q | (product_rest_q & equal_3927_s17_q);
+  assign too_little = less_3928_s17_q | (product_rest_q & equal_3929_s17_q);
   // hls/stages/agreement.hpp:1227
-  logic select_3930;
-  assign select_3930 = and_3925_s17_q ? too_little : disagree_q;
+  logic select_3932;
+  assign select_3932 = and_3927_s17_q ? too_little : disagree_q;
   // hls/stages/agreement.hpp:1135
-  logic [10:0] sum_3933;
-  assign sum_3933 = {1'b0, select_2646_s17_q} + {2'h0, select_2646_s17_q[9:1]};
+  logic [10:0] sum_3935;
+  assign sum_3935 = {1'b0, select_2648_s17_q} + {2'h0, select_2648_s17_q[9:1]};
   // hls/stages/agreement.hpp:788
-  logic select_3986;
-  assign select_3986 = equal_573_s17_q ? (equal_3700_s17_q ? sum_4_s17_q : (product_rest_q | sum_4_s17_q)) : product_rest_q;
-  logic [2:0] select_4004;
-  assign select_4004 = ends_cell_s17_q ? textured_2_s17_q : box_textured_columns_values_0_q;
+  logic select_3988;
+  assign select_3988 = equal_573_s17_q ? (equal_3702_s17_q ? sum_4_s17_q : (product_rest_q | sum_4_s17_q)) : product_rest_q;
   logic [2:0] select_4006;
-  assign select_4006 = equal_573_s17_q ? box_textured_columns_values_0_q : (so_s17_q ? select_4004 : box_textured_columns_values_0_q);
-  logic [2:0] select_4007;
-  assign select_4007 = ends_cell_s17_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  assign select_4006 = ends_cell_s17_q ? textured_2_s17_q : box_textured_columns_values_0_q;
+  logic [2:0] select_4008;
+  assign select_4008 = equal_573_s17_q ? box_textured_columns_values_0_q : (so_s17_q ? select_4006 : box_textured_columns_values_0_q);
   logic [2:0] select_4009;
-  assign select_4009 = equal_573_s17_q ? box_textured_columns_values_1_q : (so_s17_q ? select_4007 : box_textured_columns_values_1_q);
-  logic [2:0] select_4010;
-  assign select_4010 = ends_cell_s17_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  assign select_4009 = ends_cell_s17_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_4011;
+  assign select_4011 = equal_573_s17_q ? box_textured_columns_values_1_q : (so_s17_q ? select_4009 : box_textured_columns_values_1_q);
   logic [2:0] select_4012;
-  assign select_4012 = equal_573_s17_q ? box_textured_columns_values_2_q : (so_s17_q ? select_4010 : box_textured_columns_values_2_q);
-  logic [2:0] select_4013;
-  assign select_4013 = ends_cell_s17_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  assign select_4012 = ends_cell_s17_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_4014;
+  assign select_4014 = equal_573_s17_q ? box_textured_columns_values_2_q : (so_s17_q ? select_4012 : box_textured_columns_values_2_q);
   logic [2:0] select_4015;
-  assign select_4015 = equal_573_s17_q ? box_textured_columns_values_3_q : (so_s17_q ? select_4013 : box_textured_columns_values_3_q);
-  logic [2:0] select_4016;
-  assign select_4016 = ends_cell_s17_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  assign select_4015 = ends_cell_s17_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_4017;
+  assign select_4017 = equal_573_s17_q ? box_textured_columns_values_3_q : (so_s17_q ? select_4015 : box_textured_columns_values_3_q);
   logic [2:0] select_4018;
-  assign select_4018 = equal_573_s17_q ? box_textured_columns_values_4_q : (so_s17_q ? select_4016 : box_textured_columns_values_4_q);
-  logic [4:0] select_4038;
-  assign select_4038 = so_s17_q ? (ends_cell_s17_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_4039;
-  assign select_4039 = equal_573_s17_q ? box_explained_sum_sums_values_0_q : select_4038;
-  logic [4:0] select_4056;
-  assign select_4056 = so_s17_q ? (ends_cell_s17_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [4:0] select_4074;
-  assign select_4074 = so_s17_q ? (ends_cell_s17_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  assign select_4018 = ends_cell_s17_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_4020;
+  assign select_4020 = equal_573_s17_q ? box_textured_columns_values_4_q : (so_s17_q ? select_4018 : box_textured_columns_values_4_q);
+  logic [4:0] select_4040;
+  assign select_4040 = so_s17_q ? (ends_cell_s17_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_4041;
+  assign select_4041 = equal_573_s17_q ? box_explained_sum_sums_values_0_q : select_4040;
+  logic [4:0] select_4058;
+  assign select_4058 = so_s17_q ? (ends_cell_s17_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [4:0] select_4076;
+  assign select_4076 = so_s17_q ? (ends_cell_s17_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:1300
-  logic [3:0] select_4106;
-  assign select_4106 = select_2038_s17_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
+  logic [3:0] select_4108;
+  assign select_4108 = select_2038_s17_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:436
-  logic [7:0] select_4112;
-  assign select_4112 = marks_first_s17_q ? (less_4108 ? {sum_4109, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic [7:0] select_4114;
+  assign select_4114 = marks_first_s17_q ? (less_4110 ? {sum_4111, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4187;
-  assign select_4187 = equal_1628_s17_q ? {2'h0, counts_explained_s17_q, 2'h0, counts_textured_s17_q} : (equal_4185_s17_q ? registration_sums_rdata_s17_q : 32'h0);
-  logic [31:0] select_4188;
-  assign select_4188 = equal_1626_s17_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4187;
+  logic [31:0] select_4189;
+  assign select_4189 = equal_1628_s17_q ? {2'h0, counts_explained_s17_q, 2'h0, counts_textured_s17_q} : (equal_4187_s17_q ? registration_sums_rdata_s17_q : 32'h0);
+  logic [31:0] select_4190;
+  assign select_4190 = equal_1626_s17_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4189;
 
   // Memory regions, write
   logic [5:0] regions_waddr;
@@ -9051,31 +9053,31 @@ module horopter_agreement (
       was_next_row_q <= 1'b0;
       seen_base_q <= 13'h0;
     end else if (s17_en) begin
-      moments_before_0_q <= equal_573_s17_q ? select_2294 : moments_before_0_q;
-      moments_before_1_q <= equal_573_s17_q ? select_2296 : moments_before_1_q;
-      sharpness_before_last_mask_q <= select_2360;
-      counts_supervised_q <= select_2600;
-      counts_nearer_q <= select_2615;
-      counts_turned_left_q <= select_2713;
-      counts_turned_right_q <= select_2720;
-      registration_half_measured_q <= select_2779;
-      registration_half_votes_up_q <= and_2752_s17_q ? 7'h0 : sum_2793;
-      registration_half_half_votes_up_q <= and_2752_s17_q ? 7'h0 : sum_2807;
+      moments_before_0_q <= equal_573_s17_q ? select_2296 : moments_before_0_q;
+      moments_before_1_q <= equal_573_s17_q ? select_2298 : moments_before_1_q;
+      sharpness_before_last_mask_q <= select_2362;
+      counts_supervised_q <= select_2602;
+      counts_nearer_q <= select_2617;
+      counts_turned_left_q <= select_2715;
+      counts_turned_right_q <= select_2722;
+      registration_half_measured_q <= select_2781;
+      registration_half_votes_up_q <= and_2754_s17_q ? 7'h0 : sum_2795;
+      registration_half_half_votes_up_q <= and_2754_s17_q ? 7'h0 : sum_2809;
       patches_place_0_column_q <= sample_pair_whole_s17_q ? select_1804 : patches_place_0_column_q;
       patches_place_0_shift_q <= sample_pair_whole_s17_q ? select_1805 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3013;
+      patches_place_0_slope_q <= select_3015;
       patches_place_1_column_q <= sample_pair_whole_s17_q ? select_1832 : patches_place_1_column_q;
       patches_place_1_shift_q <= sample_pair_whole_s17_q ? select_1833 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3018;
-      patches_set_q <= equal_1783_s17_q ? 3'h0 : select_3137;
-      patches_size_q <= sum_3140;
-      product_rest_q <= select_3986;
-      disagree_q <= equal_573_s17_q ? select_3930 : disagree_q;
+      patches_place_1_slope_q <= select_3020;
+      patches_set_q <= equal_1783_s17_q ? 3'h0 : select_3139;
+      patches_size_q <= sum_3142;
+      product_rest_q <= select_3988;
+      disagree_q <= equal_573_s17_q ? select_3932 : disagree_q;
       began_q <= not_2051 & (began_q | select_2038_s17_q);
       seen_x_q <= select_2038_s17_q ? 4'h0 : (seen_x_q + 4'h1);
-      seen_y_q <= marks_first_s17_q ? 4'h0 : select_4106;
+      seen_y_q <= marks_first_s17_q ? 4'h0 : select_4108;
       seen_column_q <= select_2038_s17_q ? 8'h0 : (seen_column_q + {7'h0, equal_2044});
-      seen_rows_left_q <= select_4112;
+      seen_rows_left_q <= select_4114;
       at_cell_end_q <= (seen_y_q == 4'hf) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
       seen_base_q <= marks_first_s17_q ? 13'h0 : (seen_base_q + {6'h0, select_2041});
@@ -9108,25 +9110,25 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s17_en) begin
-      averager_detail_0_q <= select_2179;
-      averager_detail_1_q <= select_2187;
-      census_columns_values_1_cell_2_mask_q <= select_2220;
-      census_columns_values_2_cell_2_mask_q <= select_2236;
-      census_columns_values_2_cell_3_mask_q <= select_2239;
-      census_columns_values_2_cell_4_mask_q <= select_2242;
-      census_columns_values_3_cell_0_mask_q <= select_2243;
-      census_columns_values_3_cell_1_mask_q <= select_2246;
-      census_columns_values_3_cell_2_mask_q <= select_2247;
-      census_columns_values_3_cell_3_mask_q <= select_2250;
+      averager_detail_0_q <= select_2181;
+      averager_detail_1_q <= select_2189;
+      census_columns_values_1_cell_2_mask_q <= select_2222;
+      census_columns_values_2_cell_2_mask_q <= select_2238;
+      census_columns_values_2_cell_3_mask_q <= select_2241;
+      census_columns_values_2_cell_4_mask_q <= select_2244;
+      census_columns_values_3_cell_0_mask_q <= select_2245;
+      census_columns_values_3_cell_1_mask_q <= select_2248;
+      census_columns_values_3_cell_2_mask_q <= select_2249;
+      census_columns_values_3_cell_3_mask_q <= select_2252;
       sharpness_last_mask_q <= and_548_s17_q ? whole_2_s17_q : sharpness_last_mask_q;
-      box_textured_columns_values_0_q <= select_4006;
-      box_textured_columns_values_1_q <= select_4009;
-      box_textured_columns_values_2_q <= select_4012;
-      box_textured_columns_values_3_q <= select_4015;
-      box_textured_columns_values_4_q <= select_4018;
-      box_explained_sum_sums_values_0_q <= select_4039;
-      box_shown_sum_sums_values_0_q <= equal_573_s17_q ? box_shown_sum_sums_values_0_q : select_4056;
-      box_nearer_sum_sums_values_0_q <= equal_573_s17_q ? box_nearer_sum_sums_values_0_q : select_4074;
+      box_textured_columns_values_0_q <= select_4008;
+      box_textured_columns_values_1_q <= select_4011;
+      box_textured_columns_values_2_q <= select_4014;
+      box_textured_columns_values_3_q <= select_4017;
+      box_textured_columns_values_4_q <= select_4020;
+      box_explained_sum_sums_values_0_q <= select_4041;
+      box_shown_sum_sums_values_0_q <= equal_573_s17_q ? box_shown_sum_sums_values_0_q : select_4058;
+      box_nearer_sum_sums_values_0_q <= equal_573_s17_q ? box_nearer_sum_sums_values_0_q : select_4076;
     end
   end
 
@@ -9163,8 +9165,8 @@ module horopter_agreement (
   logic [13:0] product_s18_q;
   logic centres_values_1_textured_s18_q;
   logic centres_values_1_of_skin_s18_q;
+  logic [2:0] select_507_s18_q;
   logic row_starts_s18_q;
-  logic [2:0] select_508_s18_q;
   logic [6:0] last_s18_q;
   logic and_548_s18_q;
   logic equal_568_s18_q;
@@ -9244,89 +9246,89 @@ module horopter_agreement (
   logic [4:0] around_s18_q;
   logic less_2126_s18_q;
   logic and_2137_s18_q;
-  logic [11:0] sum_2267_s18_q;
-  logic [9:0] sum_2270_s18_q;
-  logic equal_2278_s18_q;
-  logic equal_2293_s18_q;
-  logic [13:0] select_2301_s18_q;
-  logic not_2309_s18_q;
-  logic not_2312_s18_q;
-  logic not_2319_s18_q;
-  logic not_2322_s18_q;
-  logic [27:0] select_2357_s18_q;
-  logic and_2370_s18_q;
-  logic and_2382_s18_q;
-  logic [8:0] select_2389_s18_q;
-  logic [8:0] select_2393_s18_q;
-  logic equal_2396_s18_q;
-  logic less_2397_s18_q;
-  logic [11:0] select_2402_s18_q;
-  logic equal_2440_s18_q;
-  logic equal_2467_s18_q;
-  logic and_2592_s18_q;
-  logic not_2617_s18_q;
+  logic [11:0] sum_2269_s18_q;
+  logic [9:0] sum_2272_s18_q;
+  logic equal_2280_s18_q;
+  logic equal_2295_s18_q;
+  logic [13:0] select_2303_s18_q;
+  logic not_2311_s18_q;
+  logic not_2314_s18_q;
+  logic not_2321_s18_q;
+  logic not_2324_s18_q;
+  logic [27:0] select_2359_s18_q;
+  logic and_2372_s18_q;
+  logic and_2384_s18_q;
+  logic [8:0] select_2391_s18_q;
+  logic [8:0] select_2395_s18_q;
+  logic equal_2398_s18_q;
+  logic less_2399_s18_q;
+  logic [11:0] select_2404_s18_q;
+  logic equal_2442_s18_q;
+  logic equal_2469_s18_q;
+  logic and_2594_s18_q;
+  logic not_2619_s18_q;
   logic [4:0] e_s18_q;
-  logic [9:0] select_2643_s18_q;
-  logic [9:0] select_2646_s18_q;
-  logic and_2694_s18_q;
-  logic and_2752_s18_q;
-  logic [7:0] select_2772_s18_q;
-  logic [1:0] select_2784_s18_q;
-  logic [1:0] select_2799_s18_q;
-  logic [11:0] select_2850_s18_q;
-  logic and_2858_s18_q;
-  logic [11:0] select_2865_s18_q;
-  logic and_2876_s18_q;
-  logic and_2880_s18_q;
-  logic and_2912_s18_q;
-  logic and_2920_s18_q;
-  logic parity_3224_s18_q;
-  logic or_3228_s18_q;
-  logic or_3232_s18_q;
-  logic or_3236_s18_q;
-  logic or_3243_s18_q;
-  logic or_3247_s18_q;
-  logic or_3251_s18_q;
-  logic or_3258_s18_q;
-  logic or_3262_s18_q;
-  logic or_3266_s18_q;
-  logic or_3276_s18_q;
-  logic or_3280_s18_q;
-  logic or_3284_s18_q;
-  logic or_3292_s18_q;
-  logic or_3296_s18_q;
-  logic or_3300_s18_q;
-  logic or_3307_s18_q;
-  logic or_3311_s18_q;
-  logic or_3315_s18_q;
-  logic or_3325_s18_q;
-  logic or_3329_s18_q;
-  logic or_3333_s18_q;
-  logic and_3337_s18_q;
-  logic or_3341_s18_q;
-  logic or_3345_s18_q;
-  logic equal_3460_s18_q;
-  logic [4:0] select_3548_s18_q;
-  logic [12:0] select_3579_s18_q;
-  logic [9:0] select_3589_s18_q;
-  logic less_3622_s18_q;
+  logic [9:0] select_2645_s18_q;
+  logic [9:0] select_2648_s18_q;
+  logic and_2696_s18_q;
+  logic and_2754_s18_q;
+  logic [7:0] select_2774_s18_q;
+  logic [1:0] select_2786_s18_q;
+  logic [1:0] select_2801_s18_q;
+  logic [11:0] select_2852_s18_q;
+  logic and_2860_s18_q;
+  logic [11:0] select_2867_s18_q;
+  logic and_2878_s18_q;
+  logic and_2882_s18_q;
+  logic and_2914_s18_q;
+  logic and_2922_s18_q;
+  logic parity_3226_s18_q;
+  logic or_3230_s18_q;
+  logic or_3234_s18_q;
+  logic or_3238_s18_q;
+  logic or_3245_s18_q;
+  logic or_3249_s18_q;
+  logic or_3253_s18_q;
+  logic or_3260_s18_q;
+  logic or_3264_s18_q;
+  logic or_3268_s18_q;
+  logic or_3278_s18_q;
+  logic or_3282_s18_q;
+  logic or_3286_s18_q;
+  logic or_3294_s18_q;
+  logic or_3298_s18_q;
+  logic or_3302_s18_q;
+  logic or_3309_s18_q;
+  logic or_3313_s18_q;
+  logic or_3317_s18_q;
+  logic or_3327_s18_q;
+  logic or_3331_s18_q;
+  logic or_3335_s18_q;
+  logic and_3339_s18_q;
+  logic or_3343_s18_q;
+  logic or_3347_s18_q;
+  logic equal_3462_s18_q;
+  logic [4:0] select_3550_s18_q;
+  logic [12:0] select_3581_s18_q;
+  logic [9:0] select_3591_s18_q;
+  logic less_3624_s18_q;
   logic [2:0] fraction_s18_q;
-  logic [7:0] select_3645_s18_q;
-  logic sum_3646_s18_q;
-  logic [6:0] sum_3648_s18_q;
-  logic equal_3700_s18_q;
-  logic equal_3919_s18_q;
-  logic or_3922_s18_q;
-  logic select_3930_s18_q;
-  logic not_3935_s18_q;
-  logic equal_3944_s18_q;
+  logic [7:0] select_3647_s18_q;
+  logic sum_3648_s18_q;
+  logic [6:0] sum_3650_s18_q;
+  logic equal_3702_s18_q;
+  logic equal_3921_s18_q;
+  logic or_3924_s18_q;
+  logic select_3932_s18_q;
+  logic not_3937_s18_q;
   logic equal_3946_s18_q;
-  logic equal_3947_s18_q;
   logic equal_3948_s18_q;
   logic equal_3949_s18_q;
-  logic equal_4089_s18_q;
-  logic [31:0] select_4188_s18_q;
-  logic [9:0] select_4195_s18_q;
+  logic equal_3950_s18_q;
+  logic equal_3951_s18_q;
+  logic equal_4091_s18_q;
+  logic [31:0] select_4190_s18_q;
+  logic [9:0] select_4197_s18_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s18_q <= pixel_0_s17_q;
@@ -9362,8 +9364,8 @@ module horopter_agreement (
       product_s18_q <= product_s17_q;
       centres_values_1_textured_s18_q <= centres_values_1_textured_s17_q;
       centres_values_1_of_skin_s18_q <= centres_values_1_of_skin_s17_q;
+      select_507_s18_q <= select_507_s17_q[2:0];
       row_starts_s18_q <= row_starts_s17_q;
-      select_508_s18_q <= select_508_s17_q[2:0];
       last_s18_q <= last_s17_q;
       and_548_s18_q <= and_548_s17_q;
       equal_568_s18_q <= equal_568_s17_q;
@@ -9422,7 +9424,7 @@ module horopter_agreement (
       equal_1783_s18_q <= equal_1783_s17_q;
       equal_1785_s18_q <= equal_1785_s17_q;
       select_1799_s18_q <= select_1799_s17_q[0];
-      sum_1802_s18_q <= {1'b0, select_542_s17_q, select_508_s17_q[3]} + 9'h1;
+      sum_1802_s18_q <= {1'b0, select_542_s17_q, select_507_s17_q[3]} + 9'h1;
       sum_1806_s18_q <= {1'b0, select_1804} + {{3{select_1805[5]}}, select_1805};
       select_1813_s18_q <= select_1813_s17_q;
       select_1819_s18_q <= select_1819_s17_q;
@@ -9443,89 +9445,89 @@ module horopter_agreement (
       around_s18_q <= around;
       less_2126_s18_q <= {1'b0, around[4:1]} < n;
       and_2137_s18_q <= and_2137_s17_q;
-      sum_2267_s18_q <= {1'b0, sum_2263} + {2'h0, sum_2266_s17_q};
-      sum_2270_s18_q <= sum_2270_s17_q;
-      equal_2278_s18_q <= equal_2278_s17_q;
-      equal_2293_s18_q <= equal_2293_s17_q;
-      select_2301_s18_q <= (select_2296 < select_2294) ? select_2294 : select_2296;
-      not_2309_s18_q <= ~({3'h0, counts_turned_left_q[13:2]} < sum_2307);
-      not_2312_s18_q <= ~({3'h0, select_2296[13:2]} < sum_2307);
-      not_2319_s18_q <= ~({3'h0, counts_turned_right_q[13:2]} < sum_2317);
-      not_2322_s18_q <= ~({3'h0, select_2294[13:2]} < sum_2317);
-      select_2357_s18_q <= sample_pair_whole_s17_q ? {detail_2, detail} : 28'h0;
-      and_2370_s18_q <= and_2370;
-      and_2382_s18_q <= and_2382;
-      select_2389_s18_q <= and_2370 ? contrast_s17_q : 9'h0;
-      select_2393_s18_q <= and_2382 ? contrast_2_s17_q : 9'h0;
-      equal_2396_s18_q <= x_s17_q[7:3] == 5'h0;
-      less_2397_s18_q <= 7'h2 < {x_s17_q[4:0], slot_s17_q[2:1]};
-      select_2402_s18_q <= select_2402;
-      equal_2440_s18_q <= {x_s17_q[4:0], slot_s17_q} == 8'h0;
-      equal_2467_s18_q <= equal_2467_s17_q;
-      and_2592_s18_q <= and_2592_s17_q;
-      not_2617_s18_q <= not_2617_s17_q;
+      sum_2269_s18_q <= {1'b0, sum_2265} + {2'h0, sum_2268_s17_q};
+      sum_2272_s18_q <= sum_2272_s17_q;
+      equal_2280_s18_q <= equal_2280_s17_q;
+      equal_2295_s18_q <= equal_2295_s17_q;
+      select_2303_s18_q <= (select_2298 < select_2296) ? select_2296 : select_2298;
+      not_2311_s18_q <= ~({3'h0, counts_turned_left_q[13:2]} < sum_2309);
+      not_2314_s18_q <= ~({3'h0, select_2298[13:2]} < sum_2309);
+      not_2321_s18_q <= ~({3'h0, counts_turned_right_q[13:2]} < sum_2319);
+      not_2324_s18_q <= ~({3'h0, select_2296[13:2]} < sum_2319);
+      select_2359_s18_q <= sample_pair_whole_s17_q ? {detail_2, detail} : 28'h0;
+      and_2372_s18_q <= and_2372;
+      and_2384_s18_q <= and_2384;
+      select_2391_s18_q <= and_2372 ? contrast_s17_q : 9'h0;
+      select_2395_s18_q <= and_2384 ? contrast_2_s17_q : 9'h0;
+      equal_2398_s18_q <= x_s17_q[7:3] == 5'h0;
+      less_2399_s18_q <= 7'h2 < {x_s17_q[4:0], slot_s17_q[2:1]};
+      select_2404_s18_q <= select_2404;
+      equal_2442_s18_q <= {x_s17_q[4:0], slot_s17_q} == 8'h0;
+      equal_2469_s18_q <= equal_2469_s17_q;
+      and_2594_s18_q <= and_2594_s17_q;
+      not_2619_s18_q <= not_2619_s17_q;
       e_s18_q <= e;
-      select_2643_s18_q <= select_2643_s17_q;
-      select_2646_s18_q <= select_2646_s17_q;
-      and_2694_s18_q <= and_2694_s17_q;
-      and_2752_s18_q <= and_2752_s17_q;
-      select_2772_s18_q <= equal_573_s17_q ? 8'h0 : (so_s17_q ? select_2770 : 8'h0);
-      select_2784_s18_q <= equal_573_s17_q ? 2'h0 : select_2783;
-      select_2799_s18_q <= equal_573_s17_q ? 2'h0 : select_2798;
-      select_2850_s18_q <= select_2850;
-      and_2858_s18_q <= equal_573_s17_q & (x_s17_q[6] & and_2856);
-      select_2865_s18_q <= select_2865;
-      and_2876_s18_q <= equal_573_s17_q & (x_s17_q[6] & and_2874);
-      and_2880_s18_q <= and_2880;
-      and_2912_s18_q <= equal_573_s17_q & (x_s17_q[6] & and_2910);
-      and_2920_s18_q <= x_s17_q[6] & and_2919;
-      parity_3224_s18_q <= ^{xor_3220, xor_3183_s17_q, select_3150_s17_q, other_s17_q};
-      or_3228_s18_q <= or_3228_s17_q;
-      or_3232_s18_q <= or_3232_s17_q;
-      or_3236_s18_q <= or_3236_s17_q;
-      or_3243_s18_q <= or_3243_s17_q;
-      or_3247_s18_q <= or_3247_s17_q;
-      or_3251_s18_q <= or_3251_s17_q;
-      or_3258_s18_q <= or_3258_s17_q;
-      or_3262_s18_q <= or_3262_s17_q;
-      or_3266_s18_q <= or_3266_s17_q;
-      or_3276_s18_q <= or_3276_s17_q;
-      or_3280_s18_q <= or_3280_s17_q;
-      or_3284_s18_q <= or_3284_s17_q;
-      or_3292_s18_q <= or_3292_s17_q;
-      or_3296_s18_q <= or_3296_s17_q;
-      or_3300_s18_q <= or_3300_s17_q;
-      or_3307_s18_q <= or_3307_s17_q;
-      or_3311_s18_q <= or_3311_s17_q;
-      or_3315_s18_q <= or_3315_s17_q;
-      or_3325_s18_q <= or_3325_s17_q;
-      or_3329_s18_q <= or_3329_s17_q;
-      or_3333_s18_q <= or_3333_s17_q;
-      and_3337_s18_q <= xor_3183_s17_q & (^{xor_3220, select_3150_s17_q, other_s17_q});
-      or_3341_s18_q <= and_3338_s17_q | (xor_3165_s17_q & or_3339_s17_q);
-      or_3345_s18_q <= or_3345;
-      equal_3460_s18_q <= equal_3460_s17_q;
-      select_3548_s18_q <= select_3548_s17_q;
-      select_3579_s18_q <= select_3579_s17_q[12:0];
-      select_3589_s18_q <= select_3589_s17_q;
-      less_3622_s18_q <= less_3622_s17_q;
+      select_2645_s18_q <= select_2645_s17_q;
+      select_2648_s18_q <= select_2648_s17_q;
+      and_2696_s18_q <= and_2696_s17_q;
+      and_2754_s18_q <= and_2754_s17_q;
+      select_2774_s18_q <= equal_573_s17_q ? 8'h0 : (so_s17_q ? select_2772 : 8'h0);
+      select_2786_s18_q <= equal_573_s17_q ? 2'h0 : select_2785;
+      select_2801_s18_q <= equal_573_s17_q ? 2'h0 : select_2800;
+      select_2852_s18_q <= select_2852;
+      and_2860_s18_q <= equal_573_s17_q & (x_s17_q[6] & and_2858);
+      select_2867_s18_q <= select_2867;
+      and_2878_s18_q <= equal_573_s17_q & (x_s17_q[6] & and_2876);
+      and_2882_s18_q <= and_2882;
+      and_2914_s18_q <= equal_573_s17_q & (x_s17_q[6] & and_2912);
+      and_2922_s18_q <= x_s17_q[6] & and_2921;
+      parity_3226_s18_q <= ^{xor_3222, xor_3185_s17_q, select_3152_s17_q, other_s17_q};
+      or_3230_s18_q <= or_3230_s17_q;
+      or_3234_s18_q <= or_3234_s17_q;
+      or_3238_s18_q <= or_3238_s17_q;
+      or_3245_s18_q <= or_3245_s17_q;
+      or_3249_s18_q <= or_3249_s17_q;
+      or_3253_s18_q <= or_3253_s17_q;
+      or_3260_s18_q <= or_3260_s17_q;
+      or_3264_s18_q <= or_3264_s17_q;
+      or_3268_s18_q <= or_3268_s17_q;
+      or_3278_s18_q <= or_3278_s17_q;
+      or_3282_s18_q <= or_3282_s17_q;
+      or_3286_s18_q <= or_3286_s17_q;
+      or_3294_s18_q <= or_3294_s17_q;
+      or_3298_s18_q <= or_3298_s17_q;
+      or_3302_s18_q <= or_3302_s17_q;
+      or_3309_s18_q <= or_3309_s17_q;
+      or_3313_s18_q <= or_3313_s17_q;
+      or_3317_s18_q <= or_3317_s17_q;
+      or_3327_s18_q <= or_3327_s17_q;
+      or_3331_s18_q <= or_3331_s17_q;
+      or_3335_s18_q <= or_3335_s17_q;
+      and_3339_s18_q <= xor_3185_s17_q & (^{xor_3222, select_3152_s17_q, other_s17_q});
+      or_3343_s18_q <= and_3340_s17_q | (xor_3167_s17_q & or_3341_s17_q);
+      or_3347_s18_q <= or_3347;
+      equal_3462_s18_q <= equal_3462_s17_q;
+      select_3550_s18_q <= select_3550_s17_q;
+      select_3581_s18_q <= select_3581_s17_q[12:0];
+      select_3591_s18_q <= select_3591_s17_q;
+      less_3624_s18_q <= less_3624_s17_q;
       fraction_s18_q <= fraction;
-      select_3645_s18_q <= select_3645;
-      sum_3646_s18_q <= sum_3646[0];
-      sum_3648_s18_q <= sum_3648;
-      equal_3700_s18_q <= equal_3700_s17_q;
-      equal_3919_s18_q <= select_2643_s17_q[9:3] == 7'h0;
-      or_3922_s18_q <= or_3922;
-      select_3930_s18_q <= select_3930;
-      not_3935_s18_q <= ~({sum_3933, select_2646_s17_q[0]} < {2'h0, select_2643_s17_q});
-      equal_3944_s18_q <= equal_3944_s17_q;
+      select_3647_s18_q <= select_3647;
+      sum_3648_s18_q <= sum_3648[0];
+      sum_3650_s18_q <= sum_3650;
+      equal_3702_s18_q <= equal_3702_s17_q;
+      equal_3921_s18_q <= select_2645_s17_q[9:3] == 7'h0;
+      or_3924_s18_q <= or_3924;
+      select_3932_s18_q <= select_3932;
+      not_3937_s18_q <= ~({sum_3935, select_2648_s17_q[0]} < {2'h0, select_2645_s17_q});
       equal_3946_s18_q <= equal_3946_s17_q;
-      equal_3947_s18_q <= equal_3947_s17_q;
       equal_3948_s18_q <= equal_3948_s17_q;
       equal_3949_s18_q <= equal_3949_s17_q;
-      equal_4089_s18_q <= equal_4089_s17_q;
-      select_4188_s18_q <= select_4188;
-      select_4195_s18_q <= select_4195_s17_q;
+      equal_3950_s18_q <= equal_3950_s17_q;
+      equal_3951_s18_q <= equal_3951_s17_q;
+      equal_4091_s18_q <= equal_4091_s17_q;
+      select_4190_s18_q <= select_4190;
+      select_4197_s18_q <= select_4197_s17_q;
     end
   end
 
@@ -9593,13 +9595,13 @@ module horopter_agreement (
   assign select_1801 = equal_1689_s18_q ? patches_place_0_valid_q : (select_1688_s18_q ? patches_place_0_valid_q : select_1799_s18_q);
   // hls/stages/patches.hpp:132
   logic equal_1807;
-  assign equal_1807 = {sum_1806_s18_q, sum_1802_s18_q[0], select_508_s18_q} == {1'b0, sum_1802_s18_q[8:1], 4'h0};
+  assign equal_1807 = {sum_1806_s18_q, sum_1802_s18_q[0], select_507_s18_q} == {1'b0, sum_1802_s18_q[8:1], 4'h0};
   // hls/stages/patches.hpp:127
   logic select_1830;
   assign select_1830 = equal_1689_s18_q ? patches_place_1_valid_q : (select_1688_s18_q ? select_1799_s18_q : patches_place_1_valid_q);
   // hls/stages/patches.hpp:132
   logic equal_1835;
-  assign equal_1835 = {sum_1834_s18_q[8], sum_1802_s18_q, select_508_s18_q} == {1'b0, sum_1834_s18_q[7:0], 4'h0};
+  assign equal_1835 = {sum_1834_s18_q[8], sum_1802_s18_q, select_507_s18_q} == {1'b0, sum_1834_s18_q[7:0], 4'h0};
   // hls/stages/agreement.hpp:1308
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
@@ -9625,209 +9627,209 @@ module horopter_agreement (
   logic [5:0] sum_2110;
   assign sum_2110 = {1'b0, around_s18_q} + {2'h0, around_s18_q[4:1]};
   // hls/stages/agreement.hpp:520
-  logic select_2251;
-  assign select_2251 = and_548_s18_q ? census_columns_values_2_cell_4_mask_s18_q : census_columns_values_3_cell_4_mask_q;
+  logic select_2253;
+  assign select_2253 = and_548_s18_q ? census_columns_values_2_cell_4_mask_s18_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:286
-  logic [11:0] sum_2271;
-  assign sum_2271 = sum_2267_s18_q + {2'h0, sum_2270_s18_q};
+  logic [11:0] sum_2273;
+  assign sum_2273 = sum_2269_s18_q + {2'h0, sum_2272_s18_q};
   // hls/stages/agreement.hpp:520
-  logic [11:0] select_2273;
-  assign select_2273 = and_548_s18_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2274;
-  assign select_2274 = and_548_s18_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2275;
+  assign select_2275 = and_548_s18_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2276;
+  assign select_2276 = and_548_s18_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2303;
-  assign sum_2303 = {1'b0, moments_most_before_q} + 15'h3;
+  logic [14:0] sum_2305;
+  assign sum_2305 = {1'b0, moments_most_before_q} + 15'h3;
   // hls/stages/agreement.hpp:520
-  logic [13:0] select_2358;
-  assign select_2358 = and_548_s18_q ? select_2357_s18_q[13:0] : sharpness_last_detail_0_q;
-  logic [13:0] select_2359;
-  assign select_2359 = and_548_s18_q ? select_2357_s18_q[27:14] : sharpness_last_detail_1_q;
+  logic [13:0] select_2360;
+  assign select_2360 = and_548_s18_q ? select_2359_s18_q[13:0] : sharpness_last_detail_0_q;
+  logic [13:0] select_2361;
+  assign select_2361 = and_548_s18_q ? select_2359_s18_q[27:14] : sharpness_last_detail_1_q;
   // hls/stages/census.hpp:372
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2357_s18_q[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2359_s18_q[13:0]};
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2357_s18_q[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2359_s18_q[27:14]};
   // hls/stages/census.hpp:375
-  logic [23:0] sum_2390;
-  assign sum_2390 = (equal_2278_s18_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2389_s18_q};
-  logic [23:0] sum_2394;
-  assign sum_2394 = (equal_2278_s18_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2393_s18_q};
+  logic [23:0] sum_2392;
+  assign sum_2392 = (equal_2280_s18_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2391_s18_q};
+  logic [23:0] sum_2396;
+  assign sum_2396 = (equal_2280_s18_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2395_s18_q};
   // hls/stages/census.hpp:427
-  logic less_2398;
-  assign less_2398 = x_s18_q[4:0] < 5'h3;
-  logic [23:0] select_2403;
-  assign select_2403 = slot_s18_q ? {select_2402_s18_q[11], 1'b0, select_2402_s18_q[10], 1'b0, select_2402_s18_q[9], 1'b0, select_2402_s18_q[8], 1'b0, select_2402_s18_q[7], 1'b0, select_2402_s18_q[6], 1'b0, select_2402_s18_q[5], 1'b0, select_2402_s18_q[4], 1'b0, select_2402_s18_q[3], 1'b0, select_2402_s18_q[2], 1'b0, select_2402_s18_q[1], 1'b0, select_2402_s18_q[0], 1'b0} : {1'b0, select_2402_s18_q[11], 1'b0, select_2402_s18_q[10], 1'b0, select_2402_s18_q[9], 1'b0, select_2402_s18_q[8], 1'b0, select_2402_s18_q[7], 1'b0, select_2402_s18_q[6], 1'b0, select_2402_s18_q[5], 1'b0, select_2402_s18_q[4], 1'b0, select_2402_s18_q[3], 1'b0, select_2402_s18_q[2], 1'b0, select_2402_s18_q[1], 1'b0, select_2402_s18_q[0]};
+  logic less_2400;
+  assign less_2400 = x_s18_q[4:0] < 5'h3;
+  logic [23:0] select_2405;
+  assign select_2405 = slot_s18_q ? {select_2404_s18_q[11], 1'b0, select_2404_s18_q[10], 1'b0, select_2404_s18_q[9], 1'b0, select_2404_s18_q[8], 1'b0, select_2404_s18_q[7], 1'b0, select_2404_s18_q[6], 1'b0, select_2404_s18_q[5], 1'b0, select_2404_s18_q[4], 1'b0, select_2404_s18_q[3], 1'b0, select_2404_s18_q[2], 1'b0, select_2404_s18_q[1], 1'b0, select_2404_s18_q[0], 1'b0} : {1'b0, select_2404_s18_q[11], 1'b0, select_2404_s18_q[10], 1'b0, select_2404_s18_q[9], 1'b0, select_2404_s18_q[8], 1'b0, select_2404_s18_q[7], 1'b0, select_2404_s18_q[6], 1'b0, select_2404_s18_q[5], 1'b0, select_2404_s18_q[4], 1'b0, select_2404_s18_q[3], 1'b0, select_2404_s18_q[2], 1'b0, select_2404_s18_q[1], 1'b0, select_2404_s18_q[0]};
   // hls/stages/census.hpp:390
-  logic and_2407;
-  assign and_2407 = less_2398 & (~((sharpness_sums_contrast_1_q & select_2403) == 24'h0));
-  logic and_2417;
-  assign and_2417 = less_2398 & (~((sharpness_sums_contrast_0_q & select_2403) == 24'h0));
+  logic and_2409;
+  assign and_2409 = less_2400 & (~((sharpness_sums_contrast_1_q & select_2405) == 24'h0));
+  logic and_2419;
+  assign and_2419 = less_2400 & (~((sharpness_sums_contrast_0_q & select_2405) == 24'h0));
   // hls/stages/agreement.hpp:1102
-  logic [5:0] sum_2630;
-  assign sum_2630 = {1'b0, e_s18_q} + {2'h0, e_s18_q[4:1]};
+  logic [5:0] sum_2632;
+  assign sum_2632 = {1'b0, e_s18_q} + {2'h0, e_s18_q[4:1]};
   // hls/stages/agreement.hpp:1133
-  logic [10:0] sum_2647;
-  assign sum_2647 = {1'b0, select_2646_s18_q} + {3'h0, select_2646_s18_q[9:2]};
+  logic [10:0] sum_2649;
+  assign sum_2649 = {1'b0, select_2648_s18_q} + {3'h0, select_2648_s18_q[9:2]};
   // hls/stages/registration.hpp:133
-  logic [13:0] sum_2773;
-  assign sum_2773 = registration_half_across_q + {{6{select_2772_s18_q[7]}}, select_2772_s18_q};
+  logic [13:0] sum_2775;
+  assign sum_2775 = registration_half_across_q + {{6{select_2774_s18_q[7]}}, select_2774_s18_q};
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2785;
-  assign sum_2785 = registration_half_votes_down_q + {{5{select_2784_s18_q[1]}}, select_2784_s18_q};
-  logic [6:0] sum_2800;
-  assign sum_2800 = registration_half_half_votes_down_q + {{5{select_2799_s18_q[1]}}, select_2799_s18_q};
+  logic [6:0] sum_2787;
+  assign sum_2787 = registration_half_votes_down_q + {{5{select_2786_s18_q[1]}}, select_2786_s18_q};
+  logic [6:0] sum_2802;
+  assign sum_2802 = registration_half_half_votes_down_q + {{5{select_2801_s18_q[1]}}, select_2801_s18_q};
   // hls/stages/agreement.hpp:788
-  logic and_2841;
-  assign and_2841 = equal_573_s18_q & (x_s18_q[6] & (not_1991_s18_q & less_1637_s18_q));
-  logic [11:0] select_2852;
-  assign select_2852 = equal_573_s18_q ? (x_s18_q[6] ? select_2850_s18_q : 12'h0) : 12'h0;
+  logic and_2843;
+  assign and_2843 = equal_573_s18_q & (x_s18_q[6] & (not_1991_s18_q & less_1637_s18_q));
+  logic [11:0] select_2854;
+  assign select_2854 = equal_573_s18_q ? (x_s18_q[6] ? select_2852_s18_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_2860;
-  assign sum_2860 = {{2{select_2852[11]}}, select_2852} + (and_2858_s18_q ? 14'h0 : registration_down_q);
+  logic [13:0] sum_2862;
+  assign sum_2862 = {{2{select_2854[11]}}, select_2854} + (and_2860_s18_q ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:788
-  logic [11:0] select_2867;
-  assign select_2867 = equal_573_s18_q ? (x_s18_q[6] ? select_2865_s18_q : 12'h0) : 12'h0;
+  logic [11:0] select_2869;
+  assign select_2869 = equal_573_s18_q ? (x_s18_q[6] ? select_2867_s18_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_2869;
-  assign sum_2869 = {{2{select_2867[11]}}, select_2867} + (and_2858_s18_q ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2871;
+  assign sum_2871 = {{2{select_2869[11]}}, select_2869} + (and_2860_s18_q ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:246
-  logic not_2881;
-  assign not_2881 = ~and_2880_s18_q;
-  logic less_2882;
-  assign less_2882 = $signed({9'h1, {2{not_2881}}, and_2880_s18_q}) < $signed(registration_up_q[13:2]);
-  logic select_2883;
-  assign select_2883 = and_2876_s18_q ? less_2882 : registration_enough_q;
+  logic not_2883;
+  assign not_2883 = ~and_2882_s18_q;
+  logic less_2884;
+  assign less_2884 = $signed({9'h1, {2{not_2883}}, and_2882_s18_q}) < $signed(registration_up_q[13:2]);
+  logic select_2885;
+  assign select_2885 = and_2878_s18_q ? less_2884 : registration_enough_q;
   // hls/stages/agreement.hpp:1142
-  logic and_2887;
-  assign and_2887 = x_s18_q[6] & (not_1991_s18_q & (less_1637_s18_q & (x_s18_q[2:0] == 3'h4)));
+  logic and_2889;
+  assign and_2889 = x_s18_q[6] & (not_1991_s18_q & (less_1637_s18_q & (x_s18_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:788
-  logic and_2888;
-  assign and_2888 = equal_573_s18_q & and_2887;
+  logic and_2890;
+  assign and_2890 = equal_573_s18_q & and_2889;
   // hls/stages/registration.hpp:242
-  logic less_2889;
-  assign less_2889 = $signed(14'h0) < $signed(registration_down_q);
   logic less_2891;
-  assign less_2891 = $signed(14'h0) < $signed(registration_up_q);
+  assign less_2891 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2893;
+  assign less_2893 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_2893;
-  assign equal_2893 = x_s18_q[2:0] == 3'h7;
+  logic equal_2895;
+  assign equal_2895 = x_s18_q[2:0] == 3'h7;
   // hls/stages/agreement.hpp:788
-  logic and_2897;
-  assign and_2897 = equal_573_s18_q & (x_s18_q[6] & (not_1991_s18_q & (less_1637_s18_q & equal_2893)));
+  logic and_2899;
+  assign and_2899 = equal_573_s18_q & (x_s18_q[6] & (not_1991_s18_q & (less_1637_s18_q & equal_2895)));
   // hls/stages/agreement.hpp:1142
-  logic and_2904;
-  assign and_2904 = x_s18_q[6] & (not_1991_s18_q & (less_1637_s18_q & (x_s18_q[5:0] == 6'h0)));
+  logic and_2906;
+  assign and_2906 = x_s18_q[6] & (not_1991_s18_q & (less_1637_s18_q & (x_s18_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:244
-  logic and_2922;
-  assign and_2922 = registration_votes_up_q & registration_other_down_q;
-  logic select_2924;
-  assign select_2924 = registration_votes_down_q ? (registration_other_up_q | and_2922) : and_2922;
+  logic and_2924;
+  assign and_2924 = registration_votes_up_q & registration_other_down_q;
+  logic select_2926;
+  assign select_2926 = registration_votes_down_q ? (registration_other_up_q | and_2924) : and_2924;
   // hls/stages/registration.hpp:138
-  logic and_2926;
-  assign and_2926 = (equal_573_s18_q & and_2920_s18_q) & (registration_other_enough_q & select_2924);
   logic and_2928;
-  assign and_2928 = registration_enough_q & ((and_2912_s18_q & (less_2891 | less_2889)) | and_2926);
+  assign and_2928 = (equal_573_s18_q & and_2922_s18_q) & (registration_other_enough_q & select_2926);
+  logic and_2930;
+  assign and_2930 = registration_enough_q & ((and_2914_s18_q & (less_2893 | less_2891)) | and_2928);
   // hls/stages/count_bits.hpp:24
-  logic parity_3254;
-  assign parity_3254 = ^{or_3251_s18_q, or_3247_s18_q, or_3243_s18_q};
-  logic parity_3269;
-  assign parity_3269 = ^{or_3266_s18_q, or_3262_s18_q, or_3258_s18_q};
-  logic parity_3272;
-  assign parity_3272 = ^{or_3266_s18_q, or_3262_s18_q, or_3258_s18_q, or_3251_s18_q, or_3247_s18_q, or_3243_s18_q, or_3236_s18_q, or_3232_s18_q, or_3228_s18_q};
-  logic parity_3303;
-  assign parity_3303 = ^{or_3300_s18_q, or_3296_s18_q, or_3292_s18_q};
-  logic parity_3318;
-  assign parity_3318 = ^{or_3315_s18_q, or_3311_s18_q, or_3307_s18_q};
-  logic parity_3321;
-  assign parity_3321 = ^{or_3315_s18_q, or_3311_s18_q, or_3307_s18_q, or_3300_s18_q, or_3296_s18_q, or_3292_s18_q, or_3284_s18_q, or_3280_s18_q, or_3276_s18_q};
-  logic parity_3336;
-  assign parity_3336 = ^{or_3333_s18_q, or_3329_s18_q, or_3325_s18_q};
-  logic parity_3348;
-  assign parity_3348 = ^{or_3345_s18_q, or_3341_s18_q, and_3337_s18_q};
-  logic parity_3351;
-  assign parity_3351 = ^{or_3345_s18_q, or_3341_s18_q, and_3337_s18_q, or_3333_s18_q, or_3329_s18_q, or_3325_s18_q, or_3315_s18_q, or_3311_s18_q, or_3307_s18_q, or_3300_s18_q, or_3296_s18_q, or_3292_s18_q, or_3284_s18_q, or_3280_s18_q, or_3276_s18_q};
+  logic parity_3256;
+  assign parity_3256 = ^{or_3253_s18_q, or_3249_s18_q, or_3245_s18_q};
+  logic parity_3271;
+  assign parity_3271 = ^{or_3268_s18_q, or_3264_s18_q, or_3260_s18_q};
+  logic parity_3274;
+  assign parity_3274 = ^{or_3268_s18_q, or_3264_s18_q, or_3260_s18_q, or_3253_s18_q, or_3249_s18_q, or_3245_s18_q, or_3238_s18_q, or_3234_s18_q, or_3230_s18_q};
+  logic parity_3305;
+  assign parity_3305 = ^{or_3302_s18_q, or_3298_s18_q, or_3294_s18_q};
+  logic parity_3320;
+  assign parity_3320 = ^{or_3317_s18_q, or_3313_s18_q, or_3309_s18_q};
+  logic parity_3323;
+  assign parity_3323 = ^{or_3317_s18_q, or_3313_s18_q, or_3309_s18_q, or_3302_s18_q, or_3298_s18_q, or_3294_s18_q, or_3286_s18_q, or_3282_s18_q, or_3278_s18_q};
+  logic parity_3338;
+  assign parity_3338 = ^{or_3335_s18_q, or_3331_s18_q, or_3327_s18_q};
+  logic parity_3350;
+  assign parity_3350 = ^{or_3347_s18_q, or_3343_s18_q, and_3339_s18_q};
   logic parity_3353;
-  assign parity_3353 = ^{or_3345_s18_q, or_3341_s18_q, and_3337_s18_q, or_3333_s18_q, or_3329_s18_q, or_3325_s18_q, or_3315_s18_q, or_3311_s18_q, or_3307_s18_q, or_3300_s18_q, or_3296_s18_q, or_3292_s18_q, or_3284_s18_q, or_3280_s18_q, or_3276_s18_q, or_3266_s18_q, or_3262_s18_q, or_3258_s18_q, or_3251_s18_q, or_3247_s18_q, or_3243_s18_q, or_3236_s18_q, or_3232_s18_q, or_3228_s18_q};
+  assign parity_3353 = ^{or_3347_s18_q, or_3343_s18_q, and_3339_s18_q, or_3335_s18_q, or_3331_s18_q, or_3327_s18_q, or_3317_s18_q, or_3313_s18_q, or_3309_s18_q, or_3302_s18_q, or_3298_s18_q, or_3294_s18_q, or_3286_s18_q, or_3282_s18_q, or_3278_s18_q};
+  logic parity_3355;
+  assign parity_3355 = ^{or_3347_s18_q, or_3343_s18_q, and_3339_s18_q, or_3335_s18_q, or_3331_s18_q, or_3327_s18_q, or_3317_s18_q, or_3313_s18_q, or_3309_s18_q, or_3302_s18_q, or_3298_s18_q, or_3294_s18_q, or_3286_s18_q, or_3282_s18_q, or_3278_s18_q, or_3268_s18_q, or_3264_s18_q, or_3260_s18_q, or_3253_s18_q, or_3249_s18_q, or_3245_s18_q, or_3238_s18_q, or_3234_s18_q, or_3230_s18_q};
   // hls/stages/count_bits.hpp:25
-  logic and_3354;
-  assign and_3354 = parity_3272 & parity_3351;
-  logic and_3357;
-  assign and_3357 = (^{or_3236_s18_q, or_3232_s18_q, or_3228_s18_q}) & (parity_3254 | parity_3269);
-  logic or_3358;
-  assign or_3358 = (parity_3254 & parity_3269) | and_3357;
-  logic or_3362;
-  assign or_3362 = (parity_3336 & parity_3348) | (parity_3321 & (parity_3336 | parity_3348));
-  logic and_3368;
-  assign and_3368 = (^{or_3284_s18_q, or_3280_s18_q, or_3276_s18_q}) & (parity_3303 | parity_3318);
-  logic or_3369;
-  assign or_3369 = (parity_3303 & parity_3318) | and_3368;
-  logic or_3373;
-  assign or_3373 = (or_3329_s18_q & or_3333_s18_q) | (or_3325_s18_q & (or_3329_s18_q | or_3333_s18_q));
-  logic or_3377;
-  assign or_3377 = (or_3341_s18_q & or_3345_s18_q) | (and_3337_s18_q & (or_3341_s18_q | or_3345_s18_q));
+  logic and_3356;
+  assign and_3356 = parity_3274 & parity_3353;
+  logic and_3359;
+  assign and_3359 = (^{or_3238_s18_q, or_3234_s18_q, or_3230_s18_q}) & (parity_3256 | parity_3271);
+  logic or_3360;
+  assign or_3360 = (parity_3256 & parity_3271) | and_3359;
+  logic or_3364;
+  assign or_3364 = (parity_3338 & parity_3350) | (parity_3323 & (parity_3338 | parity_3350));
+  logic and_3370;
+  assign and_3370 = (^{or_3286_s18_q, or_3282_s18_q, or_3278_s18_q}) & (parity_3305 | parity_3320);
+  logic or_3371;
+  assign or_3371 = (parity_3305 & parity_3320) | and_3370;
+  logic or_3375;
+  assign or_3375 = (or_3331_s18_q & or_3335_s18_q) | (or_3327_s18_q & (or_3331_s18_q | or_3335_s18_q));
+  logic or_3379;
+  assign or_3379 = (or_3343_s18_q & or_3347_s18_q) | (and_3339_s18_q & (or_3343_s18_q | or_3347_s18_q));
   // hls/stages/count_bits.hpp:23
-  logic or_3384;
-  assign or_3384 = (or_3280_s18_q & or_3284_s18_q) | (or_3276_s18_q & (or_3280_s18_q | or_3284_s18_q));
+  logic or_3386;
+  assign or_3386 = (or_3282_s18_q & or_3286_s18_q) | (or_3278_s18_q & (or_3282_s18_q | or_3286_s18_q));
   // hls/stages/count_bits.hpp:25
-  logic or_3388;
-  assign or_3388 = (or_3296_s18_q & or_3300_s18_q) | (or_3292_s18_q & (or_3296_s18_q | or_3300_s18_q));
-  logic or_3392;
-  assign or_3392 = (or_3311_s18_q & or_3315_s18_q) | (or_3307_s18_q & (or_3311_s18_q | or_3315_s18_q));
+  logic or_3390;
+  assign or_3390 = (or_3298_s18_q & or_3302_s18_q) | (or_3294_s18_q & (or_3298_s18_q | or_3302_s18_q));
+  logic or_3394;
+  assign or_3394 = (or_3313_s18_q & or_3317_s18_q) | (or_3309_s18_q & (or_3313_s18_q | or_3317_s18_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_3395;
-  assign parity_3395 = ^{or_3392, or_3388, or_3384};
+  logic parity_3397;
+  assign parity_3397 = ^{or_3394, or_3390, or_3386};
   // hls/stages/count_bits.hpp:23
-  logic or_3399;
-  assign or_3399 = (or_3232_s18_q & or_3236_s18_q) | (or_3228_s18_q & (or_3232_s18_q | or_3236_s18_q));
+  logic or_3401;
+  assign or_3401 = (or_3234_s18_q & or_3238_s18_q) | (or_3230_s18_q & (or_3234_s18_q | or_3238_s18_q));
   // hls/stages/count_bits.hpp:25
-  logic or_3403;
-  assign or_3403 = (or_3247_s18_q & or_3251_s18_q) | (or_3243_s18_q & (or_3247_s18_q | or_3251_s18_q));
-  logic or_3407;
-  assign or_3407 = (or_3262_s18_q & or_3266_s18_q) | (or_3258_s18_q & (or_3262_s18_q | or_3266_s18_q));
+  logic or_3405;
+  assign or_3405 = (or_3249_s18_q & or_3253_s18_q) | (or_3245_s18_q & (or_3249_s18_q | or_3253_s18_q));
+  logic or_3409;
+  assign or_3409 = (or_3264_s18_q & or_3268_s18_q) | (or_3260_s18_q & (or_3264_s18_q | or_3268_s18_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_3410;
-  assign parity_3410 = ^{or_3407, or_3403, or_3399};
-  logic parity_3413;
-  assign parity_3413 = ^{or_3407, or_3403, or_3399, or_3392, or_3388, or_3384, or_3377, or_3373, or_3369};
+  logic parity_3412;
+  assign parity_3412 = ^{or_3409, or_3405, or_3401};
+  logic parity_3415;
+  assign parity_3415 = ^{or_3409, or_3405, or_3401, or_3394, or_3390, or_3386, or_3379, or_3375, or_3371};
   // hls/stages/patches.hpp:595
-  logic [9:0] difference_3592;
-  assign difference_3592 = select_3589_s18_q - select_3579_s18_q[9:0];
+  logic [9:0] difference_3594;
+  assign difference_3594 = select_3591_s18_q - select_3581_s18_q[9:0];
   // hls/stages/patches.hpp:600
-  logic or_3599;
-  assign or_3599 = (patches_size_q < 10'h39) | ({1'b0, patches_size_q[9:1]} < select_3579_s18_q[9:0]);
+  logic or_3601;
+  assign or_3601 = (patches_size_q < 10'h39) | ({1'b0, patches_size_q[9:1]} < select_3581_s18_q[9:0]);
   // hls/stages/patches.hpp:586
-  logic [1:0] sum_3623;
-  assign sum_3623 = select_3548_s18_q[4:3] + 2'h3;
+  logic [1:0] sum_3625;
+  assign sum_3625 = select_3550_s18_q[4:3] + 2'h3;
   // hls/stages/patches.hpp:587
-  logic [7:0] difference_3643;
-  assign difference_3643 = {sum_3623, select_3548_s18_q[2:0], 3'h0} - {5'h0, fraction_s18_q};
-  logic [7:0] select_3644;
-  assign select_3644 = less_3622_s18_q ? difference_3643 : {sum_3623, select_3548_s18_q[2:0], fraction_s18_q};
+  logic [7:0] difference_3645;
+  assign difference_3645 = {sum_3625, select_3550_s18_q[2:0], 3'h0} - {5'h0, fraction_s18_q};
+  logic [7:0] select_3646;
+  assign select_3646 = less_3624_s18_q ? difference_3645 : {sum_3625, select_3550_s18_q[2:0], fraction_s18_q};
   // hls/stages/patches.hpp:598
-  logic [18:0] product_3649;
-  assign product_3649 = $signed({{11{select_3645_s18_q[7]}}, select_3645_s18_q}) * $signed({{8{sum_3648_s18_q[6]}}, sum_3648_s18_q, sum_3646_s18_q, select_3579_s18_q[12:10]});
+  logic [18:0] product_3651;
+  assign product_3651 = $signed({{11{select_3647_s18_q[7]}}, select_3647_s18_q}) * $signed({{8{sum_3650_s18_q[6]}}, sum_3650_s18_q, sum_3648_s18_q, select_3581_s18_q[12:10]});
   // hls/stages/patches.hpp:606
-  logic [11:0] sum_3824;
-  assign sum_3824 = {sum_3648_s18_q[6], sum_3648_s18_q, sum_3646_s18_q, select_3579_s18_q[12:10]} + 12'h1;
+  logic [11:0] sum_3826;
+  assign sum_3826 = {sum_3650_s18_q[6], sum_3650_s18_q, sum_3648_s18_q, select_3581_s18_q[12:10]} + 12'h1;
   // hls/stages/agreement.hpp:1135
-  logic select_3936;
-  assign select_3936 = equal_3919_s18_q ? ((~or_3922_s18_q) & (~select_3930_s18_q)) : not_3935_s18_q;
+  logic select_3938;
+  assign select_3938 = equal_3921_s18_q ? ((~or_3924_s18_q) & (~select_3932_s18_q)) : not_3937_s18_q;
   // hls/stages/agreement.hpp:1142
-  logic [47:0] select_3938;
-  assign select_3938 = x_s18_q[6] ? (equal_1606_s18_q ? good_q : {select_3936, good_q[47:1]}) : good_q;
+  logic [47:0] select_3940;
+  assign select_3940 = x_s18_q[6] ? (equal_1606_s18_q ? good_q : {select_3938, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:1147
-  logic equal_3941;
-  assign equal_3941 = x_s18_q == 7'h7f;
+  logic equal_3943;
+  assign equal_3943 = x_s18_q == 7'h7f;
   // hls/stages/agreement.hpp:788
-  logic [4:0] select_4020;
-  assign select_4020 = so_s18_q ? (ends_cell_s18_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [4:0] select_4022;
+  assign select_4022 = so_s18_q ? (ends_cell_s18_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:460
-  logic [12:0] select_4092;
-  assign select_4092 = equal_2467_s18_q ? (equal_4089_s18_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  logic [12:0] select_4094;
+  assign select_4094 = equal_2469_s18_q ? (equal_4091_s18_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_4095;
-  assign select_4095 = and_548_s18_q ? (equal_2467_s18_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
+  logic [6:0] select_4097;
+  assign select_4097 = and_548_s18_q ? (equal_2469_s18_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -9860,34 +9862,34 @@ module horopter_agreement (
       drew_q <= 1'b0;
       said_q <= 1'b0;
     end else if (s18_en) begin
-      moments_most_before_q <= equal_573_s18_q ? select_2301_s18_q : moments_most_before_q;
-      moments_left_alone_q <= equal_573_s18_q ? not_2309_s18_q : moments_left_alone_q;
-      moments_left_other_stops_q <= equal_573_s18_q ? not_2312_s18_q : moments_left_other_stops_q;
-      moments_right_alone_q <= equal_573_s18_q ? not_2319_s18_q : moments_right_alone_q;
-      moments_right_other_stops_q <= equal_573_s18_q ? not_2322_s18_q : moments_right_other_stops_q;
-      sharpness_sums_contrast_0_q <= and_548_s18_q ? sum_2390 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_548_s18_q ? sum_2394 : sharpness_sums_contrast_1_q;
-      registration_half_across_q <= and_2752_s18_q ? 14'h0 : sum_2773;
-      registration_half_votes_down_q <= and_2752_s18_q ? 7'h0 : sum_2785;
-      registration_half_half_votes_down_q <= and_2752_s18_q ? 7'h0 : sum_2800;
-      registration_down_q <= and_2841 ? sum_2860 : registration_down_q;
-      registration_up_q <= and_2841 ? sum_2869 : registration_up_q;
-      registration_enough_q <= select_2883;
-      registration_votes_down_q <= and_2888 ? less_2889 : registration_votes_down_q;
-      registration_votes_up_q <= and_2888 ? less_2891 : registration_votes_up_q;
-      registration_other_enough_q <= and_2897 ? select_2883 : registration_other_enough_q;
-      registration_other_down_q <= and_2897 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2897 ? registration_votes_up_q : registration_other_up_q;
+      moments_most_before_q <= equal_573_s18_q ? select_2303_s18_q : moments_most_before_q;
+      moments_left_alone_q <= equal_573_s18_q ? not_2311_s18_q : moments_left_alone_q;
+      moments_left_other_stops_q <= equal_573_s18_q ? not_2314_s18_q : moments_left_other_stops_q;
+      moments_right_alone_q <= equal_573_s18_q ? not_2321_s18_q : moments_right_alone_q;
+      moments_right_other_stops_q <= equal_573_s18_q ? not_2324_s18_q : moments_right_other_stops_q;
+      sharpness_sums_contrast_0_q <= and_548_s18_q ? sum_2392 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_548_s18_q ? sum_2396 : sharpness_sums_contrast_1_q;
+      registration_half_across_q <= and_2754_s18_q ? 14'h0 : sum_2775;
+      registration_half_votes_down_q <= and_2754_s18_q ? 7'h0 : sum_2787;
+      registration_half_half_votes_down_q <= and_2754_s18_q ? 7'h0 : sum_2802;
+      registration_down_q <= and_2843 ? sum_2862 : registration_down_q;
+      registration_up_q <= and_2843 ? sum_2871 : registration_up_q;
+      registration_enough_q <= select_2885;
+      registration_votes_down_q <= and_2890 ? less_2891 : registration_votes_down_q;
+      registration_votes_up_q <= and_2890 ? less_2893 : registration_votes_up_q;
+      registration_other_enough_q <= and_2899 ? select_2885 : registration_other_enough_q;
+      registration_other_down_q <= and_2899 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2899 ? registration_votes_up_q : registration_other_up_q;
       patches_place_0_valid_q <= sample_pair_whole_s18_q ? select_1801 : patches_place_0_valid_q;
       patches_place_1_valid_q <= sample_pair_whole_s18_q ? select_1830 : patches_place_1_valid_q;
-      good_q <= equal_573_s18_q ? select_3938 : good_q;
-      map_row_q <= and_548_s18_q ? select_4092 : map_row_q;
-      map_width_q <= select_4095;
+      good_q <= equal_573_s18_q ? select_3940 : good_q;
+      map_row_q <= and_548_s18_q ? select_4094 : map_row_q;
+      map_width_q <= select_4097;
       write_half_q <= marks_first_s18_q ? (write_half_q ^ done_q) : write_half_q;
       read_half_q <= select_2049;
       done_q <= not_2051_s18_q & ((~drew_q) & (done_q | said_q));
       drew_q <= so_s18_q;
-      said_q <= equal_573_s18_q & equal_3941;
+      said_q <= equal_573_s18_q & equal_3943;
     end
   end
 
@@ -9906,14 +9908,14 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s18_en) begin
-      census_columns_values_3_cell_4_mask_q <= select_2251;
+      census_columns_values_3_cell_4_mask_q <= select_2253;
       census_changes_values_0_left_q <= and_548_s18_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_548_s18_q ? sum_2271 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2273;
-      census_changes_values_1_right_q <= select_2274;
-      sharpness_last_detail_0_q <= select_2358;
-      sharpness_last_detail_1_q <= select_2359;
-      box_textured_sum_sums_values_0_q <= equal_573_s18_q ? box_textured_sum_sums_values_0_q : select_4020;
+      census_changes_values_0_right_q <= and_548_s18_q ? sum_2273 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2275;
+      census_changes_values_1_right_q <= select_2276;
+      sharpness_last_detail_0_q <= select_2360;
+      sharpness_last_detail_1_q <= select_2361;
+      box_textured_sum_sums_values_0_q <= equal_573_s18_q ? box_textured_sum_sums_values_0_q : select_4022;
     end
   end
 
@@ -10028,67 +10030,67 @@ module horopter_agreement (
   logic not_2112_s19_q;
   logic less_2126_s19_q;
   logic and_2137_s19_q;
-  logic equal_2278_s19_q;
-  logic [12:0] sum_2279_s19_q;
-  logic equal_2293_s19_q;
-  logic not_2305_s19_q;
-  logic not_2315_s19_q;
-  logic [12:0] select_2372_s19_q;
-  logic [12:0] select_2384_s19_q;
-  logic equal_2396_s19_q;
-  logic less_2397_s19_q;
-  logic and_2407_s19_q;
-  logic and_2417_s19_q;
-  logic equal_2440_s19_q;
-  logic and_2592_s19_q;
-  logic not_2617_s19_q;
-  logic not_2632_s19_q;
-  logic [9:0] select_2643_s19_q;
-  logic [9:0] select_2646_s19_q;
-  logic less_2648_s19_q;
-  logic and_2694_s19_q;
-  logic equal_2893_s19_q;
-  logic not_2906_s19_q;
-  logic and_2928_s19_q;
-  logic parity_3224_s19_q;
-  logic parity_3353_s19_q;
-  logic and_3354_s19_q;
-  logic or_3358_s19_q;
-  logic or_3362_s19_q;
-  logic or_3369_s19_q;
-  logic or_3373_s19_q;
-  logic or_3377_s19_q;
-  logic or_3384_s19_q;
-  logic or_3388_s19_q;
-  logic or_3392_s19_q;
-  logic or_3399_s19_q;
-  logic or_3403_s19_q;
-  logic or_3407_s19_q;
-  logic parity_3413_s19_q;
-  logic or_3423_s19_q;
-  logic or_3427_s19_q;
-  logic and_3434_s19_q;
+  logic equal_2280_s19_q;
+  logic [12:0] sum_2281_s19_q;
+  logic equal_2295_s19_q;
+  logic not_2307_s19_q;
+  logic not_2317_s19_q;
+  logic [12:0] select_2374_s19_q;
+  logic [12:0] select_2386_s19_q;
+  logic equal_2398_s19_q;
+  logic less_2399_s19_q;
+  logic and_2409_s19_q;
+  logic and_2419_s19_q;
+  logic equal_2442_s19_q;
+  logic and_2594_s19_q;
+  logic not_2619_s19_q;
+  logic not_2634_s19_q;
+  logic [9:0] select_2645_s19_q;
+  logic [9:0] select_2648_s19_q;
+  logic less_2650_s19_q;
+  logic and_2696_s19_q;
+  logic equal_2895_s19_q;
+  logic not_2908_s19_q;
+  logic and_2930_s19_q;
+  logic parity_3226_s19_q;
+  logic parity_3355_s19_q;
+  logic and_3356_s19_q;
+  logic or_3360_s19_q;
+  logic or_3364_s19_q;
+  logic or_3371_s19_q;
+  logic or_3375_s19_q;
+  logic or_3379_s19_q;
+  logic or_3386_s19_q;
+  logic or_3390_s19_q;
+  logic or_3394_s19_q;
+  logic or_3401_s19_q;
+  logic or_3405_s19_q;
+  logic or_3409_s19_q;
+  logic parity_3415_s19_q;
+  logic or_3425_s19_q;
+  logic or_3429_s19_q;
   logic and_3436_s19_q;
   logic and_3438_s19_q;
-  logic equal_3460_s19_q;
-  logic equal_3591_s19_q;
-  logic less_3593_s19_q;
-  logic less_3594_s19_q;
-  logic or_3599_s19_q;
-  logic [7:0] select_3644_s19_q;
-  logic [13:0] product_3649_s19_q;
-  logic equal_3700_s19_q;
-  logic less_3825_s19_q;
-  logic or_3922_s19_q;
-  logic select_3930_s19_q;
-  logic equal_3941_s19_q;
-  logic equal_3944_s19_q;
+  logic and_3440_s19_q;
+  logic equal_3462_s19_q;
+  logic equal_3593_s19_q;
+  logic less_3595_s19_q;
+  logic less_3596_s19_q;
+  logic or_3601_s19_q;
+  logic [7:0] select_3646_s19_q;
+  logic [13:0] product_3651_s19_q;
+  logic equal_3702_s19_q;
+  logic less_3827_s19_q;
+  logic or_3924_s19_q;
+  logic select_3932_s19_q;
+  logic equal_3943_s19_q;
   logic equal_3946_s19_q;
-  logic equal_3947_s19_q;
   logic equal_3948_s19_q;
   logic equal_3949_s19_q;
-  logic [31:0] select_4188_s19_q;
-  logic [9:0] select_4195_s19_q;
+  logic equal_3950_s19_q;
+  logic equal_3951_s19_q;
+  logic [31:0] select_4190_s19_q;
+  logic [9:0] select_4197_s19_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s19_q <= pixel_0_s18_q;
@@ -10202,67 +10204,67 @@ module horopter_agreement (
       not_2112_s19_q <= ~({sum_2110, around_s18_q[0]} < {2'h0, t});
       less_2126_s19_q <= less_2126_s18_q;
       and_2137_s19_q <= and_2137_s18_q;
-      equal_2278_s19_q <= equal_2278_s18_q;
-      sum_2279_s19_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2271};
-      equal_2293_s19_q <= equal_2293_s18_q;
-      not_2305_s19_q <= ~({3'h0, counts_turned_left_s18_q} < sum_2303);
-      not_2315_s19_q <= ~({3'h0, counts_turned_right_s18_q} < sum_2303);
-      select_2372_s19_q <= and_2370_s18_q ? detail_3[14:2] : 13'h0;
-      select_2384_s19_q <= and_2382_s18_q ? detail_4[14:2] : 13'h0;
-      equal_2396_s19_q <= equal_2396_s18_q;
-      less_2397_s19_q <= less_2397_s18_q;
-      and_2407_s19_q <= and_2407;
-      and_2417_s19_q <= and_2417;
-      equal_2440_s19_q <= equal_2440_s18_q;
-      and_2592_s19_q <= and_2592_s18_q;
-      not_2617_s19_q <= not_2617_s18_q;
-      not_2632_s19_q <= ~({sum_2630, e_s18_q[0]} < {2'h0, t});
-      select_2643_s19_q <= select_2643_s18_q;
-      select_2646_s19_q <= select_2646_s18_q;
-      less_2648_s19_q <= {sum_2647, select_2646_s18_q[1:0]} < {3'h0, select_2643_s18_q};
-      and_2694_s19_q <= and_2694_s18_q;
-      equal_2893_s19_q <= equal_2893;
-      not_2906_s19_q <= ~(equal_573_s18_q & and_2904);
-      and_2928_s19_q <= and_2928;
-      parity_3224_s19_q <= parity_3224_s18_q;
-      parity_3353_s19_q <= parity_3353;
-      and_3354_s19_q <= and_3354;
-      or_3358_s19_q <= or_3358;
-      or_3362_s19_q <= or_3362;
-      or_3369_s19_q <= or_3369;
-      or_3373_s19_q <= or_3373;
-      or_3377_s19_q <= or_3377;
-      or_3384_s19_q <= or_3384;
-      or_3388_s19_q <= or_3388;
-      or_3392_s19_q <= or_3392;
-      or_3399_s19_q <= or_3399;
-      or_3403_s19_q <= or_3403;
-      or_3407_s19_q <= or_3407;
-      parity_3413_s19_q <= parity_3413;
-      or_3423_s19_q <= (or_3388 & or_3392) | (or_3384 & (or_3388 | or_3392));
-      or_3427_s19_q <= (or_3403 & or_3407) | (or_3399 & (or_3403 | or_3407));
-      and_3434_s19_q <= and_3354 & (or_3358 | or_3362);
-      and_3436_s19_q <= parity_3395 & parity_3410;
-      and_3438_s19_q <= (^{or_3377, or_3373, or_3369}) & (parity_3395 | parity_3410);
-      equal_3460_s19_q <= equal_3460_s18_q;
-      equal_3591_s19_q <= select_3548_s18_q[3:0] == 4'h0;
-      less_3593_s19_q <= {difference_3592, 3'h0} < {3'h0, patches_size_q};
-      less_3594_s19_q <= select_3589_s18_q < select_3579_s18_q[9:0];
-      or_3599_s19_q <= or_3599;
-      select_3644_s19_q <= select_3644;
-      product_3649_s19_q <= product_3649[18:5];
-      equal_3700_s19_q <= equal_3700_s18_q;
-      less_3825_s19_q <= {{4{sum_3824[11]}}, sum_3824} < 16'h3;
-      or_3922_s19_q <= or_3922_s18_q;
-      select_3930_s19_q <= select_3930_s18_q;
-      equal_3941_s19_q <= equal_3941;
-      equal_3944_s19_q <= equal_3944_s18_q;
+      equal_2280_s19_q <= equal_2280_s18_q;
+      sum_2281_s19_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2273};
+      equal_2295_s19_q <= equal_2295_s18_q;
+      not_2307_s19_q <= ~({3'h0, counts_turned_left_s18_q} < sum_2305);
+      not_2317_s19_q <= ~({3'h0, counts_turned_right_s18_q} < sum_2305);
+      select_2374_s19_q <= and_2372_s18_q ? detail_3[14:2] : 13'h0;
+      select_2386_s19_q <= and_2384_s18_q ? detail_4[14:2] : 13'h0;
+      equal_2398_s19_q <= equal_2398_s18_q;
+      less_2399_s19_q <= less_2399_s18_q;
+      and_2409_s19_q <= and_2409;
+      and_2419_s19_q <= and_2419;
+      equal_2442_s19_q <= equal_2442_s18_q;
+      and_2594_s19_q <= and_2594_s18_q;
+      not_2619_s19_q <= not_2619_s18_q;
+      not_2634_s19_q <= ~({sum_2632, e_s18_q[0]} < {2'h0, t});
+      select_2645_s19_q <= select_2645_s18_q;
+      select_2648_s19_q <= select_2648_s18_q;
+      less_2650_s19_q <= {sum_2649, select_2648_s18_q[1:0]} < {3'h0, select_2645_s18_q};
+      and_2696_s19_q <= and_2696_s18_q;
+      equal_2895_s19_q <= equal_2895;
+      not_2908_s19_q <= ~(equal_573_s18_q & and_2906);
+      and_2930_s19_q <= and_2930;
+      parity_3226_s19_q <= parity_3226_s18_q;
+      parity_3355_s19_q <= parity_3355;
+      and_3356_s19_q <= and_3356;
+      or_3360_s19_q <= or_3360;
+      or_3364_s19_q <= or_3364;
+      or_3371_s19_q <= or_3371;
+      or_3375_s19_q <= or_3375;
+      or_3379_s19_q <= or_3379;
+      or_3386_s19_q <= or_3386;
+      or_3390_s19_q <= or_3390;
+      or_3394_s19_q <= or_3394;
+      or_3401_s19_q <= or_3401;
+      or_3405_s19_q <= or_3405;
+      or_3409_s19_q <= or_3409;
+      parity_3415_s19_q <= parity_3415;
+      or_3425_s19_q <= (or_3390 & or_3394) | (or_3386 & (or_3390 | or_3394));
+      or_3429_s19_q <= (or_3405 & or_3409) | (or_3401 & (or_3405 | or_3409));
+      and_3436_s19_q <= and_3356 & (or_3360 | or_3364);
+      and_3438_s19_q <= parity_3397 & parity_3412;
+      and_3440_s19_q <= (^{or_3379, or_3375, or_3371}) & (parity_3397 | parity_3412);
+      equal_3462_s19_q <= equal_3462_s18_q;
+      equal_3593_s19_q <= select_3550_s18_q[3:0] == 4'h0;
+      less_3595_s19_q <= {difference_3594, 3'h0} < {3'h0, patches_size_q};
+      less_3596_s19_q <= select_3591_s18_q < select_3581_s18_q[9:0];
+      or_3601_s19_q <= or_3601;
+      select_3646_s19_q <= select_3646;
+      product_3651_s19_q <= product_3651[18:5];
+      equal_3702_s19_q <= equal_3702_s18_q;
+      less_3827_s19_q <= {{4{sum_3826[11]}}, sum_3826} < 16'h3;
+      or_3924_s19_q <= or_3924_s18_q;
+      select_3932_s19_q <= select_3932_s18_q;
+      equal_3943_s19_q <= equal_3943;
       equal_3946_s19_q <= equal_3946_s18_q;
-      equal_3947_s19_q <= equal_3947_s18_q;
       equal_3948_s19_q <= equal_3948_s18_q;
       equal_3949_s19_q <= equal_3949_s18_q;
-      select_4188_s19_q <= select_4188_s18_q;
-      select_4195_s19_q <= select_4195_s18_q;
+      equal_3950_s19_q <= equal_3950_s18_q;
+      equal_3951_s19_q <= equal_3951_s18_q;
+      select_4190_s19_q <= select_4190_s18_q;
+      select_4197_s19_q <= select_4197_s18_q;
     end
   end
 
@@ -10322,134 +10324,134 @@ module horopter_agreement (
   logic is_seen;
   assign is_seen = equal_2076_s19_q ? and_2097 : not_2112_s19_q;
   // hls/stages/agreement.hpp:520
-  logic [11:0] select_2275;
-  assign select_2275 = and_548_s19_q ? census_changes_values_1_left_s19_q : census_changes_values_2_left_q;
-  logic [11:0] select_2276;
-  assign select_2276 = and_548_s19_q ? census_changes_values_1_right_s19_q : census_changes_values_2_right_q;
+  logic [11:0] select_2277;
+  assign select_2277 = and_548_s19_q ? census_changes_values_1_left_s19_q : census_changes_values_2_left_q;
+  logic [11:0] select_2278;
+  assign select_2278 = and_548_s19_q ? census_changes_values_1_right_s19_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:296
-  logic [13:0] sum_2280;
-  assign sum_2280 = {2'h0, census_changes_values_1_right_s19_q} + {1'b0, sum_2279_s19_q};
-  logic [13:0] sum_2281;
-  assign sum_2281 = {2'h0, census_changes_values_2_right_q} + sum_2280;
+  logic [13:0] sum_2282;
+  assign sum_2282 = {2'h0, census_changes_values_1_right_s19_q} + {1'b0, sum_2281_s19_q};
+  logic [13:0] sum_2283;
+  assign sum_2283 = {2'h0, census_changes_values_2_right_q} + sum_2282;
   // hls/stages/moments.hpp:94
-  logic and_2340;
-  assign and_2340 = moments_right_alone_s19_q & (moments_right_begins_q | moments_right_other_stops_s19_q);
-  logic or_2342;
-  assign or_2342 = moments_left_begins_q | (moments_left_other_stops_s19_q | and_2340);
-  logic and_2344;
-  assign and_2344 = cfg_same_table_i & (moments_left_alone_s19_q ? or_2342 : and_2340);
+  logic and_2342;
+  assign and_2342 = moments_right_alone_s19_q & (moments_right_begins_q | moments_right_other_stops_s19_q);
+  logic or_2344;
+  assign or_2344 = moments_left_begins_q | (moments_left_other_stops_s19_q | and_2342);
+  logic and_2346;
+  assign and_2346 = cfg_same_table_i & (moments_left_alone_s19_q ? or_2344 : and_2342);
   // hls/stages/moments.hpp:95
-  logic and_2350;
-  assign and_2350 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  logic and_2352;
+  assign and_2352 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
   // hls/stages/census.hpp:375
-  logic [23:0] select_2374;
-  assign select_2374 = equal_2278_s19_q ? {11'h0, select_2372_s19_q} : (sharpness_sums_detail_0_q + {11'h0, select_2372_s19_q});
-  logic [23:0] select_2386;
-  assign select_2386 = equal_2278_s19_q ? {11'h0, select_2384_s19_q} : (sharpness_sums_detail_1_q + {11'h0, select_2384_s19_q});
+  logic [23:0] select_2376;
+  assign select_2376 = equal_2280_s19_q ? {11'h0, select_2374_s19_q} : (sharpness_sums_detail_0_q + {11'h0, select_2374_s19_q});
+  logic [23:0] select_2388;
+  assign select_2388 = equal_2280_s19_q ? {11'h0, select_2386_s19_q} : (sharpness_sums_detail_1_q + {11'h0, select_2386_s19_q});
   // hls/stages/census.hpp:395
-  logic [17:0] select_2409;
-  assign select_2409 = (less_2397_s19_q & and_2407_s19_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
-  logic [17:0] select_2419;
-  assign select_2419 = (less_2397_s19_q & and_2417_s19_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2411;
+  assign select_2411 = (less_2399_s19_q & and_2409_s19_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2421;
+  assign select_2421 = (less_2399_s19_q & and_2419_s19_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   // hls/stages/agreement.hpp:216
-  logic [1:0] select_2428;
-  assign select_2428 = equal_2396_s19_q ? {sharpness_comparing_contrast_0_q[0], and_2417_s19_q} : sharpness_comparing_contrast_0_q;
   logic [1:0] select_2430;
-  assign select_2430 = equal_2396_s19_q ? {sharpness_comparing_contrast_1_q[0], and_2407_s19_q} : sharpness_comparing_contrast_1_q;
+  assign select_2430 = equal_2398_s19_q ? {sharpness_comparing_contrast_0_q[0], and_2419_s19_q} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2432;
+  assign select_2432 = equal_2398_s19_q ? {sharpness_comparing_contrast_1_q[0], and_2409_s19_q} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:404
-  logic xor_2453;
-  assign xor_2453 = sharpness_comparing_contrast_0_q[1] ^ and_2407_s19_q;
-  logic select_2456;
-  assign select_2456 = (equal_2440_s19_q | xor_2453) ? (and_2407_s19_q & xor_2453) : sharpness_comparing_less_contrast_0_q;
+  logic xor_2455;
+  assign xor_2455 = sharpness_comparing_contrast_0_q[1] ^ and_2409_s19_q;
+  logic select_2458;
+  assign select_2458 = (equal_2442_s19_q | xor_2455) ? (and_2409_s19_q & xor_2455) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2457;
-  assign select_2457 = equal_2396_s19_q ? select_2456 : sharpness_comparing_less_contrast_0_q;
+  logic select_2459;
+  assign select_2459 = equal_2398_s19_q ? select_2458 : sharpness_comparing_less_contrast_0_q;
   // hls/stages/census.hpp:404
-  logic xor_2459;
-  assign xor_2459 = sharpness_comparing_contrast_1_q[1] ^ and_2417_s19_q;
-  logic select_2462;
-  assign select_2462 = (equal_2440_s19_q | xor_2459) ? (and_2417_s19_q & xor_2459) : sharpness_comparing_less_contrast_1_q;
+  logic xor_2461;
+  assign xor_2461 = sharpness_comparing_contrast_1_q[1] ^ and_2419_s19_q;
+  logic select_2464;
+  assign select_2464 = (equal_2442_s19_q | xor_2461) ? (and_2419_s19_q & xor_2461) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2463;
-  assign select_2463 = equal_2396_s19_q ? select_2462 : sharpness_comparing_less_contrast_1_q;
+  logic select_2465;
+  assign select_2465 = equal_2398_s19_q ? select_2464 : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:1106
-  logic not_2634;
-  assign not_2634 = ~(equal_2076_s19_q ? and_2097 : not_2632_s19_q);
+  logic not_2636;
+  assign not_2636 = ~(equal_2076_s19_q ? and_2097 : not_2634_s19_q);
   // hls/stages/agreement.hpp:788
-  logic and_2637;
-  assign and_2637 = ends_cell_s19_q & (not_2617_s19_q & (centres_values_1_textured_s19_q & not_2634));
+  logic and_2639;
+  assign and_2639 = ends_cell_s19_q & (not_2619_s19_q & (centres_values_1_textured_s19_q & not_2636));
   // hls/stages/agreement.hpp:1138
-  logic [9:0] select_2650;
-  assign select_2650 = ((~(select_2643_s19_q[9:4] == 6'h0)) & less_2648_s19_q) ? select_2643_s19_q : 10'h0;
+  logic [9:0] select_2652;
+  assign select_2652 = ((~(select_2645_s19_q[9:4] == 6'h0)) & less_2650_s19_q) ? select_2645_s19_q : 10'h0;
   // hls/stages/agreement.hpp:788
-  logic [9:0] select_2653;
-  assign select_2653 = equal_573_s19_q ? (x_s19_q[6] ? (equal_1606_s19_q ? 10'h0 : select_2650) : 10'h0) : 10'h0;
+  logic [9:0] select_2655;
+  assign select_2655 = equal_573_s19_q ? (x_s19_q[6] ? (equal_1606_s19_q ? 10'h0 : select_2652) : 10'h0) : 10'h0;
   // hls/stages/agreement.hpp:1110
-  logic and_2671;
-  assign and_2671 = centres_values_1_textured_s19_q & (centres_values_1_of_skin_s19_q & not_2634);
+  logic and_2673;
+  assign and_2673 = centres_values_1_textured_s19_q & (centres_values_1_of_skin_s19_q & not_2636);
   // hls/stages/patches.hpp:127
-  logic select_3020;
-  assign select_3020 = equal_1689_s19_q ? patches_valid_0_q : (select_1688_s19_q ? patches_valid_0_q : select_1799_s19_q);
+  logic select_3022;
+  assign select_3022 = equal_1689_s19_q ? patches_valid_0_q : (select_1688_s19_q ? patches_valid_0_q : select_1799_s19_q);
   // hls/stages/agreement.hpp:276
-  logic select_3023;
-  assign select_3023 = sample_pair_whole_s19_q ? (and_1822 ? (sample_present_s19_q & select_3020) : select_3020) : patches_valid_0_q;
-  // hls/stages/patches.hpp:127
   logic select_3025;
-  assign select_3025 = equal_1689_s19_q ? patches_valid_1_q : (select_1688_s19_q ? select_1799_s19_q : patches_valid_1_q);
+  assign select_3025 = sample_pair_whole_s19_q ? (and_1822 ? (sample_present_s19_q & select_3022) : select_3022) : patches_valid_0_q;
+  // hls/stages/patches.hpp:127
+  logic select_3027;
+  assign select_3027 = equal_1689_s19_q ? patches_valid_1_q : (select_1688_s19_q ? select_1799_s19_q : patches_valid_1_q);
   // hls/stages/agreement.hpp:276
-  logic select_3028;
-  assign select_3028 = sample_pair_whole_s19_q ? (and_1841 ? (sample_present_s19_q & select_3025) : select_3025) : patches_valid_1_q;
-  logic [5:0] select_3031;
-  assign select_3031 = sample_pair_whole_s19_q ? (select_1820[5] ? {1'b1, select_1820[4:0]} : (select_1820 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3034;
-  assign select_3034 = sample_pair_whole_s19_q ? (select_1839[5] ? {1'b1, select_1839[4:0]} : (select_1839 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3037;
-  assign select_3037 = sample_pair_whole_s19_q ? (select_1851[4] ? {1'b1, select_1851[3:0]} : (select_1851 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3040;
-  assign select_3040 = sample_pair_whole_s19_q ? (select_1855[4] ? {1'b1, select_1855[3:0]} : (select_1855 + 5'h1)) : patches_left_next_1_q;
+  logic select_3030;
+  assign select_3030 = sample_pair_whole_s19_q ? (and_1841 ? (sample_present_s19_q & select_3027) : select_3027) : patches_valid_1_q;
+  logic [5:0] select_3033;
+  assign select_3033 = sample_pair_whole_s19_q ? (select_1820[5] ? {1'b1, select_1820[4:0]} : (select_1820 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3036;
+  assign select_3036 = sample_pair_whole_s19_q ? (select_1839[5] ? {1'b1, select_1839[4:0]} : (select_1839 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3039;
+  assign select_3039 = sample_pair_whole_s19_q ? (select_1851[4] ? {1'b1, select_1851[3:0]} : (select_1851 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3042;
+  assign select_3042 = sample_pair_whole_s19_q ? (select_1855[4] ? {1'b1, select_1855[3:0]} : (select_1855 + 5'h1)) : patches_left_next_1_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_3415;
-  assign parity_3415 = ^{or_3407_s19_q, or_3403_s19_q, or_3399_s19_q, or_3392_s19_q, or_3388_s19_q, or_3384_s19_q, or_3377_s19_q, or_3373_s19_q, or_3369_s19_q, or_3362_s19_q, or_3358_s19_q, and_3354_s19_q};
+  logic parity_3417;
+  assign parity_3417 = ^{or_3409_s19_q, or_3405_s19_q, or_3401_s19_q, or_3394_s19_q, or_3390_s19_q, or_3386_s19_q, or_3379_s19_q, or_3375_s19_q, or_3371_s19_q, or_3364_s19_q, or_3360_s19_q, and_3356_s19_q};
   // hls/stages/count_bits.hpp:25
-  logic or_3419;
-  assign or_3419 = (or_3373_s19_q & or_3377_s19_q) | (or_3369_s19_q & (or_3373_s19_q | or_3377_s19_q));
+  logic or_3421;
+  assign or_3421 = (or_3375_s19_q & or_3379_s19_q) | (or_3371_s19_q & (or_3375_s19_q | or_3379_s19_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_3430;
-  assign parity_3430 = ^{or_3427_s19_q, or_3423_s19_q, or_3419};
+  logic parity_3432;
+  assign parity_3432 = ^{or_3429_s19_q, or_3425_s19_q, or_3421};
   // hls/stages/count_bits.hpp:25
-  logic and_3431;
-  assign and_3431 = (^{or_3362_s19_q, or_3358_s19_q, and_3354_s19_q}) & parity_3413_s19_q;
-  logic or_3435;
-  assign or_3435 = (or_3358_s19_q & or_3362_s19_q) | and_3434_s19_q;
-  logic or_3439;
-  assign or_3439 = and_3436_s19_q | and_3438_s19_q;
+  logic and_3433;
+  assign and_3433 = (^{or_3364_s19_q, or_3360_s19_q, and_3356_s19_q}) & parity_3415_s19_q;
+  logic or_3437;
+  assign or_3437 = (or_3360_s19_q & or_3364_s19_q) | and_3436_s19_q;
+  logic or_3441;
+  assign or_3441 = and_3438_s19_q | and_3440_s19_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_3442;
-  assign parity_3442 = ^{or_3439, or_3435, and_3431};
+  logic parity_3444;
+  assign parity_3444 = ^{or_3441, or_3437, and_3433};
   // hls/stages/count_bits.hpp:25
-  logic and_3444;
-  assign and_3444 = parity_3430 & parity_3442;
-  logic or_3448;
-  assign or_3448 = (or_3423_s19_q & or_3427_s19_q) | (or_3419 & (or_3423_s19_q | or_3427_s19_q));
-  logic or_3452;
-  assign or_3452 = (or_3435 & or_3439) | (and_3431 & (or_3435 | or_3439));
+  logic and_3446;
+  assign and_3446 = parity_3432 & parity_3444;
+  logic or_3450;
+  assign or_3450 = (or_3425_s19_q & or_3429_s19_q) | (or_3421 & (or_3425_s19_q | or_3429_s19_q));
+  logic or_3454;
+  assign or_3454 = (or_3437 & or_3441) | (and_3433 & (or_3437 | or_3441));
   // hls/stages/patches.hpp:600
-  logic or_3600;
-  assign or_3600 = (~(patches_second_s19_q ? patches_valid_1_q : patches_valid_0_q)) | or_3599_s19_q;
-  logic or_3603;
-  assign or_3603 = equal_3591_s19_q | (less_3593_s19_q | (less_3594_s19_q | or_3600));
+  logic or_3602;
+  assign or_3602 = (~(patches_second_s19_q ? patches_valid_1_q : patches_valid_0_q)) | or_3601_s19_q;
+  logic or_3605;
+  assign or_3605 = equal_3593_s19_q | (less_3595_s19_q | (less_3596_s19_q | or_3602));
   // hls/stages/patches.hpp:599
-  logic [14:0] difference_3650;
-  assign difference_3650 = {{7{select_3644_s19_q[7]}}, select_3644_s19_q} - {product_3649_s19_q[13], product_3649_s19_q};
+  logic [14:0] difference_3652;
+  assign difference_3652 = {{7{select_3646_s19_q[7]}}, select_3646_s19_q} - {product_3651_s19_q[13], product_3651_s19_q};
   // hls/stages/patches.hpp:605
-  logic less_3651;
-  assign less_3651 = $signed({{8{difference_3621[6]}}, difference_3621}) < $signed(difference_3650);
+  logic less_3653;
+  assign less_3653 = $signed({{8{difference_3623[6]}}, difference_3623}) < $signed(difference_3652);
   // hls/stages/agreement.hpp:788
-  logic select_3943;
-  assign select_3943 = equal_573_s19_q ? ((x_s19_q[6] & good_known_q) | equal_3941_s19_q) : good_known_q;
+  logic select_3945;
+  assign select_3945 = equal_573_s19_q ? ((x_s19_q[6] & good_known_q) | equal_3943_s19_q) : good_known_q;
   // hls/stages/agreement.hpp:1308
-  logic and_4118;
-  assign and_4118 = and_2137_s19_q & ({sum_2063_s19_q, index_2_s19_q} == {sum_2050_s19_q, index_s19_q});
+  logic and_4120;
+  assign and_4120 = and_2137_s19_q & ({sum_2063_s19_q, index_2_s19_q} == {sum_2050_s19_q, index_s19_q});
 
   // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1409; read in stage 19, written in stage 20: 19 < 20 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -10538,23 +10540,23 @@ module horopter_agreement (
       patches_left_next_1_q <= 5'h0;
       good_known_q <= 1'b0;
     end else if (s19_en) begin
-      moments_left_begins_q <= equal_573_s19_q ? not_2305_s19_q : moments_left_begins_q;
-      moments_right_begins_q <= equal_573_s19_q ? not_2315_s19_q : moments_right_begins_q;
-      moments_ends_q <= equal_573_s19_q & (equal_2293_s19_q & (not_2348 | and_2350));
-      sharpness_sums_detail_0_q <= and_548_s19_q ? select_2374 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_548_s19_q ? select_2386 : sharpness_sums_detail_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2428 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2430 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_less_contrast_0_q <= drew_q ? select_2457 : sharpness_comparing_less_contrast_0_q;
-      sharpness_comparing_less_contrast_1_q <= drew_q ? select_2463 : sharpness_comparing_less_contrast_1_q;
-      registration_moved_q <= not_2906_s19_q & (registration_moved_q | and_2928_s19_q);
-      patches_valid_0_q <= select_3023;
-      patches_valid_1_q <= select_3028;
-      patches_right_next_0_q <= select_3031;
-      patches_right_next_1_q <= select_3034;
-      patches_left_next_0_q <= select_3037;
-      patches_left_next_1_q <= select_3040;
-      good_known_q <= select_3943;
+      moments_left_begins_q <= equal_573_s19_q ? not_2307_s19_q : moments_left_begins_q;
+      moments_right_begins_q <= equal_573_s19_q ? not_2317_s19_q : moments_right_begins_q;
+      moments_ends_q <= equal_573_s19_q & (equal_2295_s19_q & (not_2350 | and_2352));
+      sharpness_sums_detail_0_q <= and_548_s19_q ? select_2376 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_548_s19_q ? select_2388 : sharpness_sums_detail_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2430 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2432 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_less_contrast_0_q <= drew_q ? select_2459 : sharpness_comparing_less_contrast_0_q;
+      sharpness_comparing_less_contrast_1_q <= drew_q ? select_2465 : sharpness_comparing_less_contrast_1_q;
+      registration_moved_q <= not_2908_s19_q & (registration_moved_q | and_2930_s19_q);
+      patches_valid_0_q <= select_3025;
+      patches_valid_1_q <= select_3030;
+      patches_right_next_0_q <= select_3033;
+      patches_right_next_1_q <= select_3036;
+      patches_left_next_0_q <= select_3039;
+      patches_left_next_1_q <= select_3042;
+      good_known_q <= select_3945;
     end
   end
 
@@ -10567,8 +10569,8 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s19_en) begin
-      census_changes_values_2_left_q <= select_2275;
-      census_changes_values_2_right_q <= select_2276;
+      census_changes_values_2_left_q <= select_2277;
+      census_changes_values_2_right_q <= select_2278;
     end
   end
 
@@ -10663,52 +10665,52 @@ module horopter_agreement (
   logic is_seen_s20_q;
   logic and_2127_s20_q;
   logic and_2137_s20_q;
-  logic equal_2278_s20_q;
-  logic [8:0] sum_2281_s20_q;
-  logic equal_2293_s20_q;
-  logic not_2324_s20_q;
-  logic and_2345_s20_q;
-  logic equal_2396_s20_q;
-  logic less_2397_s20_q;
-  logic [17:0] select_2409_s20_q;
-  logic [17:0] select_2419_s20_q;
-  logic equal_2440_s20_q;
-  logic and_2592_s20_q;
-  logic and_2639_s20_q;
-  logic [9:0] select_2643_s20_q;
-  logic [9:0] select_2646_s20_q;
-  logic [9:0] select_2653_s20_q;
-  logic and_2674_s20_q;
-  logic and_2694_s20_q;
-  logic equal_2893_s20_q;
-  logic parity_3224_s20_q;
-  logic parity_3353_s20_q;
-  logic parity_3415_s20_q;
-  logic xor_3443_s20_q;
-  logic parity_3455_s20_q;
-  logic and_3456_s20_q;
+  logic equal_2280_s20_q;
+  logic [8:0] sum_2283_s20_q;
+  logic equal_2295_s20_q;
+  logic not_2326_s20_q;
+  logic and_2347_s20_q;
+  logic equal_2398_s20_q;
+  logic less_2399_s20_q;
+  logic [17:0] select_2411_s20_q;
+  logic [17:0] select_2421_s20_q;
+  logic equal_2442_s20_q;
+  logic and_2594_s20_q;
+  logic and_2641_s20_q;
+  logic [9:0] select_2645_s20_q;
+  logic [9:0] select_2648_s20_q;
+  logic [9:0] select_2655_s20_q;
+  logic and_2676_s20_q;
+  logic and_2696_s20_q;
+  logic equal_2895_s20_q;
+  logic parity_3226_s20_q;
+  logic parity_3355_s20_q;
+  logic parity_3417_s20_q;
+  logic xor_3445_s20_q;
+  logic parity_3457_s20_q;
   logic and_3458_s20_q;
-  logic equal_3460_s20_q;
-  logic or_3603_s20_q;
-  logic [5:0] difference_3650_s20_q;
-  logic not_3652_s20_q;
-  logic not_3662_s20_q;
-  logic equal_3700_s20_q;
-  logic less_3774_s20_q;
-  logic less_3775_s20_q;
-  logic less_3825_s20_q;
-  logic or_3922_s20_q;
-  logic select_3930_s20_q;
-  logic equal_3941_s20_q;
-  logic equal_3944_s20_q;
+  logic and_3460_s20_q;
+  logic equal_3462_s20_q;
+  logic or_3605_s20_q;
+  logic [5:0] difference_3652_s20_q;
+  logic not_3654_s20_q;
+  logic not_3664_s20_q;
+  logic equal_3702_s20_q;
+  logic less_3776_s20_q;
+  logic less_3777_s20_q;
+  logic less_3827_s20_q;
+  logic or_3924_s20_q;
+  logic select_3932_s20_q;
+  logic equal_3943_s20_q;
   logic equal_3946_s20_q;
-  logic equal_3947_s20_q;
   logic equal_3948_s20_q;
   logic equal_3949_s20_q;
-  logic and_4103_s20_q;
-  logic and_4118_s20_q;
-  logic [31:0] select_4188_s20_q;
-  logic [9:0] select_4195_s20_q;
+  logic equal_3950_s20_q;
+  logic equal_3951_s20_q;
+  logic and_4105_s20_q;
+  logic and_4120_s20_q;
+  logic [31:0] select_4190_s20_q;
+  logic [9:0] select_4197_s20_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s20_q <= pixel_0_s19_q;
@@ -10802,52 +10804,52 @@ module horopter_agreement (
       is_seen_s20_q <= is_seen;
       and_2127_s20_q <= is_seen & less_2126_s19_q;
       and_2137_s20_q <= and_2137_s19_q;
-      equal_2278_s20_q <= equal_2278_s19_q;
-      sum_2281_s20_q <= sum_2281[13:5];
-      equal_2293_s20_q <= equal_2293_s19_q;
-      not_2324_s20_q <= ~moments_ends_q;
-      and_2345_s20_q <= cfg_prove_i & and_2344;
-      equal_2396_s20_q <= equal_2396_s19_q;
-      less_2397_s20_q <= less_2397_s19_q;
-      select_2409_s20_q <= select_2409;
-      select_2419_s20_q <= select_2419;
-      equal_2440_s20_q <= equal_2440_s19_q;
-      and_2592_s20_q <= and_2592_s19_q;
-      and_2639_s20_q <= not_574_s19_q & (drew_q & and_2637);
-      select_2643_s20_q <= select_2643_s19_q;
-      select_2646_s20_q <= select_2646_s19_q;
-      select_2653_s20_q <= select_2653;
-      and_2674_s20_q <= drew_q & (ends_cell_s19_q & (not_2617_s19_q & and_2671));
-      and_2694_s20_q <= and_2694_s19_q;
-      equal_2893_s20_q <= equal_2893_s19_q;
-      parity_3224_s20_q <= parity_3224_s19_q;
-      parity_3353_s20_q <= parity_3353_s19_q;
-      parity_3415_s20_q <= parity_3415;
-      xor_3443_s20_q <= parity_3430 ^ parity_3442;
-      parity_3455_s20_q <= ^{or_3452, or_3448, and_3444};
-      and_3456_s20_q <= or_3448 & or_3452;
-      and_3458_s20_q <= and_3444 & (or_3448 | or_3452);
-      equal_3460_s20_q <= equal_3460_s19_q;
-      or_3603_s20_q <= or_3603;
-      difference_3650_s20_q <= difference_3650[5:0];
-      not_3652_s20_q <= ~less_3651;
-      not_3662_s20_q <= ~($signed(difference_3650) < $signed({9'h0, cfg_patch_limit_i}));
-      equal_3700_s20_q <= equal_3700_s19_q;
-      less_3774_s20_q <= $signed(15'h10) < $signed(difference_3650);
-      less_3775_s20_q <= $signed(difference_3650[14:4]) < $signed(11'h7ff);
-      less_3825_s20_q <= less_3825_s19_q;
-      or_3922_s20_q <= or_3922_s19_q;
-      select_3930_s20_q <= select_3930_s19_q;
-      equal_3941_s20_q <= equal_3941_s19_q;
-      equal_3944_s20_q <= equal_3944_s19_q;
+      equal_2280_s20_q <= equal_2280_s19_q;
+      sum_2283_s20_q <= sum_2283[13:5];
+      equal_2295_s20_q <= equal_2295_s19_q;
+      not_2326_s20_q <= ~moments_ends_q;
+      and_2347_s20_q <= cfg_prove_i & and_2346;
+      equal_2398_s20_q <= equal_2398_s19_q;
+      less_2399_s20_q <= less_2399_s19_q;
+      select_2411_s20_q <= select_2411;
+      select_2421_s20_q <= select_2421;
+      equal_2442_s20_q <= equal_2442_s19_q;
+      and_2594_s20_q <= and_2594_s19_q;
+      and_2641_s20_q <= not_574_s19_q & (drew_q & and_2639);
+      select_2645_s20_q <= select_2645_s19_q;
+      select_2648_s20_q <= select_2648_s19_q;
+      select_2655_s20_q <= select_2655;
+      and_2676_s20_q <= drew_q & (ends_cell_s19_q & (not_2619_s19_q & and_2673));
+      and_2696_s20_q <= and_2696_s19_q;
+      equal_2895_s20_q <= equal_2895_s19_q;
+      parity_3226_s20_q <= parity_3226_s19_q;
+      parity_3355_s20_q <= parity_3355_s19_q;
+      parity_3417_s20_q <= parity_3417;
+      xor_3445_s20_q <= parity_3432 ^ parity_3444;
+      parity_3457_s20_q <= ^{or_3454, or_3450, and_3446};
+      and_3458_s20_q <= or_3450 & or_3454;
+      and_3460_s20_q <= and_3446 & (or_3450 | or_3454);
+      equal_3462_s20_q <= equal_3462_s19_q;
+      or_3605_s20_q <= or_3605;
+      difference_3652_s20_q <= difference_3652[5:0];
+      not_3654_s20_q <= ~less_3653;
+      not_3664_s20_q <= ~($signed(difference_3652) < $signed({9'h0, cfg_patch_limit_i}));
+      equal_3702_s20_q <= equal_3702_s19_q;
+      less_3776_s20_q <= $signed(15'h10) < $signed(difference_3652);
+      less_3777_s20_q <= $signed(difference_3652[14:4]) < $signed(11'h7ff);
+      less_3827_s20_q <= less_3827_s19_q;
+      or_3924_s20_q <= or_3924_s19_q;
+      select_3932_s20_q <= select_3932_s19_q;
+      equal_3943_s20_q <= equal_3943_s19_q;
       equal_3946_s20_q <= equal_3946_s19_q;
-      equal_3947_s20_q <= equal_3947_s19_q;
       equal_3948_s20_q <= equal_3948_s19_q;
       equal_3949_s20_q <= equal_3949_s19_q;
-      and_4103_s20_q <= said_q;
-      and_4118_s20_q <= and_4118;
-      select_4188_s20_q <= select_4188_s19_q;
-      select_4195_s20_q <= select_4195_s19_q;
+      equal_3950_s20_q <= equal_3950_s19_q;
+      equal_3951_s20_q <= equal_3951_s19_q;
+      and_4105_s20_q <= said_q;
+      and_4120_s20_q <= and_4120;
+      select_4190_s20_q <= select_4190_s19_q;
+      select_4197_s20_q <= select_4197_s19_q;
     end
   end
 
@@ -10880,161 +10882,161 @@ module horopter_agreement (
   logic patches_frame_ended_q;
   logic proven_q;
   // hls/stages/moments.hpp:51
-  logic or_2326;
-  assign or_2326 = moments_begins_alone_q | (moments_out_of_step_q & not_2324_s20_q);
+  logic or_2328;
+  assign or_2328 = moments_begins_alone_q | (moments_out_of_step_q & not_2326_s20_q);
   // hls/stages/census.hpp:395
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2409_s20_q};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2411_s20_q};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2412;
-  assign select_2412 = equal_2396_s20_q ? (less_2397_s20_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_2414;
+  assign select_2414 = equal_2398_s20_q ? (less_2399_s20_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:395
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2419_s20_q};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2421_s20_q};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2422;
-  assign select_2422 = equal_2396_s20_q ? (less_2397_s20_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [17:0] select_2424;
+  assign select_2424 = equal_2398_s20_q ? (less_2399_s20_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2641;
-  assign select_2641 = and_2592_s20_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2639_s20_q});
-  logic [13:0] select_2655;
-  assign select_2655 = and_2592_s20_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2653_s20_q});
+  logic [13:0] select_2643;
+  assign select_2643 = and_2594_s20_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2641_s20_q});
+  logic [13:0] select_2657;
+  assign select_2657 = and_2594_s20_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2655_s20_q});
   // hls/stages/agreement.hpp:788
-  logic and_2675;
-  assign and_2675 = not_574_s20_q & and_2674_s20_q;
+  logic and_2677;
+  assign and_2677 = not_574_s20_q & and_2676_s20_q;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_2677;
-  assign select_2677 = and_2592_s20_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2675});
-  logic [13:0] select_2696;
-  assign select_2696 = and_2592_s20_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2694_s20_q});
+  logic [13:0] select_2679;
+  assign select_2679 = and_2594_s20_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2677});
+  logic [13:0] select_2698;
+  assign select_2698 = and_2594_s20_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2696_s20_q});
   // hls/stages/count_bits.hpp:27
-  logic or_3459;
-  assign or_3459 = and_3456_s20_q | and_3458_s20_q;
+  logic or_3461;
+  assign or_3461 = and_3458_s20_q | and_3460_s20_q;
   // hls/stages/patches.hpp:526
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3459, parity_3455_s20_q, xor_3443_s20_q, parity_3415_s20_q, parity_3353_s20_q, parity_3224_s20_q} + (equal_3460_s20_q ? 10'h0 : patches_sums_values_16_q);
+  assign sum_3 = {4'h0, or_3461, parity_3457_s20_q, xor_3445_s20_q, parity_3417_s20_q, parity_3355_s20_q, parity_3226_s20_q} + (equal_3462_s20_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/patches.hpp:185
-  logic [9:0] select_3464;
-  assign select_3464 = equal_1783_s20_q ? patches_sums_values_0_q : (equal_1785_s20_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3465;
-  assign select_3465 = equal_1785_s20_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3466;
+  assign select_3466 = equal_1783_s20_q ? patches_sums_values_0_q : (equal_1785_s20_q ? sum_3 : patches_sums_values_0_q);
   logic [9:0] select_3467;
-  assign select_3467 = equal_1785_s20_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  assign select_3467 = equal_1785_s20_q ? patches_sums_values_0_q : patches_sums_values_1_q;
   logic [9:0] select_3469;
-  assign select_3469 = equal_1785_s20_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  assign select_3469 = equal_1785_s20_q ? patches_sums_values_1_q : patches_sums_values_2_q;
   logic [9:0] select_3471;
-  assign select_3471 = equal_1785_s20_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  assign select_3471 = equal_1785_s20_q ? patches_sums_values_2_q : patches_sums_values_3_q;
   logic [9:0] select_3473;
-  assign select_3473 = equal_1785_s20_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  assign select_3473 = equal_1785_s20_q ? patches_sums_values_3_q : patches_sums_values_4_q;
   logic [9:0] select_3475;
-  assign select_3475 = equal_1785_s20_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  assign select_3475 = equal_1785_s20_q ? patches_sums_values_4_q : patches_sums_values_5_q;
   logic [9:0] select_3477;
-  assign select_3477 = equal_1785_s20_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  assign select_3477 = equal_1785_s20_q ? patches_sums_values_5_q : patches_sums_values_6_q;
   logic [9:0] select_3479;
-  assign select_3479 = equal_1785_s20_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  assign select_3479 = equal_1785_s20_q ? patches_sums_values_6_q : patches_sums_values_7_q;
   logic [9:0] select_3481;
-  assign select_3481 = equal_1785_s20_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  assign select_3481 = equal_1785_s20_q ? patches_sums_values_7_q : patches_sums_values_8_q;
   logic [9:0] select_3483;
-  assign select_3483 = equal_1785_s20_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  assign select_3483 = equal_1785_s20_q ? patches_sums_values_8_q : patches_sums_values_9_q;
   logic [9:0] select_3485;
-  assign select_3485 = equal_1785_s20_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  assign select_3485 = equal_1785_s20_q ? patches_sums_values_9_q : patches_sums_values_10_q;
   logic [9:0] select_3487;
-  assign select_3487 = equal_1785_s20_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  assign select_3487 = equal_1785_s20_q ? patches_sums_values_10_q : patches_sums_values_11_q;
   logic [9:0] select_3489;
-  assign select_3489 = equal_1785_s20_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  assign select_3489 = equal_1785_s20_q ? patches_sums_values_11_q : patches_sums_values_12_q;
   logic [9:0] select_3491;
-  assign select_3491 = equal_1785_s20_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  assign select_3491 = equal_1785_s20_q ? patches_sums_values_12_q : patches_sums_values_13_q;
   logic [9:0] select_3493;
-  assign select_3493 = equal_1785_s20_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  assign select_3493 = equal_1785_s20_q ? patches_sums_values_13_q : patches_sums_values_14_q;
   logic [9:0] select_3495;
-  assign select_3495 = equal_1785_s20_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  assign select_3495 = equal_1785_s20_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3497;
+  assign select_3497 = equal_1785_s20_q ? patches_sums_values_15_q : patches_sums_values_16_q;
   // hls/stages/patches.hpp:580
-  logic not_3604;
-  assign not_3604 = ~or_3603_s20_q;
+  logic not_3606;
+  assign not_3606 = ~or_3605_s20_q;
   // hls/stages/patches.hpp:561
-  logic and_3605;
-  assign and_3605 = equal_1964_s20_q & not_3604;
+  logic and_3607;
+  assign and_3607 = equal_1964_s20_q & not_3606;
   // hls/stages/patches.hpp:185
-  logic and_3608;
-  assign and_3608 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3605) : and_3605);
+  logic and_3610;
+  assign and_3610 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3607) : and_3607);
   // hls/stages/patches.hpp:561
-  logic and_3611;
-  assign and_3611 = equal_1964_s20_q & (patches_second_s20_q & not_3604);
+  logic and_3613;
+  assign and_3613 = equal_1964_s20_q & (patches_second_s20_q & not_3606);
   // hls/stages/patches.hpp:185
-  logic and_3614;
-  assign and_3614 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3611) : and_3611);
+  logic and_3616;
+  assign and_3616 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3613) : and_3613);
   // hls/stages/patches.hpp:561
-  logic and_3654;
-  assign and_3654 = equal_1964_s20_q & (not_3604 & not_3652_s20_q);
+  logic and_3656;
+  assign and_3656 = equal_1964_s20_q & (not_3606 & not_3654_s20_q);
   // hls/stages/patches.hpp:185
-  logic and_3657;
-  assign and_3657 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3654) : and_3654);
+  logic and_3659;
+  assign and_3659 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3656) : and_3656);
   // hls/stages/patches.hpp:561
-  logic and_3664;
-  assign and_3664 = equal_1964_s20_q & (not_3604 & not_3662_s20_q);
+  logic and_3666;
+  assign and_3666 = equal_1964_s20_q & (not_3606 & not_3664_s20_q);
   // hls/stages/patches.hpp:185
-  logic and_3667;
-  assign and_3667 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3664) : and_3664);
+  logic and_3669;
+  assign and_3669 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3666) : and_3666);
   // hls/stages/agreement.hpp:1130
-  logic less_3701;
-  assign less_3701 = x_s20_q[5:3] < 3'h3;
+  logic less_3703;
+  assign less_3703 = x_s20_q[5:3] < 3'h3;
   // hls/stages/agreement.hpp:788
-  logic and_3705;
-  assign and_3705 = equal_573_s20_q & (x_s20_q[6] & (not_1991_s20_q & (equal_3700_s20_q & less_3701)));
+  logic and_3707;
+  assign and_3707 = equal_573_s20_q & (x_s20_q[6] & (not_1991_s20_q & (equal_3702_s20_q & less_3703)));
   // hls/stages/agreement.hpp:1142
-  logic and_3710;
-  assign and_3710 = x_s20_q[6] & (not_1991_s20_q & (less_3701 & (x_s20_q[2:0] == 3'h1)));
-  logic and_3717;
-  assign and_3717 = x_s20_q[6] & (not_1991_s20_q & (less_3701 & (x_s20_q[2:0] == 3'h2)));
-  logic and_3724;
-  assign and_3724 = x_s20_q[6] & (not_1991_s20_q & (less_3701 & (x_s20_q[2:0] == 3'h3)));
+  logic and_3712;
+  assign and_3712 = x_s20_q[6] & (not_1991_s20_q & (less_3703 & (x_s20_q[2:0] == 3'h1)));
+  logic and_3719;
+  assign and_3719 = x_s20_q[6] & (not_1991_s20_q & (less_3703 & (x_s20_q[2:0] == 3'h2)));
+  logic and_3726;
+  assign and_3726 = x_s20_q[6] & (not_1991_s20_q & (less_3703 & (x_s20_q[2:0] == 3'h3)));
   // hls/stages/patches.hpp:200
-  logic select_3731;
-  assign select_3731 = (x_s20_q[5:3] == 3'h2) ? x_s20_q[1] : (x_s20_q[0] & (x_s20_q[5:3] == 3'h1));
+  logic select_3733;
+  assign select_3733 = (x_s20_q[5:3] == 3'h2) ? x_s20_q[1] : (x_s20_q[0] & (x_s20_q[5:3] == 3'h1));
   // hls/stages/patches.hpp:203
-  logic [4:0] sum_3758;
-  assign sum_3758 = {2'h0, x_s20_q[2:0]} + 5'h1f;
+  logic [4:0] sum_3760;
+  assign sum_3760 = {2'h0, x_s20_q[2:0]} + 5'h1f;
   // hls/stages/patches.hpp:607
-  logic [5:0] select_3777;
-  assign select_3777 = less_3774_s20_q ? 6'h10 : (less_3775_s20_q ? 6'h30 : difference_3650_s20_q);
-  // hls/stages/patches.hpp:561
   logic [5:0] select_3779;
-  assign select_3779 = equal_1964_s20_q ? (or_3603_s20_q ? 6'h0 : select_3777) : 6'h0;
-  logic [5:0] select_3781;
-  assign select_3781 = less_1961_s20_q ? (equal_1962_s20_q ? 6'h0 : select_3779) : select_3779;
-  // hls/stages/agreement.hpp:788
-  logic and_3788;
-  assign and_3788 = equal_573_s20_q & (x_s20_q[6] & (not_1991_s20_q & (equal_2893_s20_q & less_3701)));
-  // hls/stages/agreement.hpp:1142
-  logic and_3792;
-  assign and_3792 = x_s20_q[6] & (not_1991_s20_q & (less_3701 & (x_s20_q[5:3] == 3'h0)));
+  assign select_3779 = less_3776_s20_q ? 6'h10 : (less_3777_s20_q ? 6'h30 : difference_3652_s20_q);
   // hls/stages/patches.hpp:561
-  logic and_3827;
-  assign and_3827 = equal_1964_s20_q & (not_3604 & less_3825_s20_q);
-  // hls/stages/patches.hpp:185
-  logic and_3830;
-  assign and_3830 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3827) : and_3827);
-  // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3951;
-  assign select_3951 = equal_3948_s20_q ? counts_skin_unproven_q : (equal_3949_s20_q ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_3953;
-  assign select_3953 = equal_3947_s20_q ? counts_regions_bad_q : (equal_3944_s20_q ? counts_nearer_s20_q : select_3951);
-  logic [13:0] before_v_4;
-  assign before_v_4 = equal_3946_s20_q ? counts_on_skin_q : select_3953;
+  logic [5:0] select_3781;
+  assign select_3781 = equal_1964_s20_q ? (or_3605_s20_q ? 6'h0 : select_3779) : 6'h0;
+  logic [5:0] select_3783;
+  assign select_3783 = less_1961_s20_q ? (equal_1962_s20_q ? 6'h0 : select_3781) : select_3781;
   // hls/stages/agreement.hpp:788
-  logic and_4179;
-  assign and_4179 = equal_573_s20_q & (x_s20_q[6] & (not_1991_s20_q | (4'hc < x_s20_q[5:2])));
+  logic and_3790;
+  assign and_3790 = equal_573_s20_q & (x_s20_q[6] & (not_1991_s20_q & (equal_2895_s20_q & less_3703)));
+  // hls/stages/agreement.hpp:1142
+  logic and_3794;
+  assign and_3794 = x_s20_q[6] & (not_1991_s20_q & (less_3703 & (x_s20_q[5:3] == 3'h0)));
+  // hls/stages/patches.hpp:561
+  logic and_3829;
+  assign and_3829 = equal_1964_s20_q & (not_3606 & less_3827_s20_q);
+  // hls/stages/patches.hpp:185
+  logic and_3832;
+  assign and_3832 = equal_1783_s20_q & (less_1961_s20_q ? (not_1963_s20_q & and_3829) : and_3829);
+  // hls/stages/agreement.hpp:1125
+  logic [13:0] select_3953;
+  assign select_3953 = equal_3950_s20_q ? counts_skin_unproven_q : (equal_3951_s20_q ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_3955;
+  assign select_3955 = equal_3949_s20_q ? counts_regions_bad_q : (equal_3946_s20_q ? counts_nearer_s20_q : select_3953);
+  logic [13:0] before_v_4;
+  assign before_v_4 = equal_3948_s20_q ? counts_on_skin_q : select_3955;
+  // hls/stages/agreement.hpp:788
+  logic and_4181;
+  assign and_4181 = equal_573_s20_q & (x_s20_q[6] & (not_1991_s20_q | (4'hc < x_s20_q[5:2])));
   // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4189;
-  assign select_4189 = equal_1624_s20_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4188_s20_q;
-  logic [31:0] select_4190;
-  assign select_4190 = equal_1622_s20_q ? {8'h0, sharpness_sums_detail_0_s20_q} : select_4189;
   logic [31:0] select_4191;
-  assign select_4191 = equal_1620_s20_q ? {8'h0, sharpness_sums_detail_1_s20_q} : select_4190;
+  assign select_4191 = equal_1624_s20_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4190_s20_q;
   logic [31:0] select_4192;
-  assign select_4192 = equal_1618_s20_q ? {8'h0, sharpness_sums_contrast_0_s20_q} : select_4191;
+  assign select_4192 = equal_1622_s20_q ? {8'h0, sharpness_sums_detail_0_s20_q} : select_4191;
   logic [31:0] select_4193;
-  assign select_4193 = equal_1616_s20_q ? {8'h0, sharpness_sums_contrast_1_s20_q} : select_4192;
+  assign select_4193 = equal_1620_s20_q ? {8'h0, sharpness_sums_detail_1_s20_q} : select_4192;
+  logic [31:0] select_4194;
+  assign select_4194 = equal_1618_s20_q ? {8'h0, sharpness_sums_contrast_0_s20_q} : select_4193;
+  logic [31:0] select_4195;
+  assign select_4195 = equal_1616_s20_q ? {8'h0, sharpness_sums_contrast_1_s20_q} : select_4194;
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
@@ -11435,32 +11437,32 @@ module horopter_agreement (
       patches_frame_ended_q <= 1'b0;
       proven_q <= 1'b0;
     end else if (s20_en) begin
-      moments_out_of_step_q <= or_2326;
-      moments_begins_alone_q <= equal_573_s20_q & (equal_2293_s20_q & and_2345_s20_q);
-      sharpness_comparing_rest_0_q <= so_s20_q ? select_2412 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= so_s20_q ? select_2422 : sharpness_comparing_rest_1_q;
-      counts_unproven_q <= select_2641;
-      counts_regions_bad_q <= select_2655;
-      counts_skin_unproven_q <= select_2677;
-      counts_on_skin_q <= select_2696;
-      patches_sums_values_0_q <= select_3464;
-      patches_sums_values_1_q <= equal_1783_s20_q ? patches_sums_values_1_q : select_3465;
-      patches_sums_values_2_q <= equal_1783_s20_q ? patches_sums_values_2_q : select_3467;
-      patches_sums_values_3_q <= equal_1783_s20_q ? patches_sums_values_3_q : select_3469;
-      patches_sums_values_4_q <= equal_1783_s20_q ? patches_sums_values_4_q : select_3471;
-      patches_sums_values_5_q <= equal_1783_s20_q ? patches_sums_values_5_q : select_3473;
-      patches_sums_values_6_q <= equal_1783_s20_q ? patches_sums_values_6_q : select_3475;
-      patches_sums_values_7_q <= equal_1783_s20_q ? patches_sums_values_7_q : select_3477;
-      patches_sums_values_8_q <= equal_1783_s20_q ? patches_sums_values_8_q : select_3479;
-      patches_sums_values_9_q <= equal_1783_s20_q ? patches_sums_values_9_q : select_3481;
-      patches_sums_values_10_q <= equal_1783_s20_q ? patches_sums_values_10_q : select_3483;
-      patches_sums_values_11_q <= equal_1783_s20_q ? patches_sums_values_11_q : select_3485;
-      patches_sums_values_12_q <= equal_1783_s20_q ? patches_sums_values_12_q : select_3487;
-      patches_sums_values_13_q <= equal_1783_s20_q ? patches_sums_values_13_q : select_3489;
-      patches_sums_values_14_q <= equal_1783_s20_q ? patches_sums_values_14_q : select_3491;
-      patches_sums_values_15_q <= equal_1783_s20_q ? patches_sums_values_15_q : select_3493;
-      patches_sums_values_16_q <= equal_1783_s20_q ? patches_sums_values_16_q : select_3495;
-      patches_frame_ended_q <= equal_573_s20_q & equal_2293_s20_q;
+      moments_out_of_step_q <= or_2328;
+      moments_begins_alone_q <= equal_573_s20_q & (equal_2295_s20_q & and_2347_s20_q);
+      sharpness_comparing_rest_0_q <= so_s20_q ? select_2414 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= so_s20_q ? select_2424 : sharpness_comparing_rest_1_q;
+      counts_unproven_q <= select_2643;
+      counts_regions_bad_q <= select_2657;
+      counts_skin_unproven_q <= select_2679;
+      counts_on_skin_q <= select_2698;
+      patches_sums_values_0_q <= select_3466;
+      patches_sums_values_1_q <= equal_1783_s20_q ? patches_sums_values_1_q : select_3467;
+      patches_sums_values_2_q <= equal_1783_s20_q ? patches_sums_values_2_q : select_3469;
+      patches_sums_values_3_q <= equal_1783_s20_q ? patches_sums_values_3_q : select_3471;
+      patches_sums_values_4_q <= equal_1783_s20_q ? patches_sums_values_4_q : select_3473;
+      patches_sums_values_5_q <= equal_1783_s20_q ? patches_sums_values_5_q : select_3475;
+      patches_sums_values_6_q <= equal_1783_s20_q ? patches_sums_values_6_q : select_3477;
+      patches_sums_values_7_q <= equal_1783_s20_q ? patches_sums_values_7_q : select_3479;
+      patches_sums_values_8_q <= equal_1783_s20_q ? patches_sums_values_8_q : select_3481;
+      patches_sums_values_9_q <= equal_1783_s20_q ? patches_sums_values_9_q : select_3483;
+      patches_sums_values_10_q <= equal_1783_s20_q ? patches_sums_values_10_q : select_3485;
+      patches_sums_values_11_q <= equal_1783_s20_q ? patches_sums_values_11_q : select_3487;
+      patches_sums_values_12_q <= equal_1783_s20_q ? patches_sums_values_12_q : select_3489;
+      patches_sums_values_13_q <= equal_1783_s20_q ? patches_sums_values_13_q : select_3491;
+      patches_sums_values_14_q <= equal_1783_s20_q ? patches_sums_values_14_q : select_3493;
+      patches_sums_values_15_q <= equal_1783_s20_q ? patches_sums_values_15_q : select_3495;
+      patches_sums_values_16_q <= equal_1783_s20_q ? patches_sums_values_16_q : select_3497;
+      patches_frame_ended_q <= equal_573_s20_q & equal_2295_s20_q;
       proven_q <= marks_first_s20_q ? done_s20_q : proven_q;
     end
   end
@@ -11525,47 +11527,47 @@ module horopter_agreement (
   logic [1:0] map_rdata_s21_q;
   logic is_seen_s21_q;
   logic and_2127_s21_q;
-  logic equal_2278_s21_q;
-  logic and_2283_s21_q;
-  logic equal_2396_s21_q;
+  logic equal_2280_s21_q;
+  logic and_2285_s21_q;
+  logic equal_2398_s21_q;
   logic sum_s21_q;
   logic sum_2_s21_q;
-  logic equal_2440_s21_q;
-  logic select_2458_s21_q;
-  logic select_2464_s21_q;
-  logic [9:0] select_2643_s21_q;
-  logic [9:0] select_2646_s21_q;
-  logic and_3608_s21_q;
-  logic and_3614_s21_q;
-  logic and_3657_s21_q;
-  logic and_3667_s21_q;
-  logic equal_3700_s21_q;
-  logic and_3705_s21_q;
-  logic and_3711_s21_q;
-  logic and_3718_s21_q;
-  logic and_3725_s21_q;
-  logic and_3734_s21_q;
-  logic and_3761_s21_q;
-  logic [5:0] select_3782_s21_q;
-  logic and_3788_s21_q;
-  logic and_3793_s21_q;
-  logic and_3831_s21_q;
-  logic or_3922_s21_q;
-  logic select_3930_s21_q;
-  logic equal_3941_s21_q;
-  logic and_3945_s21_q;
+  logic equal_2442_s21_q;
+  logic select_2460_s21_q;
+  logic select_2466_s21_q;
+  logic [9:0] select_2645_s21_q;
+  logic [9:0] select_2648_s21_q;
+  logic and_3610_s21_q;
+  logic and_3616_s21_q;
+  logic and_3659_s21_q;
+  logic and_3669_s21_q;
+  logic equal_3702_s21_q;
+  logic and_3707_s21_q;
+  logic and_3713_s21_q;
+  logic and_3720_s21_q;
+  logic and_3727_s21_q;
+  logic and_3736_s21_q;
+  logic and_3763_s21_q;
+  logic [5:0] select_3784_s21_q;
+  logic and_3790_s21_q;
+  logic and_3795_s21_q;
+  logic and_3833_s21_q;
+  logic or_3924_s21_q;
+  logic select_3932_s21_q;
+  logic equal_3943_s21_q;
+  logic and_3947_s21_q;
   logic [13:0] before_v_4_s21_q;
-  logic not_3990_s21_q;
-  logic or_3994_s21_q;
-  logic and_3999_s21_q;
-  logic less_4000_s21_q;
-  logic and_4103_s21_q;
-  logic and_4118_s21_q;
-  logic not_4132_s21_q;
-  logic and_4179_s21_q;
-  logic [5:0] select_4181_s21_q;
-  logic [31:0] select_4193_s21_q;
-  logic [9:0] select_4195_s21_q;
+  logic not_3992_s21_q;
+  logic or_3996_s21_q;
+  logic and_4001_s21_q;
+  logic less_4002_s21_q;
+  logic and_4105_s21_q;
+  logic and_4120_s21_q;
+  logic not_4134_s21_q;
+  logic and_4181_s21_q;
+  logic [5:0] select_4183_s21_q;
+  logic [31:0] select_4195_s21_q;
+  logic [9:0] select_4197_s21_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s21_q <= pixel_0_s20_q;
@@ -11628,47 +11630,47 @@ module horopter_agreement (
       map_rdata_s21_q <= map_rdata_q;
       is_seen_s21_q <= is_seen_s20_q;
       and_2127_s21_q <= and_2127_s20_q;
-      equal_2278_s21_q <= equal_2278_s20_q;
-      and_2283_s21_q <= and_707_s20_q & (9'h4 < sum_2281_s20_q);
-      equal_2396_s21_q <= equal_2396_s20_q;
+      equal_2280_s21_q <= equal_2280_s20_q;
+      and_2285_s21_q <= and_707_s20_q & (9'h4 < sum_2283_s20_q);
+      equal_2398_s21_q <= equal_2398_s20_q;
       sum_s21_q <= sum[0];
       sum_2_s21_q <= sum_2[0];
-      equal_2440_s21_q <= equal_2440_s20_q;
-      select_2458_s21_q <= sharpness_comparing_less_contrast_0_q;
-      select_2464_s21_q <= sharpness_comparing_less_contrast_1_q;
-      select_2643_s21_q <= select_2643_s20_q;
-      select_2646_s21_q <= select_2646_s20_q;
-      and_3608_s21_q <= and_3608;
-      and_3614_s21_q <= and_3614;
-      and_3657_s21_q <= and_3657;
-      and_3667_s21_q <= and_3667;
-      equal_3700_s21_q <= equal_3700_s20_q;
-      and_3705_s21_q <= and_3705;
-      and_3711_s21_q <= equal_573_s20_q & and_3710;
-      and_3718_s21_q <= equal_573_s20_q & and_3717;
-      and_3725_s21_q <= equal_573_s20_q & and_3724;
-      and_3734_s21_q <= x_s20_q[6] & (not_1991_s20_q & (less_3701 & select_3731));
-      and_3761_s21_q <= not_1991_s20_q & (less_3701 & (sum_3758[4:2] == 3'h0));
-      select_3782_s21_q <= equal_1783_s20_q ? select_3781 : 6'h0;
-      and_3788_s21_q <= and_3788;
-      and_3793_s21_q <= equal_573_s20_q & and_3792;
-      and_3831_s21_q <= and_3608 & and_3830;
-      or_3922_s21_q <= or_3922_s20_q;
-      select_3930_s21_q <= select_3930_s20_q;
-      equal_3941_s21_q <= equal_3941_s20_q;
-      and_3945_s21_q <= equal_3944_s20_q & equal_3700_s20_q;
+      equal_2442_s21_q <= equal_2442_s20_q;
+      select_2460_s21_q <= sharpness_comparing_less_contrast_0_q;
+      select_2466_s21_q <= sharpness_comparing_less_contrast_1_q;
+      select_2645_s21_q <= select_2645_s20_q;
+      select_2648_s21_q <= select_2648_s20_q;
+      and_3610_s21_q <= and_3610;
+      and_3616_s21_q <= and_3616;
+      and_3659_s21_q <= and_3659;
+      and_3669_s21_q <= and_3669;
+      equal_3702_s21_q <= equal_3702_s20_q;
+      and_3707_s21_q <= and_3707;
+      and_3713_s21_q <= equal_573_s20_q & and_3712;
+      and_3720_s21_q <= equal_573_s20_q & and_3719;
+      and_3727_s21_q <= equal_573_s20_q & and_3726;
+      and_3736_s21_q <= x_s20_q[6] & (not_1991_s20_q & (less_3703 & select_3733));
+      and_3763_s21_q <= not_1991_s20_q & (less_3703 & (sum_3760[4:2] == 3'h0));
+      select_3784_s21_q <= equal_1783_s20_q ? select_3783 : 6'h0;
+      and_3790_s21_q <= and_3790;
+      and_3795_s21_q <= equal_573_s20_q & and_3794;
+      and_3833_s21_q <= and_3610 & and_3832;
+      or_3924_s21_q <= or_3924_s20_q;
+      select_3932_s21_q <= select_3932_s20_q;
+      equal_3943_s21_q <= equal_3943_s20_q;
+      and_3947_s21_q <= equal_3946_s20_q & equal_3702_s20_q;
       before_v_4_s21_q <= before_v_4;
-      not_3990_s21_q <= ~(equal_3949_s20_q & equal_3700_s20_q);
-      or_3994_s21_q <= (equal_3949_s20_q | equal_3948_s20_q) | (x_s20_q[6:3] == 4'hf);
-      and_3999_s21_q <= equal_3946_s20_q & equal_3700_s20_q;
-      less_4000_s21_q <= {4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q;
-      and_4103_s21_q <= and_4103_s20_q;
-      and_4118_s21_q <= and_4118_s20_q;
-      not_4132_s21_q <= ~proven_q;
-      and_4179_s21_q <= and_4179;
-      select_4181_s21_q <= equal_573_s20_q ? (x_s20_q[6] ? x_s20_q[5:0] : 6'h0) : 6'h0;
-      select_4193_s21_q <= select_4193;
-      select_4195_s21_q <= select_4195_s20_q;
+      not_3992_s21_q <= ~(equal_3951_s20_q & equal_3702_s20_q);
+      or_3996_s21_q <= (equal_3951_s20_q | equal_3950_s20_q) | (x_s20_q[6:3] == 4'hf);
+      and_4001_s21_q <= equal_3948_s20_q & equal_3702_s20_q;
+      less_4002_s21_q <= {4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q;
+      and_4105_s21_q <= and_4105_s20_q;
+      and_4120_s21_q <= and_4120_s20_q;
+      not_4134_s21_q <= ~proven_q;
+      and_4181_s21_q <= and_4181;
+      select_4183_s21_q <= equal_573_s20_q ? (x_s20_q[6] ? x_s20_q[5:0] : 6'h0) : 6'h0;
+      select_4195_s21_q <= select_4195;
+      select_4197_s21_q <= select_4197_s20_q;
     end
   end
 
@@ -11739,228 +11741,228 @@ module horopter_agreement (
   logic [14:0] select_1979;
   assign select_1979 = (select_1975 == 2'h2) ? {select_1977[12:8], patches_sums_values_0_s21_q[9:8], select_1977[7:0]} : select_1978;
   // hls/stages/census.hpp:324
-  logic and_2284;
-  assign and_2284 = and_707_s21_q & less_731_s21_q;
+  logic and_2286;
+  assign and_2286 = and_707_s21_q & less_731_s21_q;
   // hls/stages/census.hpp:325
-  logic [19:0] sum_2285;
-  assign sum_2285 = census_left_misses_q + {{17{and_2284}}, and_2283_s21_q, 1'b0, and_2283_s21_q};
+  logic [19:0] sum_2287;
+  assign sum_2287 = census_left_misses_q + {{17{and_2286}}, and_2285_s21_q, 1'b0, and_2285_s21_q};
   // hls/stages/agreement.hpp:520
-  logic [19:0] select_2287;
-  assign select_2287 = and_548_s21_q ? (equal_2278_s21_q ? 20'h0 : sum_2285) : census_left_misses_q;
+  logic [19:0] select_2289;
+  assign select_2289 = and_548_s21_q ? (equal_2280_s21_q ? 20'h0 : sum_2287) : census_left_misses_q;
   // hls/stages/agreement.hpp:216
-  logic [2:0] select_2424;
-  assign select_2424 = equal_2396_s21_q ? {sharpness_comparing_product_0_q[1:0], sum_s21_q} : sharpness_comparing_product_0_q;
   logic [2:0] select_2426;
-  assign select_2426 = equal_2396_s21_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s21_q} : sharpness_comparing_product_1_q;
+  assign select_2426 = equal_2398_s21_q ? {sharpness_comparing_product_0_q[1:0], sum_s21_q} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2428;
+  assign select_2428 = equal_2398_s21_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s21_q} : sharpness_comparing_product_1_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s21_q});
   // hls/stages/agreement.hpp:216
-  logic select_2435;
-  assign select_2435 = so_s21_q ? (equal_2396_s21_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2437;
+  assign select_2437 = so_s21_q ? (equal_2398_s21_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s21_q});
   // hls/stages/agreement.hpp:216
-  logic select_2438;
-  assign select_2438 = equal_2396_s21_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
+  logic select_2440;
+  assign select_2440 = equal_2398_s21_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:403
-  logic xor_2441;
-  assign xor_2441 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic xor_2447;
-  assign xor_2447 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic xor_2443;
+  assign xor_2443 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic xor_2449;
+  assign xor_2449 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
   // hls/stages/patches.hpp:658
-  logic not_3609;
-  assign not_3609 = ~patches_lower_s21_q;
-  logic not_3615;
-  assign not_3615 = ~and_3614_s21_q;
+  logic not_3611;
+  assign not_3611 = ~patches_lower_s21_q;
+  logic not_3617;
+  assign not_3617 = ~and_3616_s21_q;
   // hls/stages/patches.hpp:189
-  logic and_3617;
-  assign and_3617 = and_3608_s21_q & (not_3609 & not_3615);
+  logic and_3619;
+  assign and_3619 = and_3610_s21_q & (not_3611 & not_3617);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_3619;
-  assign sum_3619 = {7'h0, and_3617} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  logic [7:0] sum_3621;
+  assign sum_3621 = {7'h0, and_3619} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:661
-  logic and_3658;
-  assign and_3658 = and_3657_s21_q & and_3617;
-  logic [7:0] sum_3659;
-  assign sum_3659 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3658};
+  logic and_3660;
+  assign and_3660 = and_3659_s21_q & and_3619;
+  logic [7:0] sum_3661;
+  assign sum_3661 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3660};
   // hls/stages/patches.hpp:662
-  logic and_3668;
-  assign and_3668 = and_3667_s21_q & and_3617;
-  logic [7:0] sum_3669;
-  assign sum_3669 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3668};
+  logic and_3670;
+  assign and_3670 = and_3669_s21_q & and_3619;
+  logic [7:0] sum_3671;
+  assign sum_3671 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3670};
   // hls/stages/patches.hpp:189
-  logic and_3671;
-  assign and_3671 = and_3608_s21_q & (and_3614_s21_q & not_3609);
+  logic and_3673;
+  assign and_3673 = and_3610_s21_q & (and_3616_s21_q & not_3611);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_3673;
-  assign sum_3673 = {7'h0, and_3671} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  logic [7:0] sum_3675;
+  assign sum_3675 = {7'h0, and_3673} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
   // hls/stages/patches.hpp:661
-  logic and_3675;
-  assign and_3675 = and_3657_s21_q & and_3671;
-  logic [7:0] sum_3676;
-  assign sum_3676 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3675};
+  logic and_3677;
+  assign and_3677 = and_3659_s21_q & and_3673;
+  logic [7:0] sum_3678;
+  assign sum_3678 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3677};
   // hls/stages/patches.hpp:662
-  logic and_3678;
-  assign and_3678 = and_3667_s21_q & and_3671;
-  logic [7:0] sum_3679;
-  assign sum_3679 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3678};
+  logic and_3680;
+  assign and_3680 = and_3669_s21_q & and_3673;
+  logic [7:0] sum_3681;
+  assign sum_3681 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3680};
   // hls/stages/patches.hpp:189
-  logic and_3681;
-  assign and_3681 = and_3608_s21_q & (patches_lower_s21_q & not_3615);
+  logic and_3683;
+  assign and_3683 = and_3610_s21_q & (patches_lower_s21_q & not_3617);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_3683;
-  assign sum_3683 = {7'h0, and_3681} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  logic [7:0] sum_3685;
+  assign sum_3685 = {7'h0, and_3683} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
   // hls/stages/patches.hpp:661
-  logic and_3685;
-  assign and_3685 = and_3657_s21_q & and_3681;
-  logic [7:0] sum_3686;
-  assign sum_3686 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3685};
+  logic and_3687;
+  assign and_3687 = and_3659_s21_q & and_3683;
+  logic [7:0] sum_3688;
+  assign sum_3688 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3687};
   // hls/stages/patches.hpp:662
-  logic and_3688;
-  assign and_3688 = and_3667_s21_q & and_3681;
-  logic [7:0] sum_3689;
-  assign sum_3689 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3688};
+  logic and_3690;
+  assign and_3690 = and_3669_s21_q & and_3683;
+  logic [7:0] sum_3691;
+  assign sum_3691 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3690};
   // hls/stages/patches.hpp:189
-  logic and_3691;
-  assign and_3691 = and_3608_s21_q & (patches_lower_s21_q & and_3614_s21_q);
+  logic and_3693;
+  assign and_3693 = and_3610_s21_q & (patches_lower_s21_q & and_3616_s21_q);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_3693;
-  assign sum_3693 = {7'h0, and_3691} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  logic [7:0] sum_3695;
+  assign sum_3695 = {7'h0, and_3693} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
   // hls/stages/patches.hpp:661
-  logic and_3695;
-  assign and_3695 = and_3657_s21_q & and_3691;
-  logic [7:0] sum_3696;
-  assign sum_3696 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3695};
+  logic and_3697;
+  assign and_3697 = and_3659_s21_q & and_3693;
+  logic [7:0] sum_3698;
+  assign sum_3698 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3697};
   // hls/stages/patches.hpp:662
-  logic and_3698;
-  assign and_3698 = and_3667_s21_q & and_3691;
-  logic [7:0] sum_3699;
-  assign sum_3699 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3698};
+  logic and_3700;
+  assign and_3700 = and_3669_s21_q & and_3693;
+  logic [7:0] sum_3701;
+  assign sum_3701 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3700};
   // hls/stages/patches.hpp:624
-  logic [7:0] or_3713;
-  assign or_3713 = (and_3705_s21_q ? patches_quarters_0_places_q : 8'h0) | (and_3711_s21_q ? patches_quarters_1_places_q : 8'h0);
-  logic [7:0] or_3727;
-  assign or_3727 = (or_3713 | (and_3718_s21_q ? patches_quarters_2_places_q : 8'h0)) | (and_3725_s21_q ? patches_quarters_3_places_q : 8'h0);
+  logic [7:0] or_3715;
+  assign or_3715 = (and_3707_s21_q ? patches_quarters_0_places_q : 8'h0) | (and_3713_s21_q ? patches_quarters_1_places_q : 8'h0);
+  logic [7:0] or_3729;
+  assign or_3729 = (or_3715 | (and_3720_s21_q ? patches_quarters_2_places_q : 8'h0)) | (and_3727_s21_q ? patches_quarters_3_places_q : 8'h0);
   // hls/stages/agreement.hpp:788
-  logic and_3735;
-  assign and_3735 = equal_573_s21_q & and_3734_s21_q;
+  logic and_3737;
+  assign and_3737 = equal_573_s21_q & and_3736_s21_q;
   // hls/stages/patches.hpp:625
-  logic [7:0] select_3737;
-  assign select_3737 = and_3705_s21_q ? (and_3735 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
   logic [7:0] select_3739;
-  assign select_3739 = and_3711_s21_q ? (and_3735 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_3742;
-  assign select_3742 = and_3718_s21_q ? (and_3735 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_3745;
-  assign select_3745 = and_3725_s21_q ? (and_3735 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  assign select_3739 = and_3707_s21_q ? (and_3737 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_3741;
+  assign select_3741 = and_3713_s21_q ? (and_3737 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_3744;
+  assign select_3744 = and_3720_s21_q ? (and_3737 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_3747;
+  assign select_3747 = and_3727_s21_q ? (and_3737 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
   // hls/stages/patches.hpp:626
-  logic [7:0] select_3748;
-  assign select_3748 = and_3705_s21_q ? (and_3735 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
   logic [7:0] select_3750;
-  assign select_3750 = and_3711_s21_q ? (and_3735 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_3753;
-  assign select_3753 = and_3718_s21_q ? (and_3735 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_3756;
-  assign select_3756 = and_3725_s21_q ? (and_3735 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  assign select_3750 = and_3707_s21_q ? (and_3737 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_3752;
+  assign select_3752 = and_3713_s21_q ? (and_3737 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_3755;
+  assign select_3755 = and_3720_s21_q ? (and_3737 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_3758;
+  assign select_3758 = and_3727_s21_q ? (and_3737 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
   // hls/stages/agreement.hpp:788
-  logic and_3763;
-  assign and_3763 = equal_573_s21_q & (x_s21_q & and_3761_s21_q);
+  logic and_3765;
+  assign and_3765 = equal_573_s21_q & (x_s21_q & and_3763_s21_q);
   // hls/stages/patches.hpp:619
-  logic [7:0] sum_3765;
-  assign sum_3765 = patches_word_places_q + (and_3711_s21_q ? 8'h0 : patches_sum_places_q);
+  logic [7:0] sum_3767;
+  assign sum_3767 = patches_word_places_q + (and_3713_s21_q ? 8'h0 : patches_sum_places_q);
   // hls/stages/patches.hpp:621
-  logic [7:0] select_3769;
-  assign select_3769 = and_3763 ? (patches_word_up_q + (and_3711_s21_q ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] sum_3771;
-  assign sum_3771 = patches_word_down_q + (and_3711_s21_q ? 8'h0 : patches_sum_down_q);
+  logic [7:0] select_3771;
+  assign select_3771 = and_3765 ? (patches_word_up_q + (and_3713_s21_q ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] sum_3773;
+  assign sum_3773 = patches_word_down_q + (and_3713_s21_q ? 8'h0 : patches_sum_down_q);
   // hls/stages/patches.hpp:664
-  logic [5:0] select_3783;
-  assign select_3783 = and_3608_s21_q ? select_3782_s21_q : 6'h0;
-  logic [11:0] sum_3784;
-  assign sum_3784 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3783[5]}}, select_3783};
+  logic [5:0] select_3785;
+  assign select_3785 = and_3610_s21_q ? select_3784_s21_q : 6'h0;
+  logic [11:0] sum_3786;
+  assign sum_3786 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_3785[5]}}, select_3785};
   // hls/stages/patches.hpp:648
-  logic [7:0] select_3795;
-  assign select_3795 = and_3788_s21_q ? (and_3793_s21_q ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  logic [7:0] select_3797;
+  assign select_3797 = and_3790_s21_q ? (and_3795_s21_q ? patches_sum_places_q : patches_places_q) : patches_places_q;
   // hls/stages/patches.hpp:650
-  logic or_3799;
-  assign or_3799 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  logic or_3801;
+  assign or_3801 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
   // hls/stages/patches.hpp:651
-  logic or_3802;
-  assign or_3802 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  logic or_3804;
+  assign or_3804 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
   // hls/stages/patches.hpp:652
-  logic [8:0] sum_3803;
-  assign sum_3803 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  logic [8:0] sum_3805;
+  assign sum_3805 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
   // hls/stages/patches.hpp:647
-  logic select_3805;
-  assign select_3805 = and_3788_s21_q ? (and_3793_s21_q ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  logic select_3807;
+  assign select_3807 = and_3790_s21_q ? (and_3795_s21_q ? patches_enough_q : patches_complete_q) : patches_complete_q;
   // hls/stages/patches.hpp:189
-  logic and_3808;
-  assign and_3808 = patches_enough_q & patches_mostly_q;
+  logic and_3810;
+  assign and_3810 = patches_enough_q & patches_mostly_q;
   // hls/stages/patches.hpp:647
-  logic [2:0] select_3809;
-  assign select_3809 = and_3788_s21_q ? {and_3808, patches_found_q[2:1]} : patches_found_q;
   logic [2:0] select_3811;
-  assign select_3811 = and_3788_s21_q ? (and_3793_s21_q ? {and_3808, patches_found_q[2:1]} : select_3809) : patches_found_q;
+  assign select_3811 = and_3790_s21_q ? {and_3810, patches_found_q[2:1]} : patches_found_q;
+  logic [2:0] select_3813;
+  assign select_3813 = and_3790_s21_q ? (and_3795_s21_q ? {and_3810, patches_found_q[2:1]} : select_3811) : patches_found_q;
   // hls/stages/patches.hpp:646
-  logic or_3814;
-  assign or_3814 = patches_partly_q | (patches_doubted_q & (~and_3793_s21_q));
+  logic or_3816;
+  assign or_3816 = patches_partly_q | (patches_doubted_q & (~and_3795_s21_q));
   // hls/stages/patches.hpp:647
-  logic select_3816;
-  assign select_3816 = and_3793_s21_q ? or_3814 : (and_3788_s21_q ? or_3814 : patches_doubted_q);
-  // hls/stages/patches.hpp:645
   logic select_3818;
-  assign select_3818 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  assign select_3818 = and_3795_s21_q ? or_3816 : (and_3790_s21_q ? or_3816 : patches_doubted_q);
+  // hls/stages/patches.hpp:645
+  logic select_3820;
+  assign select_3820 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
   // hls/stages/patches.hpp:634
-  logic [7:0] select_3822;
-  assign select_3822 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  logic [7:0] select_3824;
+  assign select_3824 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
   // hls/stages/patches.hpp:665
-  logic [7:0] sum_3832;
-  assign sum_3832 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3831_s21_q};
+  logic [7:0] sum_3834;
+  assign sum_3834 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3833_s21_q};
   // hls/stages/patches.hpp:636
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
   // hls/stages/patches.hpp:637
-  logic select_3855;
-  assign select_3855 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  logic select_3857;
+  assign select_3857 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:638
-  logic and_3861;
-  assign and_3861 = patches_frame_ended_s21_q & (~patches_age_q[9]);
-  logic [9:0] sum_3862;
-  assign sum_3862 = patches_age_q + {9'h0, and_3861};
-  logic [9:0] select_3865;
-  assign select_3865 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3862)) : sum_3862;
+  logic and_3863;
+  assign and_3863 = patches_frame_ended_s21_q & (~patches_age_q[9]);
+  logic [9:0] sum_3864;
+  assign sum_3864 = patches_age_q + {9'h0, and_3863};
+  logic [9:0] select_3867;
+  assign select_3867 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3864)) : sum_3864;
   // hls/stages/agreement.hpp:1222
   logic [14:0] over;
   assign over = {1'b0, product_s21_q} - {1'b0, before_v_4_s21_q};
   // hls/stages/agreement.hpp:1230
-  logic select_3956;
-  assign select_3956 = and_3945_s21_q ? over[14] : hides_q;
+  logic select_3958;
+  assign select_3958 = and_3947_s21_q ? over[14] : hides_q;
   // hls/stages/agreement.hpp:1308
-  logic [1:0] select_4119;
-  assign select_4119 = and_4118_s21_q ? {and_2127_s21_q, is_seen_s21_q} : map_rdata_s21_q;
+  logic [1:0] select_4121;
+  assign select_4121 = and_4120_s21_q ? {and_2127_s21_q, is_seen_s21_q} : map_rdata_s21_q;
   // hls/stages/agreement.hpp:1309
-  logic and_4120;
-  assign and_4120 = proven_q & less_4108;
+  logic and_4122;
+  assign and_4122 = proven_q & less_4110;
   // hls/stages/agreement.hpp:1239
-  logic or_4133;
-  assign or_4133 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4132_s21_q;
+  logic or_4135;
+  assign or_4135 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4134_s21_q;
   // hls/stages/agreement.hpp:788
-  logic and_4148;
-  assign and_4148 = equal_3941_s21_q & (cfg_prove_i & (registration_moved_s21_q | patches_moved_q));
+  logic and_4150;
+  assign and_4150 = equal_3943_s21_q & (cfg_prove_i & (registration_moved_s21_q | patches_moved_q));
   // hls/stages/agreement.hpp:1150
-  logic or_4151;
-  assign or_4151 = select_2458_s21_q | ($signed(20'h0) < $signed(census_left_misses_q));
+  logic or_4153;
+  assign or_4153 = select_2460_s21_q | ($signed(20'h0) < $signed(census_left_misses_q));
   // hls/stages/agreement.hpp:788
-  logic and_4175;
-  assign and_4175 = equal_573_s21_q & (equal_3941_s21_q & (cfg_prove_i & moments_out_of_step_q));
+  logic and_4177;
+  assign and_4177 = equal_573_s21_q & (equal_3943_s21_q & (cfg_prove_i & moments_out_of_step_q));
   // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4194;
-  assign select_4194 = equal_1614_s21_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4193_s21_q;
-  // hls/stages/agreement.hpp:1142
   logic [31:0] select_4196;
-  assign select_4196 = equal_1606_s21_q ? select_4194 : {2'h0, select_4195_s21_q, select_2646_s21_q, select_2643_s21_q};
+  assign select_4196 = equal_1614_s21_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4195_s21_q;
+  // hls/stages/agreement.hpp:1142
+  logic [31:0] select_4198;
+  assign select_4198 = equal_1606_s21_q ? select_4196 : {2'h0, select_4197_s21_q, select_2648_s21_q, select_2645_s21_q};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
@@ -12149,53 +12151,53 @@ module horopter_agreement (
       patches_age_q <= 10'h200;
       hides_q <= 1'b0;
     end else if (s21_en) begin
-      census_left_misses_q <= select_2287;
-      sharpness_comparing_product_0_q <= so_s21_q ? select_2424 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= so_s21_q ? select_2426 : sharpness_comparing_product_1_q;
-      sharpness_comparing_carry_0_q <= select_2435;
-      sharpness_comparing_carry_1_q <= so_s21_q ? select_2438 : sharpness_comparing_carry_1_q;
+      census_left_misses_q <= select_2289;
+      sharpness_comparing_product_0_q <= so_s21_q ? select_2426 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= so_s21_q ? select_2428 : sharpness_comparing_product_1_q;
+      sharpness_comparing_carry_0_q <= select_2437;
+      sharpness_comparing_carry_1_q <= so_s21_q ? select_2440 : sharpness_comparing_carry_1_q;
       patches_best_differing_q <= select_1979[9:0];
       patches_best_column_q <= select_1979[14:10];
-      patches_quarters_0_places_q <= sum_3619;
-      patches_quarters_0_up_q <= sum_3659;
-      patches_quarters_0_down_q <= sum_3669;
-      patches_quarters_1_places_q <= sum_3673;
-      patches_quarters_1_up_q <= sum_3676;
-      patches_quarters_1_down_q <= sum_3679;
-      patches_quarters_2_places_q <= sum_3683;
-      patches_quarters_2_up_q <= sum_3686;
-      patches_quarters_2_down_q <= sum_3689;
-      patches_quarters_3_places_q <= sum_3693;
-      patches_quarters_3_up_q <= sum_3696;
-      patches_quarters_3_down_q <= sum_3699;
-      patches_word_places_q <= or_3727;
-      patches_word_up_q <= ((select_3737 | select_3739) | select_3742) | select_3745;
-      patches_word_down_q <= ((select_3748 | select_3750) | select_3753) | select_3756;
-      patches_sum_places_q <= and_3763 ? sum_3765 : patches_sum_places_q;
-      patches_sum_up_q <= select_3769;
-      patches_sum_down_q <= and_3763 ? sum_3771 : patches_sum_down_q;
-      patches_across_q <= sum_3784;
-      patches_places_q <= select_3795;
+      patches_quarters_0_places_q <= sum_3621;
+      patches_quarters_0_up_q <= sum_3661;
+      patches_quarters_0_down_q <= sum_3671;
+      patches_quarters_1_places_q <= sum_3675;
+      patches_quarters_1_up_q <= sum_3678;
+      patches_quarters_1_down_q <= sum_3681;
+      patches_quarters_2_places_q <= sum_3685;
+      patches_quarters_2_up_q <= sum_3688;
+      patches_quarters_2_down_q <= sum_3691;
+      patches_quarters_3_places_q <= sum_3695;
+      patches_quarters_3_up_q <= sum_3698;
+      patches_quarters_3_down_q <= sum_3701;
+      patches_word_places_q <= or_3729;
+      patches_word_up_q <= ((select_3739 | select_3741) | select_3744) | select_3747;
+      patches_word_down_q <= ((select_3750 | select_3752) | select_3755) | select_3758;
+      patches_sum_places_q <= and_3765 ? sum_3767 : patches_sum_places_q;
+      patches_sum_up_q <= select_3771;
+      patches_sum_down_q <= and_3765 ? sum_3773 : patches_sum_down_q;
+      patches_across_q <= sum_3786;
+      patches_places_q <= select_3797;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_3799;
-      patches_partly_q <= or_3802;
-      patches_clear_limit_q <= sum_3803[8:2];
-      patches_complete_q <= select_3805;
+      patches_mostly_q <= or_3801;
+      patches_partly_q <= or_3804;
+      patches_clear_limit_q <= sum_3805[8:2];
+      patches_complete_q <= select_3807;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= select_3811;
-      patches_doubted_q <= and_3788_s21_q ? select_3816 : patches_doubted_q;
-      patches_doubted_before_q <= select_3818;
+      patches_found_q <= select_3813;
+      patches_doubted_q <= and_3790_s21_q ? select_3818 : patches_doubted_q;
+      patches_doubted_before_q <= select_3820;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_3822;
-      patches_on_skin_q <= sum_3832;
+      patches_round_on_skin_q <= select_3824;
+      patches_on_skin_q <= sum_3834;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_3855;
+      patches_moved_q <= select_3857;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_3865;
-      hides_q <= equal_573_s21_q ? select_3956 : hides_q;
+      patches_age_q <= select_3867;
+      hides_q <= equal_573_s21_q ? select_3958 : hides_q;
     end
   end
 
@@ -12225,31 +12227,31 @@ module horopter_agreement (
   logic so_s22_q;
   logic and_2057_s22_q;
   logic less_2058_s22_q;
-  logic equal_2396_s22_q;
-  logic or_2442_s22_q;
-  logic and_2443_s22_q;
-  logic or_2448_s22_q;
-  logic and_2449_s22_q;
-  logic select_2464_s22_q;
-  logic or_3922_s22_q;
-  logic select_3930_s22_q;
-  logic equal_3941_s22_q;
-  logic select_3956_s22_q;
-  logic and_3988_s22_q;
-  logic not_3990_s22_q;
-  logic or_3994_s22_q;
-  logic and_3999_s22_q;
+  logic equal_2398_s22_q;
+  logic or_2444_s22_q;
+  logic and_2445_s22_q;
+  logic or_2450_s22_q;
+  logic and_2451_s22_q;
+  logic select_2466_s22_q;
+  logic or_3924_s22_q;
+  logic select_3932_s22_q;
+  logic equal_3943_s22_q;
+  logic select_3958_s22_q;
+  logic and_3990_s22_q;
+  logic not_3992_s22_q;
+  logic or_3996_s22_q;
   logic and_4001_s22_q;
-  logic and_4103_s22_q;
-  logic and_4121_s22_q;
-  logic and_4124_s22_q;
-  logic and_4136_s22_q;
-  logic and_4149_s22_q;
-  logic or_4151_s22_q;
-  logic and_4175_s22_q;
-  logic and_4179_s22_q;
-  logic [5:0] select_4181_s22_q;
-  logic [31:0] select_4198_s22_q;
+  logic and_4003_s22_q;
+  logic and_4105_s22_q;
+  logic and_4123_s22_q;
+  logic and_4126_s22_q;
+  logic and_4138_s22_q;
+  logic and_4151_s22_q;
+  logic or_4153_s22_q;
+  logic and_4177_s22_q;
+  logic and_4181_s22_q;
+  logic [5:0] select_4183_s22_q;
+  logic [31:0] select_4200_s22_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s22_q <= pixel_0_s21_q;
@@ -12266,31 +12268,31 @@ module horopter_agreement (
       so_s22_q <= so_s21_q;
       and_2057_s22_q <= and_2057_s21_q;
       less_2058_s22_q <= less_2058_s21_q;
-      equal_2396_s22_q <= equal_2396_s21_q;
-      or_2442_s22_q <= equal_2440_s21_q | xor_2441;
-      and_2443_s22_q <= five_times[0] & xor_2441;
-      or_2448_s22_q <= equal_2440_s21_q | xor_2447;
-      and_2449_s22_q <= five_times_2[0] & xor_2447;
-      select_2464_s22_q <= select_2464_s21_q;
-      or_3922_s22_q <= or_3922_s21_q;
-      select_3930_s22_q <= select_3930_s21_q;
-      equal_3941_s22_q <= equal_3941_s21_q;
-      select_3956_s22_q <= select_3956;
-      and_3988_s22_q <= over[14] & equal_3700_s21_q;
-      not_3990_s22_q <= not_3990_s21_q;
-      or_3994_s22_q <= or_3994_s21_q;
-      and_3999_s22_q <= and_3999_s21_q;
-      and_4001_s22_q <= over[14] & less_4000_s21_q;
-      and_4103_s22_q <= and_4103_s21_q;
-      and_4121_s22_q <= select_4119[0] & and_4120;
-      and_4124_s22_q <= select_4119[1] & and_4120;
-      and_4136_s22_q <= equal_573_s21_q & (equal_3941_s21_q & (cfg_prove_i & or_4133));
-      and_4149_s22_q <= equal_573_s21_q & and_4148;
-      or_4151_s22_q <= or_4151;
-      and_4175_s22_q <= and_4175;
-      and_4179_s22_q <= and_4179_s21_q;
-      select_4181_s22_q <= select_4181_s21_q;
-      select_4198_s22_q <= equal_573_s21_q ? (x_s21_q ? select_4196 : 32'h0) : 32'h0;
+      equal_2398_s22_q <= equal_2398_s21_q;
+      or_2444_s22_q <= equal_2442_s21_q | xor_2443;
+      and_2445_s22_q <= five_times[0] & xor_2443;
+      or_2450_s22_q <= equal_2442_s21_q | xor_2449;
+      and_2451_s22_q <= five_times_2[0] & xor_2449;
+      select_2466_s22_q <= select_2466_s21_q;
+      or_3924_s22_q <= or_3924_s21_q;
+      select_3932_s22_q <= select_3932_s21_q;
+      equal_3943_s22_q <= equal_3943_s21_q;
+      select_3958_s22_q <= select_3958;
+      and_3990_s22_q <= over[14] & equal_3702_s21_q;
+      not_3992_s22_q <= not_3992_s21_q;
+      or_3996_s22_q <= or_3996_s21_q;
+      and_4001_s22_q <= and_4001_s21_q;
+      and_4003_s22_q <= over[14] & less_4002_s21_q;
+      and_4105_s22_q <= and_4105_s21_q;
+      and_4123_s22_q <= select_4121[0] & and_4122;
+      and_4126_s22_q <= select_4121[1] & and_4122;
+      and_4138_s22_q <= equal_573_s21_q & (equal_3943_s21_q & (cfg_prove_i & or_4135));
+      and_4151_s22_q <= equal_573_s21_q & and_4150;
+      or_4153_s22_q <= or_4153;
+      and_4177_s22_q <= and_4177;
+      and_4181_s22_q <= and_4181_s21_q;
+      select_4183_s22_q <= select_4183_s21_q;
+      select_4200_s22_q <= equal_573_s21_q ? (x_s21_q ? select_4198 : 32'h0) : 32'h0;
     end
   end
 
@@ -12303,57 +12305,57 @@ module horopter_agreement (
   logic seen_q;
   logic nearer_q;
   // hls/stages/census.hpp:403
-  logic select_2444;
-  assign select_2444 = or_2442_s22_q ? and_2443_s22_q : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:216
-  logic select_2445;
-  assign select_2445 = equal_2396_s22_q ? select_2444 : sharpness_comparing_less_detail_0_q;
   logic select_2446;
-  assign select_2446 = so_s22_q ? select_2445 : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:403
-  logic select_2450;
-  assign select_2450 = or_2448_s22_q ? and_2449_s22_q : sharpness_comparing_less_detail_1_q;
+  assign select_2446 = or_2444_s22_q ? and_2445_s22_q : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2451;
-  assign select_2451 = equal_2396_s22_q ? select_2450 : sharpness_comparing_less_detail_1_q;
+  logic select_2447;
+  assign select_2447 = equal_2398_s22_q ? select_2446 : sharpness_comparing_less_detail_0_q;
+  logic select_2448;
+  assign select_2448 = so_s22_q ? select_2447 : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:403
   logic select_2452;
-  assign select_2452 = so_s22_q ? select_2451 : sharpness_comparing_less_detail_1_q;
+  assign select_2452 = or_2450_s22_q ? and_2451_s22_q : sharpness_comparing_less_detail_1_q;
+  // hls/stages/agreement.hpp:216
+  logic select_2453;
+  assign select_2453 = equal_2398_s22_q ? select_2452 : sharpness_comparing_less_detail_1_q;
+  logic select_2454;
+  assign select_2454 = so_s22_q ? select_2453 : sharpness_comparing_less_detail_1_q;
   // hls/stages/patches.hpp:654
-  logic [12:0] product_3837;
-  assign product_3837 = {8'h0, cfg_on_skin_limit_i} * {5'h0, patches_places_q};
+  logic [12:0] product_3839;
+  assign product_3839 = {8'h0, cfg_on_skin_limit_i} * {5'h0, patches_places_q};
   // hls/stages/agreement.hpp:1148
-  logic not_3957;
-  assign not_3957 = ~hidden_for_q[7];
-  logic [7:0] select_3959;
-  assign select_3959 = select_3956_s22_q ? (hidden_for_q + {7'h0, not_3957}) : 8'h0;
-  // hls/stages/agreement.hpp:788
+  logic not_3959;
+  assign not_3959 = ~hidden_for_q[7];
   logic [7:0] select_3961;
-  assign select_3961 = equal_573_s22_q ? (equal_3941_s22_q ? select_3959 : hidden_for_q) : hidden_for_q;
+  assign select_3961 = select_3958_s22_q ? (hidden_for_q + {7'h0, not_3959}) : 8'h0;
+  // hls/stages/agreement.hpp:788
+  logic [7:0] select_3963;
+  assign select_3963 = equal_573_s22_q ? (equal_3943_s22_q ? select_3961 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1228
-  logic and_3991;
-  assign and_3991 = too_much_q & not_3990_s22_q;
+  logic and_3993;
+  assign and_3993 = too_much_q & not_3992_s22_q;
   // hls/stages/agreement.hpp:1229
-  logic select_3996;
-  assign select_3996 = and_3988_s22_q ? (and_3991 | or_3994_s22_q) : and_3991;
+  logic select_3998;
+  assign select_3998 = and_3990_s22_q ? (and_3993 | or_3996_s22_q) : and_3993;
   // hls/stages/agreement.hpp:1231
-  logic select_4002;
-  assign select_4002 = and_3999_s22_q ? and_4001_s22_q : overlooks_q;
+  logic select_4004;
+  assign select_4004 = and_4001_s22_q ? and_4003_s22_q : overlooks_q;
   // hls/stages/agreement.hpp:438
-  logic select_4123;
-  assign select_4123 = and_2057_s22_q ? (less_2058_s22_q ? and_4121_s22_q : seen_q) : seen_q;
-  logic select_4126;
-  assign select_4126 = and_2057_s22_q ? (less_2058_s22_q ? and_4124_s22_q : nearer_q) : nearer_q;
+  logic select_4125;
+  assign select_4125 = and_2057_s22_q ? (less_2058_s22_q ? and_4123_s22_q : seen_q) : seen_q;
+  logic select_4128;
+  assign select_4128 = and_2057_s22_q ? (less_2058_s22_q ? and_4126_s22_q : nearer_q) : nearer_q;
   // hls/stages/agreement.hpp:788
-  logic and_4139;
-  assign and_4139 = equal_573_s22_q & (equal_3941_s22_q & (cfg_prove_i & or_3922_s22_q));
+  logic and_4141;
+  assign and_4141 = equal_573_s22_q & (equal_3943_s22_q & (cfg_prove_i & or_3924_s22_q));
   // hls/stages/agreement.hpp:1241
-  logic not_4141;
-  assign not_4141 = ~(or_3922_s22_q | not_2348);
+  logic not_4143;
+  assign not_4143 = ~(or_3924_s22_q | not_2350);
   // hls/stages/agreement.hpp:788
-  logic and_4144;
-  assign and_4144 = equal_3941_s22_q & (not_4141 & (select_3930_s22_q | select_3996));
-  logic and_4158;
-  assign and_4158 = equal_3941_s22_q & (not_4141 & (select_2452 | select_2464_s22_q));
+  logic and_4146;
+  assign and_4146 = equal_3943_s22_q & (not_4143 & (select_3932_s22_q | select_3998));
+  logic and_4160;
+  assign and_4160 = equal_3943_s22_q & (not_4143 & (select_2454 | select_2466_s22_q));
 
   // Memory patches_rows, write
   logic [4:0] patches_rows_waddr;
@@ -12502,13 +12504,13 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s22_en) begin
-      sharpness_comparing_less_detail_0_q <= select_2446;
-      sharpness_comparing_less_detail_1_q <= select_2452;
-      hidden_for_q <= select_3961;
-      too_much_q <= equal_573_s22_q ? select_3996 : too_much_q;
-      overlooks_q <= equal_573_s22_q ? select_4002 : overlooks_q;
-      seen_q <= select_4123;
-      nearer_q <= select_4126;
+      sharpness_comparing_less_detail_0_q <= select_2448;
+      sharpness_comparing_less_detail_1_q <= select_2454;
+      hidden_for_q <= select_3963;
+      too_much_q <= equal_573_s22_q ? select_3998 : too_much_q;
+      overlooks_q <= equal_573_s22_q ? select_4004 : overlooks_q;
+      seen_q <= select_4125;
+      nearer_q <= select_4128;
     end
   end
 
@@ -12521,21 +12523,21 @@ module horopter_agreement (
   logic patches_round_ends_s23_q;
   logic [7:0] patches_on_skin_s23_q;
   logic equal_573_s23_q;
-  logic [7:0] product_3837_s23_q;
-  logic equal_3941_s23_q;
-  logic and_4103_s23_q;
-  logic and_4136_s23_q;
-  logic and_4139_s23_q;
-  logic and_4145_s23_q;
-  logic and_4149_s23_q;
-  logic and_4154_s23_q;
-  logic and_4158_s23_q;
-  logic not_4163_s23_q;
-  logic or_4169_s23_q;
-  logic and_4175_s23_q;
-  logic and_4179_s23_q;
-  logic [5:0] select_4181_s23_q;
-  logic [31:0] select_4198_s23_q;
+  logic [7:0] product_3839_s23_q;
+  logic equal_3943_s23_q;
+  logic and_4105_s23_q;
+  logic and_4138_s23_q;
+  logic and_4141_s23_q;
+  logic and_4147_s23_q;
+  logic and_4151_s23_q;
+  logic and_4156_s23_q;
+  logic and_4160_s23_q;
+  logic not_4165_s23_q;
+  logic or_4171_s23_q;
+  logic and_4177_s23_q;
+  logic and_4181_s23_q;
+  logic [5:0] select_4183_s23_q;
+  logic [31:0] select_4200_s23_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s23_q <= pixel_0_s22_q;
@@ -12547,21 +12549,21 @@ module horopter_agreement (
       patches_round_ends_s23_q <= patches_round_ends_s22_q;
       patches_on_skin_s23_q <= patches_on_skin_s22_q;
       equal_573_s23_q <= equal_573_s22_q;
-      product_3837_s23_q <= product_3837[12:5];
-      equal_3941_s23_q <= equal_3941_s22_q;
-      and_4103_s23_q <= and_4103_s22_q;
-      and_4136_s23_q <= and_4136_s22_q;
-      and_4139_s23_q <= and_4139;
-      and_4145_s23_q <= equal_573_s22_q & and_4144;
-      and_4149_s23_q <= and_4149_s22_q;
-      and_4154_s23_q <= equal_3941_s22_q & (not_4141 & (select_2446 | or_4151_s22_q));
-      and_4158_s23_q <= and_4158;
-      not_4163_s23_q <= ~(select_3959 < cfg_hidden_frames_i);
-      or_4169_s23_q <= not_2348 | (select_4002 & not_3834);
-      and_4175_s23_q <= and_4175_s22_q;
-      and_4179_s23_q <= and_4179_s22_q;
-      select_4181_s23_q <= select_4181_s22_q;
-      select_4198_s23_q <= select_4198_s22_q;
+      product_3839_s23_q <= product_3839[12:5];
+      equal_3943_s23_q <= equal_3943_s22_q;
+      and_4105_s23_q <= and_4105_s22_q;
+      and_4138_s23_q <= and_4138_s22_q;
+      and_4141_s23_q <= and_4141;
+      and_4147_s23_q <= equal_573_s22_q & and_4146;
+      and_4151_s23_q <= and_4151_s22_q;
+      and_4156_s23_q <= equal_3943_s22_q & (not_4143 & (select_2448 | or_4153_s22_q));
+      and_4160_s23_q <= and_4160;
+      not_4165_s23_q <= ~(select_3961 < cfg_hidden_frames_i);
+      or_4171_s23_q <= not_2350 | (select_4004 & not_3836);
+      and_4177_s23_q <= and_4177_s22_q;
+      and_4181_s23_q <= and_4181_s22_q;
+      select_4183_s23_q <= select_4183_s22_q;
+      select_4200_s23_q <= select_4200_s22_q;
     end
   end
 
@@ -12570,19 +12572,19 @@ module horopter_agreement (
   logic patches_overlooked_q;
   logic patches_spoiled_q;
   // hls/stages/patches.hpp:189
-  logic and_3839;
-  assign and_3839 = (~(patches_on_skin_s23_q[7:2] == 6'h0)) & (product_3837_s23_q < patches_on_skin_s23_q);
-  logic select_3844;
-  assign select_3844 = patches_round_ends_s23_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic and_3841;
+  assign and_3841 = (~(patches_on_skin_s23_q[7:2] == 6'h0)) & (product_3839_s23_q < patches_on_skin_s23_q);
+  logic select_3846;
+  assign select_3846 = patches_round_ends_s23_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:635
-  logic or_3848;
-  assign or_3848 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_s23_q));
+  logic or_3850;
+  assign or_3850 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_s23_q));
   // hls/stages/agreement.hpp:1150
-  logic and_4165;
-  assign and_4165 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_4163_s23_q);
+  logic and_4167;
+  assign and_4167 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_4165_s23_q);
   // hls/stages/agreement.hpp:788
-  logic and_4171;
-  assign and_4171 = equal_3941_s23_q & (or_4169_s23_q ? cfg_prove_i : patches_overlooked_q);
+  logic and_4173;
+  assign and_4173 = equal_3943_s23_q & (or_4171_s23_q ? cfg_prove_i : patches_overlooked_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -12590,9 +12592,9 @@ module horopter_agreement (
       patches_overlooked_q <= 1'b0;
       patches_spoiled_q <= 1'b0;
     end else if (s23_en) begin
-      patches_large_q <= not_3834 & and_3839;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3844;
-      patches_spoiled_q <= or_3848;
+      patches_large_q <= not_3836 & and_3841;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3846;
+      patches_spoiled_q <= or_3850;
     end
   end
 
@@ -12602,21 +12604,21 @@ module horopter_agreement (
   logic mask_s24_q;
   logic marks_first_s24_q;
   logic marks_last_s24_q;
-  logic and_4103_s24_q;
-  logic or_4127_s24_q;
-  logic and_4128_s24_q;
-  logic and_4136_s24_q;
-  logic and_4139_s24_q;
-  logic and_4145_s24_q;
-  logic and_4149_s24_q;
-  logic and_4155_s24_q;
-  logic and_4159_s24_q;
-  logic and_4167_s24_q;
-  logic and_4172_s24_q;
-  logic and_4175_s24_q;
-  logic and_4179_s24_q;
-  logic [5:0] select_4181_s24_q;
-  logic [31:0] select_4198_s24_q;
+  logic and_4105_s24_q;
+  logic or_4129_s24_q;
+  logic and_4130_s24_q;
+  logic and_4138_s24_q;
+  logic and_4141_s24_q;
+  logic and_4147_s24_q;
+  logic and_4151_s24_q;
+  logic and_4157_s24_q;
+  logic and_4161_s24_q;
+  logic and_4169_s24_q;
+  logic and_4174_s24_q;
+  logic and_4177_s24_q;
+  logic and_4181_s24_q;
+  logic [5:0] select_4183_s24_q;
+  logic [31:0] select_4200_s24_q;
   always_ff @(posedge clk_i) begin
     if (s23_en) begin
       pixel_0_s24_q <= pixel_0_s23_q;
@@ -12625,21 +12627,21 @@ module horopter_agreement (
       mask_s24_q <= mask_s23_q;
       marks_first_s24_q <= marks_first_s23_q;
       marks_last_s24_q <= marks_last_s23_q;
-      and_4103_s24_q <= and_4103_s23_q;
-      or_4127_s24_q <= not_2348 | seen_q;
-      and_4128_s24_q <= cfg_prove_i & nearer_q;
-      and_4136_s24_q <= and_4136_s23_q;
-      and_4139_s24_q <= and_4139_s23_q;
-      and_4145_s24_q <= and_4145_s23_q;
-      and_4149_s24_q <= and_4149_s23_q;
-      and_4155_s24_q <= equal_573_s23_q & and_4154_s23_q;
-      and_4159_s24_q <= equal_573_s23_q & and_4158_s23_q;
-      and_4167_s24_q <= equal_573_s23_q & (equal_3941_s23_q & and_4165);
-      and_4172_s24_q <= equal_573_s23_q & and_4171;
-      and_4175_s24_q <= and_4175_s23_q;
-      and_4179_s24_q <= and_4179_s23_q;
-      select_4181_s24_q <= select_4181_s23_q;
-      select_4198_s24_q <= select_4198_s23_q;
+      and_4105_s24_q <= and_4105_s23_q;
+      or_4129_s24_q <= not_2350 | seen_q;
+      and_4130_s24_q <= cfg_prove_i & nearer_q;
+      and_4138_s24_q <= and_4138_s23_q;
+      and_4141_s24_q <= and_4141_s23_q;
+      and_4147_s24_q <= and_4147_s23_q;
+      and_4151_s24_q <= and_4151_s23_q;
+      and_4157_s24_q <= equal_573_s23_q & and_4156_s23_q;
+      and_4161_s24_q <= equal_573_s23_q & and_4160_s23_q;
+      and_4169_s24_q <= equal_573_s23_q & (equal_3943_s23_q & and_4167);
+      and_4174_s24_q <= equal_573_s23_q & and_4173;
+      and_4177_s24_q <= and_4177_s23_q;
+      and_4181_s24_q <= and_4181_s23_q;
+      select_4183_s24_q <= select_4183_s23_q;
+      select_4200_s24_q <= select_4200_s23_q;
     end
   end
 
@@ -12650,21 +12652,21 @@ module horopter_agreement (
   assign mask_o = mask_s24_q;
   assign marks_first_o = marks_first_s24_q;
   assign marks_last_o = marks_last_s24_q;
-  assign marks_seen_o = or_4127_s24_q;
-  assign marks_nearer_o = and_4128_s24_q;
-  assign verdict_valid_o = and_4103_s24_q;
-  assign verdict_unproven_yet_o = and_4136_s24_q;
-  assign verdict_untextured_o = and_4139_s24_q;
-  assign verdict_disagree_o = and_4145_s24_q;
-  assign verdict_moved_o = and_4149_s24_q;
-  assign verdict_unsharp_left_o = and_4155_s24_q;
-  assign verdict_unsharp_right_o = and_4159_s24_q;
-  assign verdict_hidden_o = and_4167_s24_q;
-  assign verdict_overlooked_o = and_4172_s24_q;
-  assign verdict_out_of_step_o = and_4175_s24_q;
-  assign frame_valid_o = and_4179_s24_q;
-  assign frame_index_o = select_4181_s24_q;
-  assign frame_word_o = select_4198_s24_q;
+  assign marks_seen_o = or_4129_s24_q;
+  assign marks_nearer_o = and_4130_s24_q;
+  assign verdict_valid_o = and_4105_s24_q;
+  assign verdict_unproven_yet_o = and_4138_s24_q;
+  assign verdict_untextured_o = and_4141_s24_q;
+  assign verdict_disagree_o = and_4147_s24_q;
+  assign verdict_moved_o = and_4151_s24_q;
+  assign verdict_unsharp_left_o = and_4157_s24_q;
+  assign verdict_unsharp_right_o = and_4161_s24_q;
+  assign verdict_hidden_o = and_4169_s24_q;
+  assign verdict_overlooked_o = and_4174_s24_q;
+  assign verdict_out_of_step_o = and_4177_s24_q;
+  assign frame_valid_o = and_4181_s24_q;
+  assign frame_index_o = select_4183_s24_q;
+  assign frame_word_o = select_4200_s24_q;
   assign valid_o = valid_s24_q;
 
   always_ff @(posedge clk_i) begin
@@ -12723,6 +12725,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_3837[4:0], sum_3803[1:0], sum_3758[1:0], product_3649[4:0], sum_2742[0], difference_2683[1:0], detail_4[1:0], detail_3[1:0], sum_2281[4:0], sum_1764[1:0], sum_1763[1:0], sum_1759[0], sum_1708[0], sum_1704[0], sum_730[4:0], cfg_width_i[3:0]};
+  assign unused_bits = ^{over[13:0], product_3839[4:0], sum_3805[1:0], sum_3760[1:0], product_3651[4:0], sum_2744[0], difference_2685[1:0], detail_4[1:0], detail_3[1:0], sum_2283[4:0], sum_1764[1:0], sum_1763[1:0], sum_1759[0], sum_1708[0], sum_1704[0], sum_730[4:0], cfg_width_i[3:0]};
 
 endmodule

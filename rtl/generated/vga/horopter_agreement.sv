@@ -75,20 +75,20 @@ module horopter_agreement (
   assign s3_en = en_i & valid_s3_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2808;
-  assign not_2808 = ~cfg_prove_i;
-  logic [5:0] sum_3018;
-  assign sum_3018 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_4061;
-  assign difference_4061 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_4274;
-  assign not_4274 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_4332;
-  assign difference_4332 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_4548;
-  assign less_4548 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_4549;
-  assign sum_4549 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic not_2810;
+  assign not_2810 = ~cfg_prove_i;
+  logic [5:0] sum_3020;
+  assign sum_3020 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic [6:0] difference_4063;
+  assign difference_4063 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_4276;
+  assign not_4276 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [6:0] difference_4334;
+  assign difference_4334 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic less_4550;
+  assign less_4550 = 6'h8 < cfg_height_i[8:3];
+  logic [4:0] sum_4551;
+  assign sum_4551 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -154,39 +154,38 @@ module horopter_agreement (
   logic [4:0] patches_code_row_q;
   logic [4:0] patches_column_q;
   logic patches_column_ends_q;
-  // hls/stages/census.hpp:33
+  // hls/stages/census.hpp:42
+  logic [2:0] select_501;
+  assign select_501 = sample_pair_first_q ? 3'h0 : raster_at_x_q;
+  // hls/stages/census.hpp:34
   logic row_starts;
   assign row_starts = sample_pair_first_q | raster_row_ended_q;
-  // hls/stages/census.hpp:38
-  logic [2:0] select_502;
-  assign select_502 = row_starts ? 3'h0 : raster_at_x_q;
   // hls/stages/census.hpp:124
   logic [8:0] select_505;
-  assign select_505 = select_502[0] ? averager_place_q : (row_starts ? 9'h0 : (averager_place_q + 9'h1));
+  assign select_505 = select_501[0] ? averager_place_q : (row_starts ? 9'h0 : (averager_place_q + 9'h1));
   // hls/stages/census.hpp:122
   logic or_509;
   assign or_509 = row_starts | (averager_inside_q & (~(averager_place_q == 9'h13f)));
   // hls/stages/census.hpp:124
   logic select_510;
-  assign select_510 = select_502[0] ? averager_inside_q : or_509;
-  // hls/stages/census.hpp:44
+  assign select_510 = select_501[0] ? averager_inside_q : or_509;
+  // hls/stages/census.hpp:42
   logic or_511;
   assign or_511 = sample_pair_first_q | raster_at_live_q;
   // hls/stages/agreement.hpp:418
   logic and_513;
-  assign and_513 = select_510 & (select_502[0] & or_511);
-  // hls/stages/census.hpp:44
+  assign and_513 = select_510 & (select_501[0] & or_511);
+  // hls/stages/census.hpp:42
   logic [2:0] select_518;
   assign select_518 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
-  // hls/stages/census.hpp:38
   logic [6:0] select_534;
-  assign select_534 = row_starts ? 7'h0 : raster_at_column_q;
+  assign select_534 = sample_pair_first_q ? 7'h0 : raster_at_column_q;
   // hls/stages/agreement.hpp:276
   logic [6:0] last;
   assign last = sample_pair_whole_q ? select_534 : 7'h0;
-  // hls/stages/census.hpp:55
+  // hls/stages/census.hpp:53
   logic equal_536;
-  assign equal_536 = select_502 == 3'h7;
+  assign equal_536 = select_501 == 3'h7;
   // hls/stages/census.hpp:58
   logic equal_537;
   assign equal_537 = select_518 == 3'h7;
@@ -246,7 +245,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:149
   logic and_641;
   assign and_641 = not_638 & ((~equal_584) & and_586);
-  // hls/stages/census.hpp:44
+  // hls/stages/census.hpp:42
   logic [5:0] select_668;
   assign select_668 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:276
@@ -319,235 +318,237 @@ module horopter_agreement (
   logic and_2327;
   assign and_2327 = not_2242 & (or_2247 & not_2244);
   // hls/stages/agreement.hpp:276
-  logic [2:0] select_2602;
-  assign select_2602 = sample_pair_whole_q ? (sample_last_q ? (select_518 + 3'h1) : select_518) : raster_at_y_q;
-  logic [6:0] select_2604;
-  assign select_2604 = sample_pair_whole_q ? (select_534 + {6'h0, equal_536}) : raster_at_column_q;
-  logic [5:0] select_2607;
-  assign select_2607 = sample_pair_whole_q ? (sample_last_q ? (select_668 + {5'h0, equal_537}) : select_668) : raster_at_row_q;
-  logic select_2611;
-  assign select_2611 = sample_pair_whole_q ? (sample_last_q ? (or_511 & (~raster_final_row_q)) : or_511) : raster_at_live_q;
-  // hls/stages/census.hpp:54
-  logic [8:0] select_2613;
-  assign select_2613 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [2:0] select_2600;
+  assign select_2600 = sample_pair_whole_q ? (sample_last_q ? 3'h0 : (select_501 + 3'h1)) : raster_at_x_q;
+  logic [2:0] select_2603;
+  assign select_2603 = sample_pair_whole_q ? (sample_last_q ? (select_518 + 3'h1) : select_518) : raster_at_y_q;
+  logic [6:0] select_2606;
+  assign select_2606 = sample_pair_whole_q ? (sample_last_q ? 7'h0 : (select_534 + {6'h0, equal_536})) : raster_at_column_q;
+  logic [5:0] select_2609;
+  assign select_2609 = sample_pair_whole_q ? (sample_last_q ? (select_668 + {5'h0, equal_537}) : select_668) : raster_at_row_q;
+  logic select_2613;
+  assign select_2613 = sample_pair_whole_q ? (sample_last_q ? (or_511 & (~raster_final_row_q)) : or_511) : raster_at_live_q;
+  // hls/stages/census.hpp:52
+  logic [8:0] select_2615;
+  assign select_2615 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:276
-  logic select_2617;
-  assign select_2617 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  logic select_2619;
+  assign select_2619 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:459
-  logic [7:0] sum_2926;
-  assign sum_2926 = {1'b0, last} + 8'h1;
-  logic equal_2927;
-  assign equal_2927 = {sum_2926[7], cfg_width_i[9:3]} == {1'b0, sum_2926[6:0]};
+  logic [7:0] sum_2928;
+  assign sum_2928 = {1'b0, last} + 8'h1;
+  logic equal_2929;
+  assign equal_2929 = {sum_2928[7], cfg_width_i[9:3]} == {1'b0, sum_2928[6:0]};
   // hls/stages/agreement.hpp:464
-  logic and_2928;
-  assign and_2928 = and_540 & equal_2927;
+  logic and_2930;
+  assign and_2930 = and_540 & equal_2929;
   // hls/stages/agreement.hpp:523
-  logic select_2931;
-  assign select_2931 = (and_2928 | (~ends_cell_q)) ? and_2928 : ends_q;
+  logic select_2933;
+  assign select_2933 = (and_2930 | (~ends_cell_q)) ? and_2930 : ends_q;
   // hls/stages/agreement.hpp:529
   logic [2:0] now;
-  assign now = select_2931 ? (and_2928 ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2933 ? (and_2930 ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:534
-  logic [5:0] select_2935;
-  assign select_2935 = select_2931 ? (and_2928 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2938;
-  assign select_2938 = select_2931 ? (following_last_shift_q & (~and_2928)) : run_last_shift_q;
+  logic [5:0] select_2937;
+  assign select_2937 = select_2933 ? (and_2930 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2940;
+  assign select_2940 = select_2933 ? (following_last_shift_q & (~and_2930)) : run_last_shift_q;
   // hls/stages/agreement.hpp:607
-  logic and_2941;
-  assign and_2941 = run_last_shift_q & equal_584;
+  logic and_2943;
+  assign and_2943 = run_last_shift_q & equal_584;
   // hls/stages/agreement.hpp:616
-  logic select_2943;
-  assign select_2943 = equal_584 ? (~run_last_shift_q) : equal_585;
+  logic select_2945;
+  assign select_2945 = equal_584 ? (~run_last_shift_q) : equal_585;
   // hls/stages/agreement.hpp:620
-  logic equal_2944;
-  assign equal_2944 = run_phase_q == 3'h1;
-  logic not_2947;
-  assign not_2947 = ~select_2943;
+  logic equal_2946;
+  assign equal_2946 = run_phase_q == 3'h1;
+  logic not_2949;
+  assign not_2949 = ~select_2945;
   // hls/stages/agreement.hpp:623
-  logic equal_2949;
-  assign equal_2949 = run_phase_q == 3'h4;
+  logic equal_2951;
+  assign equal_2951 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:607
-  logic and_2950;
-  assign and_2950 = final_row_q & so;
+  logic and_2952;
+  assign and_2952 = final_row_q & so;
   // hls/stages/agreement.hpp:620
-  logic [1:0] select_2951;
-  assign select_2951 = equal_2949 ? 2'h1 : {2{and_2950}};
-  logic [2:0] select_2953;
-  assign select_2953 = (and_2941 | (select_2943 | equal_2944)) ? (equal_2944 ? 3'h2 : {not_2947, {2{select_2943}}}) : (equal_569 ? 3'h6 : {select_2951[0], select_2951});
+  logic [1:0] select_2953;
+  assign select_2953 = equal_2951 ? 2'h1 : {2{and_2952}};
+  logic [2:0] select_2955;
+  assign select_2955 = (and_2943 | (select_2945 | equal_2946)) ? (equal_2946 ? 3'h2 : {not_2949, {2{select_2945}}}) : (equal_569 ? 3'h6 : {select_2953[0], select_2953});
   // hls/stages/agreement.hpp:607
-  logic and_2956;
-  assign and_2956 = select_2943 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  logic and_2958;
+  assign and_2958 = select_2945 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:630
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2959;
-  assign select_2959 = (plan_shift_q[5] & select_2943) ? value : 7'h0;
-  logic [1:0] or_2960;
-  assign or_2960 = {2{so}} | select_2959[5:4];
+  logic [6:0] select_2961;
+  assign select_2961 = (plan_shift_q[5] & select_2945) ? value : 7'h0;
+  logic [1:0] or_2962;
+  assign or_2962 = {2{so}} | select_2961[5:4];
   // hls/stages/agreement.hpp:633
-  logic [7:0] or_2964;
-  assign or_2964 = (select_2943 ? plan_columns_q : 8'h0) | ((equal_2944 | equal_2949) ? whole_q : 8'h0);
-  logic [1:0] or_2965;
-  assign or_2965 = {2{and_2941}} | or_2964[3:2];
+  logic [7:0] or_2966;
+  assign or_2966 = (select_2945 ? plan_columns_q : 8'h0) | ((equal_2946 | equal_2951) ? whole_q : 8'h0);
+  logic [1:0] or_2967;
+  assign or_2967 = {2{and_2943}} | or_2966[3:2];
   // hls/stages/agreement.hpp:634
-  logic [7:0] or_2967;
-  assign or_2967 = {or_2964[7:4], or_2965, or_2964[1:0]} | (equal_569 ? drawn_q : 8'h0);
-  logic [4:0] or_2968;
-  assign or_2968 = {5{so}} | {or_2967[6], or_2967[3:0]};
+  logic [7:0] or_2969;
+  assign or_2969 = {or_2966[7:4], or_2967, or_2966[1:0]} | (equal_569 ? drawn_q : 8'h0);
+  logic [4:0] or_2970;
+  assign or_2970 = {5{so}} | {or_2969[6], or_2969[3:0]};
   // hls/stages/agreement.hpp:640
-  logic not_2972;
-  assign not_2972 = ~run_shift_q[5];
-  logic [7:0] select_2975;
-  assign select_2975 = equal_584 ? ({{7{not_2972}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  logic not_2974;
+  assign not_2974 = ~run_shift_q[5];
+  logic [7:0] select_2977;
+  assign select_2977 = equal_584 ? ({{7{not_2974}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:523
-  logic [6:0] select_2979;
-  assign select_2979 = and_2928 ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2981;
+  assign select_2981 = and_2930 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:526
-  logic [7:0] select_2981;
-  assign select_2981 = select_2931 ? {select_2979[6], select_2979} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2984;
-  assign select_2984 = select_2931 ? (and_2928 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  logic [7:0] select_2983;
+  assign select_2983 = select_2933 ? {select_2981[6], select_2981} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2986;
+  assign select_2986 = select_2933 ? (and_2930 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_2992;
-  assign select_2992 = and_540 ? (equal_2927 ? ((6'he < last[6:1]) ? 7'h1d : last) : least_q) : least_q;
+  logic [6:0] select_2994;
+  assign select_2994 = and_540 ? (equal_2929 ? ((6'he < last[6:1]) ? 7'h1d : last) : least_q) : least_q;
   // hls/stages/agreement.hpp:473
-  logic [5:0] sum_2993;
-  assign sum_2993 = {1'b0, last[6:2]} + 6'h3;
+  logic [5:0] sum_2995;
+  assign sum_2995 = {1'b0, last[6:2]} + 6'h3;
   // hls/stages/agreement.hpp:520
-  logic [7:0] select_2995;
-  assign select_2995 = and_540 ? (equal_2927 ? {sum_2993, last[1:0]} : whole_q) : whole_q;
+  logic [7:0] select_2997;
+  assign select_2997 = and_540 ? (equal_2929 ? {sum_2995, last[1:0]} : whole_q) : whole_q;
   // hls/stages/agreement.hpp:474
-  logic [5:0] sum_2996;
-  assign sum_2996 = {1'b0, last[6:2]} + 6'h1;
+  logic [5:0] sum_2998;
+  assign sum_2998 = {1'b0, last[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:520
-  logic [7:0] select_2998;
-  assign select_2998 = and_540 ? (equal_2927 ? {sum_2996, last[1:0]} : drawn_q) : drawn_q;
+  logic [7:0] select_3000;
+  assign select_3000 = and_540 ? (equal_2929 ? {sum_2998, last[1:0]} : drawn_q) : drawn_q;
   // hls/stages/agreement.hpp:531
-  logic select_3009;
-  assign select_3009 = (ends_cell_q | select_2931) ? (~(now == 3'h6)) : (equal_584 | (slot_q == 3'h6));
+  logic select_3011;
+  assign select_3011 = (ends_cell_q | select_2933) ? (~(now == 3'h6)) : (equal_584 | (slot_q == 3'h6));
   // hls/stages/agreement.hpp:526
-  logic and_3013;
-  assign and_3013 = (~select_2931) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic and_3015;
+  assign and_3015 = (~select_2933) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:476
-  logic [6:0] sum_3014;
-  assign sum_3014 = {1'b0, row} + 7'h1;
+  logic [6:0] sum_3016;
+  assign sum_3016 = {1'b0, row} + 7'h1;
   // hls/stages/agreement.hpp:460
-  logic select_3016;
-  assign select_3016 = equal_2927 ? ({sum_3014[6], cfg_height_i[8:3]} == {1'b0, sum_3014[5:0]}) : final_row_q;
+  logic select_3018;
+  assign select_3018 = equal_2929 ? ({sum_3016[6], cfg_height_i[8:3]} == {1'b0, sum_3016[5:0]}) : final_row_q;
   // hls/stages/patches.hpp:318
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
-  logic [3:0] select_3375;
-  assign select_3375 = row_starts ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
+  logic [3:0] select_3377;
+  assign select_3377 = row_starts ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_3376;
-  assign select_3376 = sample_pair_whole_q ? select_3375 : patches_phase_q;
+  logic [3:0] select_3378;
+  assign select_3378 = sample_pair_whole_q ? select_3377 : patches_phase_q;
   // hls/stages/patches.hpp:374
-  logic and_3377;
-  assign and_3377 = not_2141 & equal_2143;
-  logic [8:0] select_3378;
-  assign select_3378 = and_3377 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_3379;
-  assign select_3379 = and_3377 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic and_3379;
+  assign and_3379 = not_2141 & equal_2143;
   logic [8:0] select_3380;
-  assign select_3380 = sample_pair_first_q ? select_3378 : select_3379;
+  assign select_3380 = and_3379 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_3381;
+  assign select_3381 = and_3379 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_3382;
+  assign select_3382 = sample_pair_first_q ? select_3380 : select_3381;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_3382;
-  assign select_3382 = sample_pair_whole_q ? (row_starts ? select_3380[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_3384;
-  assign select_3384 = sample_pair_whole_q ? (row_starts ? select_3380[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_3387;
-  assign select_3387 = sample_pair_whole_q ? (equal_2145 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_3389;
-  assign select_3389 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_2145}) : patches_next_band_number_q;
+  logic [3:0] select_3384;
+  assign select_3384 = sample_pair_whole_q ? (row_starts ? select_3382[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_3386;
+  assign select_3386 = sample_pair_whole_q ? (row_starts ? select_3382[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_3389;
+  assign select_3389 = sample_pair_whole_q ? (equal_2145 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_3391;
+  assign select_3391 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_2145}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:331
-  logic equal_3390;
-  assign equal_3390 = phase[3:1] == 3'h0;
+  logic equal_3392;
+  assign equal_3392 = phase[3:1] == 3'h0;
   // hls/stages/patches.hpp:332
-  logic not_3391;
-  assign not_3391 = ~equal_3390;
+  logic not_3393;
+  assign not_3393 = ~equal_3392;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_3393;
-  assign select_3393 = sample_pair_whole_q ? (phase + {not_3391, 1'b1, not_3391, equal_3390}) : patches_first_band_rows_to_next_q;
+  logic [3:0] select_3395;
+  assign select_3395 = sample_pair_whole_q ? (phase + {not_3393, 1'b1, not_3393, equal_3392}) : patches_first_band_rows_to_next_q;
   // hls/stages/agreement.hpp:470
-  logic equal_3395;
-  assign equal_3395 = row == 6'h3;
+  logic equal_3397;
+  assign equal_3397 = row == 6'h3;
   // hls/stages/patches.hpp:87
-  logic [3:0] select_3399;
-  assign select_3399 = equal_3395 ? ((select_3376 == 4'h6) ? 4'h0 : (select_3376 + 4'h1)) : patches_choosing_rows_to_next_q;
-  logic equal_3400;
-  assign equal_3400 = select_3399 == 4'h0;
+  logic [3:0] select_3401;
+  assign select_3401 = equal_3397 ? ((select_3378 == 4'h6) ? 4'h0 : (select_3378 + 4'h1)) : patches_choosing_rows_to_next_q;
+  logic equal_3402;
+  assign equal_3402 = select_3401 == 4'h0;
   // hls/stages/agreement.hpp:460
-  logic [3:0] select_3403;
-  assign select_3403 = equal_2927 ? (equal_3400 ? 4'h6 : (select_3399 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_3405;
+  assign select_3405 = equal_2929 ? (equal_3402 ? 4'h6 : (select_3401 + 4'hf)) : patches_choosing_rows_to_next_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_3405;
-  assign select_3405 = equal_3395 ? 5'h0 : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:460
   logic [4:0] select_3407;
-  assign select_3407 = equal_2927 ? (select_3405 + {4'h0, equal_3400}) : patches_choosing_number_q;
+  assign select_3407 = equal_3397 ? 5'h0 : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:460
+  logic [4:0] select_3409;
+  assign select_3409 = equal_2929 ? (select_3407 + {4'h0, equal_3402}) : patches_choosing_number_q;
   // hls/stages/agreement.hpp:520
-  logic select_3412;
-  assign select_3412 = and_540 ? (equal_2927 ? ((6'h2 < row) & equal_3400) : patches_chooses_q) : patches_chooses_q;
-  logic [4:0] select_3414;
-  assign select_3414 = and_540 ? (equal_2927 ? select_3405 : patches_choosing_band_q) : patches_choosing_band_q;
+  logic select_3414;
+  assign select_3414 = and_540 ? (equal_2929 ? ((6'h2 < row) & equal_3402) : patches_chooses_q) : patches_chooses_q;
+  logic [4:0] select_3416;
+  assign select_3416 = and_540 ? (equal_2929 ? select_3407 : patches_choosing_band_q) : patches_choosing_band_q;
   // hls/stages/patches.hpp:372
-  logic [5:0] sum_3438;
-  assign sum_3438 = {1'b0, select_668[5:1]} + 6'h1;
-  logic less_3439;
-  assign less_3439 = {sum_3438, select_668[0], select_518, 1'b0} < {2'h0, cfg_height_i};
+  logic [5:0] sum_3440;
+  assign sum_3440 = {1'b0, select_668[5:1]} + 6'h1;
+  logic less_3441;
+  assign less_3441 = {sum_3440, select_668[0], select_518, 1'b0} < {2'h0, cfg_height_i};
   // hls/stages/patches.hpp:126
-  logic select_3442;
-  assign select_3442 = row_starts ? (and_2150 ? (~less_3439) : patches_lower_q) : patches_lower_q;
+  logic select_3444;
+  assign select_3444 = row_starts ? (and_2150 ? (~less_3441) : patches_lower_q) : patches_lower_q;
   // hls/stages/patches.hpp:394
-  logic or_3481;
-  assign or_3481 = patches_begins_q | patches_ends_q;
+  logic or_3483;
+  assign or_3483 = patches_begins_q | patches_ends_q;
   // hls/stages/patches.hpp:396
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:188
-  logic and_3487;
-  assign and_3487 = equal_2241 & not_2248;
+  logic and_3489;
+  assign and_3489 = equal_2241 & not_2248;
   // hls/stages/patches.hpp:400
-  logic and_3488;
-  assign and_3488 = not_2301 & and_3487;
-  logic [1:0] select_3490;
-  assign select_3490 = equal_2243 ? 2'h0 : (equal_2245 ? 2'h3 : {equal_2246, and_3488});
-  // hls/stages/patches.hpp:280
-  logic equal_3492;
-  assign equal_3492 = patches_following_q == 3'h4;
-  // hls/stages/patches.hpp:278
-  logic not_3493;
-  assign not_3493 = ~equal_3492;
+  logic and_3490;
+  assign and_3490 = not_2301 & and_3489;
+  logic [1:0] select_3492;
+  assign select_3492 = equal_2243 ? 2'h0 : (equal_2245 ? 2'h3 : {equal_2246, and_3490});
   // hls/stages/patches.hpp:280
   logic equal_3494;
-  assign equal_3494 = patches_following_q == 3'h3;
-  // hls/stages/patches.hpp:276
+  assign equal_3494 = patches_following_q == 3'h4;
+  // hls/stages/patches.hpp:278
   logic not_3495;
   assign not_3495 = ~equal_3494;
-  // hls/stages/patches.hpp:284
+  // hls/stages/patches.hpp:280
+  logic equal_3496;
+  assign equal_3496 = patches_following_q == 3'h3;
+  // hls/stages/patches.hpp:276
   logic not_3497;
-  assign not_3497 = ~(patches_following_q == 3'h2);
-  logic and_3500;
-  assign and_3500 = (~(patches_following_q == 3'h1)) & not_3497;
+  assign not_3497 = ~equal_3496;
+  // hls/stages/patches.hpp:284
+  logic not_3499;
+  assign not_3499 = ~(patches_following_q == 3'h2);
+  logic and_3502;
+  assign and_3502 = (~(patches_following_q == 3'h1)) & not_3499;
   // hls/stages/patches.hpp:398
-  logic [1:0] select_3501;
-  assign select_3501 = equal_3494 ? 2'h2 : {and_3500, not_3497};
-  logic [3:0] select_3502;
-  assign select_3502 = equal_3492 ? 4'h2 : {select_3501, {2{not_3495}}};
+  logic [1:0] select_3503;
+  assign select_3503 = equal_3496 ? 2'h2 : {and_3502, not_3499};
+  logic [3:0] select_3504;
+  assign select_3504 = equal_3494 ? 4'h2 : {select_3503, {2{not_3497}}};
   // hls/stages/patches.hpp:406
-  logic not_3505;
-  assign not_3505 = ~or_3481;
+  logic not_3507;
+  assign not_3507 = ~or_3483;
   // hls/stages/patches.hpp:395
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
   // hls/stages/patches.hpp:407
-  logic [11:0] select_3510;
-  assign select_3510 = or_3481 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  logic [11:0] select_3512;
+  assign select_3512 = or_3483 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/patches.hpp:188
-  logic [4:0] select_3512;
-  assign select_3512 = or_3481 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  logic [4:0] select_3514;
+  assign select_3514 = or_3483 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
   // Memory fresh, 80 x 33 and parity, DISTANCE 12, hls/stages/agreement.hpp:1372; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -788,65 +789,65 @@ module horopter_agreement (
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= sample_pair_whole_q ? (select_502 + 3'h1) : raster_at_x_q;
-      raster_at_y_q <= select_2602;
-      raster_at_column_q <= select_2604;
-      raster_at_row_q <= select_2607;
-      raster_at_live_q <= select_2611;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2613 : raster_rows_left_q;
+      raster_at_x_q <= select_2600;
+      raster_at_y_q <= select_2603;
+      raster_at_column_q <= select_2606;
+      raster_at_row_q <= select_2609;
+      raster_at_live_q <= select_2613;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2615 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2617;
+      raster_final_row_q <= select_2619;
       averager_place_q <= sample_pair_whole_q ? select_505 : averager_place_q;
       averager_inside_q <= sample_pair_whole_q ? select_510 : averager_inside_q;
       run_phase_q <= now;
-      run_shift_q <= select_2935;
-      run_last_shift_q <= select_2938;
-      run_span_q <= select_2931 ? (and_2928 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2953;
-      following_shift_q <= select_2943 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2956;
+      run_shift_q <= select_2937;
+      run_last_shift_q <= select_2940;
+      run_span_q <= select_2933 ? (and_2930 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2955;
+      following_shift_q <= select_2945 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2958;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2959[6], or_2960, select_2959[3:0]};
-      following_columns_q <= {or_2967[7], or_2968[4], or_2967[5:4], or_2968[3:0]};
+      following_lowest_q <= {select_2961[6], or_2962, select_2961[3:0]};
+      following_columns_q <= {or_2969[7], or_2970[4], or_2969[5:4], or_2970[3:0]};
       plan_shift_q <= equal_584 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2975;
+      plan_span_q <= select_2977;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2981;
-      columns_left_q <= select_2984;
-      last_q <= and_540 ? (equal_2927 ? last : last_q) : last_q;
-      least_q <= select_2992;
-      whole_q <= select_2995;
-      drawn_q <= select_2998;
-      age_q <= select_2931 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2931 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_3009;
-      ends_q <= and_3013;
-      final_row_q <= and_540 ? select_3016 : final_row_q;
+      x_q <= select_2983;
+      columns_left_q <= select_2986;
+      last_q <= and_540 ? (equal_2929 ? last : last_q) : last_q;
+      least_q <= select_2994;
+      whole_q <= select_2997;
+      drawn_q <= select_3000;
+      age_q <= select_2933 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2933 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_3011;
+      ends_q <= and_3015;
+      final_row_q <= and_540 ? select_3018 : final_row_q;
       shift_first_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      patches_phase_q <= select_3376;
-      patches_band_rows_rows_to_next_q <= select_3382;
-      patches_band_rows_number_q <= select_3384;
-      patches_next_band_rows_to_next_q <= select_3387;
-      patches_next_band_number_q <= select_3389;
-      patches_first_band_rows_to_next_q <= select_3393;
-      patches_first_band_number_q <= sample_pair_whole_q ? equal_3390 : patches_first_band_number_q;
-      patches_choosing_rows_to_next_q <= and_540 ? select_3403 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_540 ? select_3407 : patches_choosing_number_q;
-      patches_chooses_q <= select_3412;
-      patches_choosing_band_q <= select_3414;
+      patches_phase_q <= select_3378;
+      patches_band_rows_rows_to_next_q <= select_3384;
+      patches_band_rows_number_q <= select_3386;
+      patches_next_band_rows_to_next_q <= select_3389;
+      patches_next_band_number_q <= select_3391;
+      patches_first_band_rows_to_next_q <= select_3395;
+      patches_first_band_number_q <= sample_pair_whole_q ? equal_3392 : patches_first_band_number_q;
+      patches_choosing_rows_to_next_q <= and_540 ? select_3405 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_540 ? select_3409 : patches_choosing_number_q;
+      patches_chooses_q <= select_3414;
+      patches_choosing_band_q <= select_3416;
       patches_capturing_q <= sample_pair_whole_q ? select_2277 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_q ? select_3442 : patches_lower_q;
+      patches_lower_q <= sample_pair_whole_q ? select_3444 : patches_lower_q;
       patches_row_q <= sample_pair_whole_q ? select_2271 : patches_row_q;
-      patches_work_q <= or_3481 ? following : patches_work_q;
+      patches_work_q <= or_3483 ? following : patches_work_q;
       patches_second_q <= not_2138 & (patches_second_q | (patches_ends_q & equal_2241));
-      patches_following_q <= equal_2241 ? {2'h0, and_3487} : {equal_2243, select_3490};
-      patches_following_beats_q <= {select_3502, not_3493};
+      patches_following_q <= equal_2241 ? {2'h0, and_3489} : {equal_2243, select_3492};
+      patches_following_beats_q <= {select_3504, not_3495};
       patches_begins_q <= sample_pair_whole_q & (row_starts & and_2273);
-      patches_ends_q <= not_3505 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3510;
-      patches_code_row_q <= select_3512;
-      patches_column_q <= or_3481 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3505 & (patches_column_q == 5'h1e);
+      patches_ends_q <= not_3507 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3512;
+      patches_code_row_q <= select_3514;
+      patches_column_q <= or_3483 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3507 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -870,8 +871,8 @@ module horopter_agreement (
   logic patches_second_s1_q;
   logic [4:0] patches_code_row_s1_q;
   logic [4:0] patches_column_s1_q;
+  logic [2:0] select_501_s1_q;
   logic row_starts_s1_q;
-  logic [2:0] select_502_s1_q;
   logic [8:0] select_505_s1_q;
   logic and_513_s1_q;
   logic equal_519_s1_q;
@@ -905,10 +906,10 @@ module horopter_agreement (
   logic select_2277_s1_q;
   logic [3:0] select_2317_s1_q;
   logic and_2327_s1_q;
-  logic equal_2927_s1_q;
-  logic and_2928_s1_q;
-  logic or_3481_s1_q;
-  logic not_3505_s1_q;
+  logic equal_2929_s1_q;
+  logic and_2930_s1_q;
+  logic or_3483_s1_q;
+  logic not_3507_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -931,8 +932,8 @@ module horopter_agreement (
       patches_second_s1_q <= patches_second_q;
       patches_code_row_s1_q <= patches_code_row_q;
       patches_column_s1_q <= patches_column_q;
+      select_501_s1_q <= select_501;
       row_starts_s1_q <= row_starts;
-      select_502_s1_q <= select_502;
       select_505_s1_q <= select_505;
       and_513_s1_q <= and_513;
       equal_519_s1_q <= select_518 == 3'h0;
@@ -966,10 +967,10 @@ module horopter_agreement (
       select_2277_s1_q <= select_2277;
       select_2317_s1_q <= select_2317;
       and_2327_s1_q <= and_2327;
-      equal_2927_s1_q <= equal_2927;
-      and_2928_s1_q <= and_2928;
-      or_3481_s1_q <= or_3481;
-      not_3505_s1_q <= not_3505;
+      equal_2929_s1_q <= equal_2929;
+      and_2930_s1_q <= and_2930;
+      or_3483_s1_q <= or_3483;
+      not_3507_s1_q <= not_3507;
     end
   end
 
@@ -2131,101 +2132,101 @@ module horopter_agreement (
   logic [5:0] sum_2453;
   assign sum_2453 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/agreement.hpp:456
-  logic [5:0] or_2737;
-  assign or_2737 = last_s1_2_q[5:0] | row_s1_q;
+  logic [5:0] or_2739;
+  assign or_2739 = last_s1_2_q[5:0] | row_s1_q;
   // hls/stages/agreement.hpp:460
-  logic select_3021;
-  assign select_3021 = equal_2927_s1_q ? (~({row_s1_q, 1'b0} < {sum_3018, cfg_height_i[3]})) : lower_half_q;
+  logic select_3023;
+  assign select_3023 = equal_2929_s1_q ? (~({row_s1_q, 1'b0} < {sum_3020, cfg_height_i[3]})) : lower_half_q;
   // hls/stages/agreement.hpp:520
-  logic and_3265;
-  assign and_3265 = and_540_s1_q & (equal_2927_s1_q & (row_s1_q[5:2] == 4'h0));
+  logic and_3267;
+  assign and_3267 = and_540_s1_q & (equal_2929_s1_q & (row_s1_q[5:2] == 4'h0));
   // hls/stages/registration.hpp:128
-  logic and_3266;
-  assign and_3266 = and_2928_s1_q & and_3265;
-  // hls/stages/registration.hpp:127
   logic and_3268;
-  assign and_3268 = and_2928_s1_q & (~and_3265);
+  assign and_3268 = and_2930_s1_q & and_3267;
+  // hls/stages/registration.hpp:127
+  logic and_3270;
+  assign and_3270 = and_2930_s1_q & (~and_3267);
   // hls/stages/registration.hpp:129
-  logic [15:0] select_3269;
-  assign select_3269 = and_3268 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_3271;
+  assign select_3271 = and_3270 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_3271;
-  assign select_3271 = and_3266 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3269[15]}}, select_3269});
+  logic [23:0] select_3273;
+  assign select_3273 = and_3268 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3271[15]}}, select_3271});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_3272;
-  assign select_3272 = and_3268 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_3274;
+  assign select_3274 = and_3270 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_3272[15]}}, select_3272};
+  assign both = registration_slope_change_q + {{12{select_3274[15]}}, select_3274};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_3274;
-  assign select_3274 = and_3266 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_3276;
+  assign select_3276 = and_3268 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:149
-  logic and_3275;
-  assign and_3275 = ends_cell_s1_q & so_s1_q;
+  logic and_3277;
+  assign and_3277 = ends_cell_s1_q & so_s1_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_7;
-  assign column_7 = registration_slope_q + (and_3275 ? registration_slope_change_q : 28'h0);
+  assign column_7 = registration_slope_q + (and_3277 ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:188
-  logic select_3520;
-  assign select_3520 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3522;
+  assign select_3522 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/patches.hpp:185
-  logic [11:0] select_3523;
-  assign select_3523 = equal_2243_s1_q ? patches_smooth_values_0_q : (or_2247_s1_q ? smooth : patches_smooth_values_0_q);
   logic [11:0] select_3525;
-  assign select_3525 = or_2247_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  assign select_3525 = equal_2243_s1_q ? patches_smooth_values_0_q : (or_2247_s1_q ? smooth : patches_smooth_values_0_q);
   logic [11:0] select_3527;
-  assign select_3527 = equal_2241_s1_q ? patches_smooth_values_1_q : (equal_2243_s1_q ? patches_smooth_values_1_q : select_3525);
-  logic [11:0] select_3528;
-  assign select_3528 = or_2247_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  assign select_3527 = or_2247_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3529;
+  assign select_3529 = equal_2241_s1_q ? patches_smooth_values_1_q : (equal_2243_s1_q ? patches_smooth_values_1_q : select_3527);
   logic [11:0] select_3530;
-  assign select_3530 = equal_2241_s1_q ? patches_smooth_values_2_q : (equal_2243_s1_q ? patches_smooth_values_2_q : select_3528);
-  logic [11:0] select_3531;
-  assign select_3531 = or_2247_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  assign select_3530 = or_2247_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3532;
+  assign select_3532 = equal_2241_s1_q ? patches_smooth_values_2_q : (equal_2243_s1_q ? patches_smooth_values_2_q : select_3530);
   logic [11:0] select_3533;
-  assign select_3533 = equal_2241_s1_q ? patches_smooth_values_3_q : (equal_2243_s1_q ? patches_smooth_values_3_q : select_3531);
-  logic [10:0] select_3535;
-  assign select_3535 = equal_2243_s1_q ? patches_down_values_0_q : (or_2247_s1_q ? down_2 : patches_down_values_0_q);
-  logic [10:0] select_3538;
-  assign select_3538 = equal_2243_s1_q ? patches_down_values_1_q : (or_2247_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
-  logic [10:0] select_3541;
-  assign select_3541 = equal_2243_s1_q ? patches_down_values_2_q : (or_2247_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
-  logic [10:0] select_3544;
-  assign select_3544 = equal_2243_s1_q ? patches_down_values_3_q : (or_2247_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
+  assign select_3533 = or_2247_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3535;
+  assign select_3535 = equal_2241_s1_q ? patches_smooth_values_3_q : (equal_2243_s1_q ? patches_smooth_values_3_q : select_3533);
+  logic [10:0] select_3537;
+  assign select_3537 = equal_2243_s1_q ? patches_down_values_0_q : (or_2247_s1_q ? down_2 : patches_down_values_0_q);
+  logic [10:0] select_3540;
+  assign select_3540 = equal_2243_s1_q ? patches_down_values_1_q : (or_2247_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
+  logic [10:0] select_3543;
+  assign select_3543 = equal_2243_s1_q ? patches_down_values_2_q : (or_2247_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
+  logic [10:0] select_3546;
+  assign select_3546 = equal_2243_s1_q ? patches_down_values_3_q : (or_2247_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
   // hls/stages/patches.hpp:176
-  logic and_3581;
-  assign and_3581 = patches_along_ends_q & patches_match_row_ends_q;
+  logic and_3583;
+  assign and_3583 = patches_along_ends_q & patches_match_row_ends_q;
   // hls/stages/patches.hpp:414
-  logic [4:0] select_3586;
-  assign select_3586 = or_3481_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  logic [4:0] select_3588;
+  assign select_3588 = or_3483_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:416
-  logic [3:0] select_3588;
-  assign select_3588 = and_3581 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  logic [3:0] select_3590;
+  assign select_3590 = and_3583 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/patches.hpp:185
-  logic [4:0] select_3944;
-  assign select_3944 = equal_2241_s1_q ? patches_summed_down_by_q : (equal_2243_s1_q ? patches_down_by_q : patches_summed_down_by_q);
+  logic [4:0] select_3946;
+  assign select_3946 = equal_2241_s1_q ? patches_summed_down_by_q : (equal_2243_s1_q ? patches_down_by_q : patches_summed_down_by_q);
   // hls/stages/patches.hpp:557
-  logic and_3977;
-  assign and_3977 = less_2421 & (patches_step_q[6:5] == 2'h1);
+  logic and_3979;
+  assign and_3979 = less_2421 & (patches_step_q[6:5] == 2'h1);
   // hls/stages/patches.hpp:561
-  logic select_3980;
-  assign select_3980 = equal_2424 ? (less_2421 ? (not_2425 & and_3977) : and_3977) : and_3977;
+  logic select_3982;
+  assign select_3982 = equal_2424 ? (less_2421 ? (not_2425 & and_3979) : and_3979) : and_3979;
   // hls/stages/patches.hpp:185
-  logic select_3983;
-  assign select_3983 = equal_2241_s1_q ? (less_2421 ? (not_2423 & select_3980) : select_3980) : patches_read_searches_q;
+  logic select_3985;
+  assign select_3985 = equal_2241_s1_q ? (less_2421 ? (not_2423 & select_3982) : select_3982) : patches_read_searches_q;
   // hls/stages/agreement.hpp:205
-  logic [8:0] select_4322;
-  assign select_4322 = so_s1_q ? (and_3275 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic [8:0] select_4324;
+  assign select_4324 = so_s1_q ? (and_3277 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4324;
-  assign sum_4324 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_4326;
+  assign sum_4326 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4325;
-  assign select_4325 = sum_2453[5] ? {1'b1, sum_2453[4:0], region_across_rest_q[2:0]} : sum_4324;
-  // hls/stages/agreement.hpp:460
   logic [8:0] select_4327;
-  assign select_4327 = equal_2927_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_4330;
-  assign select_4330 = equal_2927_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  assign select_4327 = sum_2453[5] ? {1'b1, sum_2453[4:0], region_across_rest_q[2:0]} : sum_4326;
+  // hls/stages/agreement.hpp:460
+  logic [8:0] select_4329;
+  assign select_4329 = equal_2929_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_4332;
+  assign select_4332 = equal_2929_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
 
   // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:238; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -2560,33 +2561,33 @@ module horopter_agreement (
       moments_place_q <= select_563;
       moments_taken_q <= not_566 & (not_568 & (equal_569_s1_q & inside_v));
       moments_starts_q <= not_566 & (not_568 & (equal_569_s1_q & (inside_v & first)));
-      row_q <= and_540_s1_q ? (equal_2927_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_540_s1_q ? select_3021 : lower_half_q;
-      registration_slope_row_q <= select_3271;
-      registration_slope_change_q <= select_3274;
+      row_q <= and_540_s1_q ? (equal_2929_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_540_s1_q ? select_3023 : lower_half_q;
+      registration_slope_row_q <= select_3273;
+      registration_slope_change_q <= select_3276;
       registration_slope_q <= so_s1_q ? column_7 : {registration_slope_row_q, 4'h0};
-      patches_along_ends_q <= not_3505_s1_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3505_s1_q & select_3520;
-      patches_smooth_values_0_q <= equal_2241_s1_q ? patches_smooth_values_0_q : select_3523;
-      patches_smooth_values_1_q <= select_3527;
-      patches_smooth_values_2_q <= select_3530;
-      patches_smooth_values_3_q <= select_3533;
-      patches_down_values_0_q <= equal_2241_s1_q ? patches_down_values_0_q : select_3535;
-      patches_down_values_1_q <= equal_2241_s1_q ? patches_down_values_1_q : select_3538;
-      patches_down_values_2_q <= equal_2241_s1_q ? patches_down_values_2_q : select_3541;
-      patches_down_values_3_q <= equal_2241_s1_q ? patches_down_values_3_q : select_3544;
-      patches_down_by_q <= or_3481_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3581});
-      patches_along_q <= select_3586;
-      patches_match_row_q <= or_3481_s1_q ? 4'h0 : select_3588;
-      patches_summed_last_q <= not_2242_s1_q & (equal_2243_s1_q & and_3581);
-      patches_summed_down_by_q <= select_3944;
-      patches_step_q <= or_3481_s1_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3983;
-      region_across_rest_q <= select_4322;
+      patches_along_ends_q <= not_3507_s1_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3507_s1_q & select_3522;
+      patches_smooth_values_0_q <= equal_2241_s1_q ? patches_smooth_values_0_q : select_3525;
+      patches_smooth_values_1_q <= select_3529;
+      patches_smooth_values_2_q <= select_3532;
+      patches_smooth_values_3_q <= select_3535;
+      patches_down_values_0_q <= equal_2241_s1_q ? patches_down_values_0_q : select_3537;
+      patches_down_values_1_q <= equal_2241_s1_q ? patches_down_values_1_q : select_3540;
+      patches_down_values_2_q <= equal_2241_s1_q ? patches_down_values_2_q : select_3543;
+      patches_down_values_3_q <= equal_2241_s1_q ? patches_down_values_3_q : select_3546;
+      patches_down_by_q <= or_3483_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3583});
+      patches_along_q <= select_3588;
+      patches_match_row_q <= or_3483_s1_q ? 4'h0 : select_3590;
+      patches_summed_last_q <= not_2242_s1_q & (equal_2243_s1_q & and_3583);
+      patches_summed_down_by_q <= select_3946;
+      patches_step_q <= or_3483_s1_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3985;
+      region_across_rest_q <= select_4324;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_4325;
-      columns_begin_rest_q <= and_540_s1_q ? select_4327 : columns_begin_rest_q;
-      columns_begin_back_q <= and_540_s1_q ? select_4330 : columns_begin_back_q;
+      region_across_next_q <= select_4327;
+      columns_begin_rest_q <= and_540_s1_q ? select_4329 : columns_begin_rest_q;
+      columns_begin_back_q <= and_540_s1_q ? select_4332 : columns_begin_back_q;
     end
   end
 
@@ -2709,8 +2710,8 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s2_q;
   logic [4:0] patches_step_s2_q;
   logic patches_read_searches_s2_q;
+  logic [2:0] select_501_s2_q;
   logic row_starts_s2_q;
-  logic [2:0] select_502_s2_q;
   logic [8:0] select_505_s2_q;
   logic and_513_s2_q;
   logic and_514_s2_q;
@@ -2777,15 +2778,15 @@ module horopter_agreement (
   logic sum_2453_s2_q;
   logic and_2474_s2_q;
   logic and_2591_s2_q;
-  logic equal_2738_s2_q;
-  logic equal_2927_s2_q;
-  logic and_3034_s2_q;
-  logic equal_3119_s2_q;
-  logic less_3557_s2_q;
-  logic equal_3900_s2_q;
-  logic equal_3984_s2_q;
-  logic less_4310_s2_q;
-  logic equal_4529_s2_q;
+  logic equal_2740_s2_q;
+  logic equal_2929_s2_q;
+  logic and_3036_s2_q;
+  logic equal_3121_s2_q;
+  logic less_3559_s2_q;
+  logic equal_3902_s2_q;
+  logic equal_3986_s2_q;
+  logic less_4312_s2_q;
+  logic equal_4531_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -2817,8 +2818,8 @@ module horopter_agreement (
       patches_summed_down_by_s2_q <= patches_summed_down_by_q;
       patches_step_s2_q <= patches_step_q[4:0];
       patches_read_searches_s2_q <= patches_read_searches_q;
+      select_501_s2_q <= select_501_s1_q;
       row_starts_s2_q <= row_starts_s1_q;
-      select_502_s2_q <= select_502_s1_q;
       select_505_s2_q <= select_505_s1_q;
       and_513_s2_q <= and_513_s1_q;
       and_514_s2_q <= and_514;
@@ -2885,15 +2886,15 @@ module horopter_agreement (
       sum_2453_s2_q <= sum_2453[5];
       and_2474_s2_q <= or_570_s1_q & (left_rdata_q[69] & not_574_s1_q);
       and_2591_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
-      equal_2738_s2_q <= {last_s1_2_q[6], or_2737} == 7'h0;
-      equal_2927_s2_q <= equal_2927_s1_q;
-      and_3034_s2_q <= or_570_s1_q & (not_574_s1_q & and_598);
-      equal_3119_s2_q <= shift == 6'h0;
-      less_3557_s2_q <= 4'he < patches_column_s1_q[4:1];
-      equal_3900_s2_q <= patches_match_row_q == 4'h0;
-      equal_3984_s2_q <= patches_step_q[6:5] == 2'h2;
-      less_4310_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_4529_s2_q <= row_s1_q[5:3] == 3'h0;
+      equal_2740_s2_q <= {last_s1_2_q[6], or_2739} == 7'h0;
+      equal_2929_s2_q <= equal_2929_s1_q;
+      and_3036_s2_q <= or_570_s1_q & (not_574_s1_q & and_598);
+      equal_3121_s2_q <= shift == 6'h0;
+      less_3559_s2_q <= 4'he < patches_column_s1_q[4:1];
+      equal_3902_s2_q <= patches_match_row_q == 4'h0;
+      equal_3986_s2_q <= patches_step_q[6:5] == 2'h2;
+      less_4312_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_4531_s2_q <= row_s1_q[5:3] == 3'h0;
     end
   end
 
@@ -3062,25 +3063,25 @@ module horopter_agreement (
   logic [12:0] seen_base_q;
   // hls/stages/census.hpp:117
   logic [11:0] select_517;
-  assign select_517 = select_502_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  assign select_517 = select_501_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
   // hls/stages/census.hpp:129
   logic [11:0] sum_521;
   assign sum_521 = select_517 + (equal_519_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
   // hls/stages/census.hpp:117
   logic [11:0] sum_523;
-  assign sum_523 = {4'h0, sample_pair_pixel_1_q} + (select_502_s2_q[0] ? averager_running_1_q : 12'h0);
+  assign sum_523 = {4'h0, sample_pair_pixel_1_q} + (select_501_s2_q[0] ? averager_running_1_q : 12'h0);
   // hls/stages/census.hpp:129
   logic [11:0] sum_525;
   assign sum_525 = sum_523 + (equal_519_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
   // hls/stages/agreement.hpp:418
   logic whole;
-  assign whole = select_502_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
+  assign whole = select_501_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
   // hls/stages/census.hpp:130
   logic and_529;
   assign and_529 = whole & (averager_memory_rdata_q[24] | equal_519_s2_q);
   // hls/stages/agreement.hpp:418
   logic all_of_skin;
-  assign all_of_skin = select_502_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  assign all_of_skin = select_501_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
   // hls/stages/census.hpp:131
   logic and_533;
   assign and_533 = all_of_skin & (averager_memory_rdata_q[25] | equal_519_s2_q);
@@ -3089,7 +3090,7 @@ module horopter_agreement (
   assign grey = and_513_s2_q ? sum_521[11:3] : 9'h0;
   // hls/stages/census.hpp:134
   logic equal_543;
-  assign equal_543 = select_502_s2_q == 3'h1;
+  assign equal_543 = select_501_s2_q == 3'h1;
   // hls/stages/census.hpp:219
   logic [10:0] total;
   assign total = {2'h0, grey} + (equal_543 ? 11'h0 : averager_total_0_q);
@@ -3844,256 +3845,256 @@ module horopter_agreement (
   logic and_2597;
   assign and_2597 = not_566_s2_q & (so_s2_q & and_2595);
   // hls/stages/agreement.hpp:276
-  logic [10:0] select_2629;
-  assign select_2629 = sample_pair_whole_s2_q ? (and_538_s2_q ? total : averager_total_0_q) : averager_total_0_q;
   logic [10:0] select_2631;
-  assign select_2631 = sample_pair_whole_s2_q ? (and_538_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2651;
-  assign select_2651 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  assign select_2631 = sample_pair_whole_s2_q ? (and_538_s2_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2633;
+  assign select_2633 = sample_pair_whole_s2_q ? (and_538_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
   logic select_2653;
-  assign select_2653 = sample_pair_whole_s2_q ? (and_538_s2_q ? select_553 : averager_mask_q) : averager_mask_q;
+  assign select_2653 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
   logic select_2655;
-  assign select_2655 = sample_pair_whole_s2_q ? (and_538_s2_q ? select_557 : averager_of_skin_q) : averager_of_skin_q;
+  assign select_2655 = sample_pair_whole_s2_q ? (and_538_s2_q ? select_553 : averager_mask_q) : averager_mask_q;
+  logic select_2657;
+  assign select_2657 = sample_pair_whole_s2_q ? (and_538_s2_q ? select_557 : averager_of_skin_q) : averager_of_skin_q;
   // hls/stages/agreement.hpp:520
-  logic [8:0] select_2656;
-  assign select_2656 = and_540_s2_q ? select_546 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2657;
-  assign select_2657 = and_540_s2_q ? select_550 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2658;
+  assign select_2658 = and_540_s2_q ? select_546 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2659;
-  assign select_2659 = and_540_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2660;
-  assign select_2660 = and_540_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2661;
-  assign select_2661 = and_540_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  assign select_2659 = and_540_s2_q ? select_550 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2661;
+  assign select_2661 = and_540_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_2662;
-  assign select_2662 = and_540_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2663;
-  assign select_2663 = and_540_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2664;
-  assign select_2664 = and_540_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2665;
-  assign select_2665 = and_540_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
-  logic [8:0] select_2666;
-  assign select_2666 = and_540_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2667;
-  assign select_2667 = and_540_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2668;
-  assign select_2668 = and_540_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  assign select_2662 = and_540_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2663;
+  assign select_2663 = and_540_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2664;
+  assign select_2664 = and_540_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
+  logic [8:0] select_2665;
+  assign select_2665 = and_540_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2666;
+  assign select_2666 = and_540_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2667;
+  assign select_2667 = and_540_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [8:0] select_2668;
+  assign select_2668 = and_540_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_2669;
-  assign select_2669 = and_540_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2670;
-  assign select_2670 = and_540_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2671;
-  assign select_2671 = and_540_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  assign select_2669 = and_540_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2670;
+  assign select_2670 = and_540_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  logic [8:0] select_2671;
+  assign select_2671 = and_540_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
   logic [8:0] select_2672;
-  assign select_2672 = and_540_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2673;
-  assign select_2673 = and_540_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic select_2674;
-  assign select_2674 = and_540_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  assign select_2672 = and_540_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2673;
+  assign select_2673 = and_540_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2674;
+  assign select_2674 = and_540_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
   logic [8:0] select_2675;
-  assign select_2675 = and_540_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
-  logic [8:0] select_2676;
-  assign select_2676 = and_540_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic select_2677;
-  assign select_2677 = and_540_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  assign select_2675 = and_540_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2676;
+  assign select_2676 = and_540_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2677;
+  assign select_2677 = and_540_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
   logic [8:0] select_2678;
-  assign select_2678 = and_540_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
-  logic [8:0] select_2679;
-  assign select_2679 = and_540_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2680;
-  assign select_2680 = and_540_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2681;
-  assign select_2681 = and_540_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
-  logic [8:0] select_2682;
-  assign select_2682 = and_540_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2683;
-  assign select_2683 = and_540_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2684;
-  assign select_2684 = and_540_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  assign select_2678 = and_540_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2679;
+  assign select_2679 = and_540_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2680;
+  assign select_2680 = and_540_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  logic [8:0] select_2681;
+  assign select_2681 = and_540_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2682;
+  assign select_2682 = and_540_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2683;
+  assign select_2683 = and_540_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  logic [8:0] select_2684;
+  assign select_2684 = and_540_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_2685;
-  assign select_2685 = and_540_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2686;
-  assign select_2686 = and_540_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2687;
-  assign select_2687 = and_540_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  assign select_2685 = and_540_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  logic select_2686;
+  assign select_2686 = and_540_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  logic [8:0] select_2687;
+  assign select_2687 = and_540_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
   logic [8:0] select_2688;
-  assign select_2688 = and_540_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2689;
-  assign select_2689 = and_540_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic select_2690;
-  assign select_2690 = and_540_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  assign select_2688 = and_540_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  logic select_2689;
+  assign select_2689 = and_540_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  logic [8:0] select_2690;
+  assign select_2690 = and_540_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
   logic [8:0] select_2691;
-  assign select_2691 = and_540_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
-  logic [8:0] select_2692;
-  assign select_2692 = and_540_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic select_2693;
-  assign select_2693 = and_540_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  assign select_2691 = and_540_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  logic select_2692;
+  assign select_2692 = and_540_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic [8:0] select_2693;
+  assign select_2693 = and_540_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
   logic [8:0] select_2694;
-  assign select_2694 = and_540_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
-  logic [8:0] select_2695;
-  assign select_2695 = and_540_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic select_2696;
-  assign select_2696 = and_540_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  assign select_2694 = and_540_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic select_2695;
+  assign select_2695 = and_540_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2696;
+  assign select_2696 = and_540_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
   logic [8:0] select_2697;
-  assign select_2697 = and_540_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
-  logic [8:0] select_2698;
-  assign select_2698 = and_540_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic select_2699;
-  assign select_2699 = and_540_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  assign select_2697 = and_540_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2698;
+  assign select_2698 = and_540_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2699;
+  assign select_2699 = and_540_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
   logic [8:0] select_2700;
-  assign select_2700 = and_540_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
-  logic [8:0] select_2701;
-  assign select_2701 = and_540_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
-  logic select_2702;
-  assign select_2702 = and_540_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2703;
-  assign select_2703 = and_540_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
-  logic [8:0] select_2704;
-  assign select_2704 = and_540_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2705;
-  assign select_2705 = and_540_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_2706;
-  assign select_2706 = and_540_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2707;
-  assign select_2707 = and_540_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_2708;
-  assign select_2708 = and_540_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
-  logic [8:0] select_2709;
-  assign select_2709 = and_540_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_2710;
-  assign select_2710 = and_540_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
-  logic select_2711;
-  assign select_2711 = and_540_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  assign select_2700 = and_540_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2701;
+  assign select_2701 = and_540_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  logic [8:0] select_2702;
+  assign select_2702 = and_540_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2703;
+  assign select_2703 = and_540_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic select_2704;
+  assign select_2704 = and_540_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2705;
+  assign select_2705 = and_540_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2706;
+  assign select_2706 = and_540_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2707;
+  assign select_2707 = and_540_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2708;
+  assign select_2708 = and_540_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2709;
+  assign select_2709 = and_540_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2710;
+  assign select_2710 = and_540_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2711;
+  assign select_2711 = and_540_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2712;
+  assign select_2712 = and_540_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2713;
+  assign select_2713 = and_540_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:286
-  logic [9:0] difference_2713;
-  assign difference_2713 = {1'b0, select_550} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2714;
-  assign xor_2714 = difference_2713[8:0] ^ {9{difference_2713[9]}};
-  logic [9:0] sum_2715;
-  assign sum_2715 = {9'h0, difference_2713[9]} + {1'b0, xor_2714};
-  logic [9:0] difference_2716;
-  assign difference_2716 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2717;
-  assign xor_2717 = difference_2716[8:0] ^ {9{difference_2716[9]}};
-  logic [9:0] sum_2718;
-  assign sum_2718 = {9'h0, difference_2716[9]} + {1'b0, xor_2717};
-  logic [9:0] difference_2720;
-  assign difference_2720 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2721;
-  assign xor_2721 = difference_2720[8:0] ^ {9{difference_2720[9]}};
-  logic [9:0] sum_2722;
-  assign sum_2722 = {9'h0, difference_2720[9]} + {1'b0, xor_2721};
-  logic [10:0] sum_2723;
-  assign sum_2723 = ({1'b0, sum_2715} + {1'b0, sum_2718}) + {1'b0, sum_2722};
-  logic [9:0] difference_2724;
-  assign difference_2724 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2725;
-  assign xor_2725 = difference_2724[8:0] ^ {9{difference_2724[9]}};
-  logic [9:0] sum_2726;
-  assign sum_2726 = {9'h0, difference_2724[9]} + {1'b0, xor_2725};
-  logic [9:0] difference_2728;
-  assign difference_2728 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2729;
-  assign xor_2729 = difference_2728[8:0] ^ {9{difference_2728[9]}};
+  logic [9:0] difference_2715;
+  assign difference_2715 = {1'b0, select_550} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2716;
+  assign xor_2716 = difference_2715[8:0] ^ {9{difference_2715[9]}};
+  logic [9:0] sum_2717;
+  assign sum_2717 = {9'h0, difference_2715[9]} + {1'b0, xor_2716};
+  logic [9:0] difference_2718;
+  assign difference_2718 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2719;
+  assign xor_2719 = difference_2718[8:0] ^ {9{difference_2718[9]}};
+  logic [9:0] sum_2720;
+  assign sum_2720 = {9'h0, difference_2718[9]} + {1'b0, xor_2719};
+  logic [9:0] difference_2722;
+  assign difference_2722 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2723;
+  assign xor_2723 = difference_2722[8:0] ^ {9{difference_2722[9]}};
+  logic [9:0] sum_2724;
+  assign sum_2724 = {9'h0, difference_2722[9]} + {1'b0, xor_2723};
+  logic [10:0] sum_2725;
+  assign sum_2725 = ({1'b0, sum_2717} + {1'b0, sum_2720}) + {1'b0, sum_2724};
+  logic [9:0] difference_2726;
+  assign difference_2726 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2727;
+  assign xor_2727 = difference_2726[8:0] ^ {9{difference_2726[9]}};
+  logic [9:0] sum_2728;
+  assign sum_2728 = {9'h0, difference_2726[9]} + {1'b0, xor_2727};
+  logic [9:0] difference_2730;
+  assign difference_2730 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2731;
+  assign xor_2731 = difference_2730[8:0] ^ {9{difference_2730[9]}};
   // hls/stages/moments.hpp:54
-  logic [13:0] sum_2750;
-  assign sum_2750 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
   logic [13:0] sum_2752;
-  assign sum_2752 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
+  assign sum_2752 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2754;
+  assign sum_2754 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
   // hls/stages/agreement.hpp:1142
-  logic equal_2753;
-  assign equal_2753 = x_s2_q[6:0] == 7'h70;
+  logic equal_2755;
+  assign equal_2755 = x_s2_q[6:0] == 7'h70;
   // hls/stages/moments.hpp:117
-  logic [13:0] select_2754;
-  assign select_2754 = equal_2753 ? sum_2750 : moments_before_0_q;
   logic [13:0] select_2756;
-  assign select_2756 = equal_2753 ? sum_2752 : moments_before_1_q;
+  assign select_2756 = equal_2755 ? sum_2752 : moments_before_0_q;
+  logic [13:0] select_2758;
+  assign select_2758 = equal_2755 ? sum_2754 : moments_before_1_q;
   // hls/stages/agreement.hpp:788
-  logic select_2759;
-  assign select_2759 = equal_565_s2_q ? (moments_has_before_q | equal_2753) : moments_has_before_q;
-  logic [13:0] select_2762;
-  assign select_2762 = equal_565_s2_q ? ((select_2756 < select_2754) ? select_2754 : select_2756) : moments_most_before_q;
+  logic select_2761;
+  assign select_2761 = equal_565_s2_q ? (moments_has_before_q | equal_2755) : moments_has_before_q;
+  logic [13:0] select_2764;
+  assign select_2764 = equal_565_s2_q ? ((select_2758 < select_2756) ? select_2756 : select_2758) : moments_most_before_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2763;
-  assign sum_2763 = {1'b0, moments_most_before_q} + 15'h3;
+  logic [14:0] sum_2765;
+  assign sum_2765 = {1'b0, moments_most_before_q} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2766;
-  assign select_2766 = equal_565_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2763)) : moments_left_begins_q;
+  logic select_2768;
+  assign select_2768 = equal_565_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2765)) : moments_left_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2767;
-  assign sum_2767 = {1'b0, sum_2752} + 15'h3;
+  logic [14:0] sum_2769;
+  assign sum_2769 = {1'b0, sum_2754} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2770;
-  assign select_2770 = equal_565_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2767)) : moments_left_alone_q;
-  logic select_2773;
-  assign select_2773 = equal_565_s2_q ? (~({3'h0, select_2756[13:2]} < sum_2767)) : moments_left_other_stops_q;
-  logic select_2776;
-  assign select_2776 = equal_565_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2763)) : moments_right_begins_q;
+  logic select_2772;
+  assign select_2772 = equal_565_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2769)) : moments_left_alone_q;
+  logic select_2775;
+  assign select_2775 = equal_565_s2_q ? (~({3'h0, select_2758[13:2]} < sum_2769)) : moments_left_other_stops_q;
+  logic select_2778;
+  assign select_2778 = equal_565_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2765)) : moments_right_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2777;
-  assign sum_2777 = {1'b0, sum_2750} + 15'h3;
+  logic [14:0] sum_2779;
+  assign sum_2779 = {1'b0, sum_2752} + 15'h3;
   // hls/stages/agreement.hpp:788
-  logic select_2780;
-  assign select_2780 = equal_565_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2777)) : moments_right_alone_q;
-  logic select_2783;
-  assign select_2783 = equal_565_s2_q ? (~({3'h0, select_2754[13:2]} < sum_2777)) : moments_right_other_stops_q;
+  logic select_2782;
+  assign select_2782 = equal_565_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2779)) : moments_right_alone_q;
+  logic select_2785;
+  assign select_2785 = equal_565_s2_q ? (~({3'h0, select_2756[13:2]} < sum_2779)) : moments_right_other_stops_q;
   // hls/stages/moments.hpp:51
-  logic or_2786;
-  assign or_2786 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
+  logic or_2788;
+  assign or_2788 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
   // hls/stages/agreement.hpp:788
-  logic and_2794;
-  assign and_2794 = not_566_s2_q & (not_568_s2_q & (equal_569_s2_q & (inside_v_s2_q & and_2062)));
-  logic and_2798;
-  assign and_2798 = not_566_s2_q & (not_568_s2_q & (equal_569_s2_q & (inside_v_s2_q & and_2071)));
-  // hls/stages/moments.hpp:94
+  logic and_2796;
+  assign and_2796 = not_566_s2_q & (not_568_s2_q & (equal_569_s2_q & (inside_v_s2_q & and_2062)));
   logic and_2800;
-  assign and_2800 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
-  logic select_2803;
-  assign select_2803 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2800)) : and_2800;
+  assign and_2800 = not_566_s2_q & (not_568_s2_q & (equal_569_s2_q & (inside_v_s2_q & and_2071)));
+  // hls/stages/moments.hpp:94
+  logic and_2802;
+  assign and_2802 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
+  logic select_2805;
+  assign select_2805 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2802)) : and_2802;
   // hls/stages/agreement.hpp:788
-  logic and_2807;
-  assign and_2807 = equal_565_s2_q & (equal_2753 & (cfg_prove_i & (cfg_same_table_i & select_2803)));
+  logic and_2809;
+  assign and_2809 = equal_565_s2_q & (equal_2755 & (cfg_prove_i & (cfg_same_table_i & select_2805)));
   // hls/stages/moments.hpp:95
-  logic and_2810;
-  assign and_2810 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  logic and_2812;
+  assign and_2812 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
   // hls/stages/census.hpp:371
-  logic [9:0] difference_2824;
-  assign difference_2824 = {1'b0, select_546} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2826;
+  assign difference_2826 = {1'b0, select_546} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2824[9]} + (difference_2824[8:0] ^ {9{difference_2824[9]}});
-  logic [9:0] difference_2836;
-  assign difference_2836 = {1'b0, select_550} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_2826[9]} + (difference_2826[8:0] ^ {9{difference_2826[9]}});
+  logic [9:0] difference_2838;
+  assign difference_2838 = {1'b0, select_550} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2836[9]} + (difference_2836[8:0] ^ {9{difference_2836[9]}});
+  assign contrast_2 = {8'h0, difference_2838[9]} + (difference_2838[8:0] ^ {9{difference_2838[9]}});
   // hls/stages/agreement.hpp:788
-  logic not_3024;
-  assign not_3024 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_3025;
-  assign less_3025 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  logic not_3026;
+  assign not_3026 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_3027;
+  assign less_3027 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
   // hls/stages/agreement.hpp:520
-  logic and_3032;
-  assign and_3032 = and_540_s2_q & (equal_670_s2_q & equal_2927_s2_q);
+  logic and_3034;
+  assign and_3034 = and_540_s2_q & (equal_670_s2_q & equal_2929_s2_q);
   // hls/stages/agreement.hpp:788
-  logic and_3038;
-  assign and_3038 = not_566_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_3034_s2_q)));
+  logic and_3040;
+  assign and_3040 = not_566_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_3036_s2_q)));
   // hls/stages/agreement.hpp:1030
-  logic and_3058;
-  assign and_3058 = seen_columns_rdata_q[15] & inside_v_s2_q;
-  logic and_3059;
-  assign and_3059 = seen_columns_rdata_q[11] & inside_v_s2_q;
   logic and_3060;
-  assign and_3060 = seen_columns_rdata_q[7] & inside_v_s2_q;
+  assign and_3060 = seen_columns_rdata_q[15] & inside_v_s2_q;
   logic and_3061;
-  assign and_3061 = seen_columns_rdata_q[2] & inside_v_s2_q;
+  assign and_3061 = seen_columns_rdata_q[11] & inside_v_s2_q;
+  logic and_3062;
+  assign and_3062 = seen_columns_rdata_q[7] & inside_v_s2_q;
+  logic and_3063;
+  assign and_3063 = seen_columns_rdata_q[2] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1088
-  logic [1:0] sum_3063;
-  assign sum_3063 = {1'b0, and_3060} + ({1'b0, explained} + {1'b0, and_3061});
+  logic [1:0] sum_3065;
+  assign sum_3065 = {1'b0, and_3062} + ({1'b0, explained} + {1'b0, and_3063});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_3058} + ({2'h0, and_3059} + {1'b0, sum_3063});
+  assign explained_2 = {2'h0, and_3060} + ({2'h0, and_3061} + {1'b0, sum_3065});
   // hls/stages/agreement.hpp:788
-  logic and_3099;
-  assign and_3099 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_3034_s2_q & and_2476)));
+  logic and_3101;
+  assign and_3101 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_3036_s2_q & and_2476)));
   // hls/stages/agreement.hpp:986
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
@@ -4101,157 +4102,157 @@ module horopter_agreement (
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
   // hls/stages/agreement.hpp:988
-  logic [7:0] difference_3123;
-  assign difference_3123 = best_left_rdata_s2_q[16:9] - lower;
-  logic less_3126;
-  assign less_3126 = {2'h0, difference_3123[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
+  logic [7:0] difference_3125;
+  assign difference_3125 = best_left_rdata_s2_q[16:9] - lower;
+  logic less_3128;
+  assign less_3128 = {2'h0, difference_3125[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
   // hls/stages/agreement.hpp:247
-  logic and_3129;
-  assign and_3129 = not_574_s2_q & (((and_2474_s2_q & and_625) & equal_3119_s2_q) & (~less_3126));
+  logic and_3131;
+  assign and_3131 = not_574_s2_q & (((and_2474_s2_q & and_625) & equal_3121_s2_q) & (~less_3128));
   // hls/stages/agreement.hpp:788
-  logic and_3133;
-  assign and_3133 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_570_s2_q & and_3129)));
+  logic and_3135;
+  assign and_3135 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_570_s2_q & and_3131)));
   // hls/stages/agreement.hpp:149
-  logic and_3138;
-  assign and_3138 = not_574_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
-  // hls/stages/agreement.hpp:247
   logic and_3140;
-  assign and_3140 = not_574_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_3141;
-  assign select_3141 = or_570_s2_q ? {and_3140, and_3138} : 2'h0;
+  assign and_3140 = not_574_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
   // hls/stages/agreement.hpp:247
+  logic and_3142;
+  assign and_3142 = not_574_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
+  // hls/stages/agreement.hpp:149
   logic [1:0] select_3143;
-  assign select_3143 = less_573_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
+  assign select_3143 = or_570_s2_q ? {and_3142, and_3140} : 2'h0;
+  // hls/stages/agreement.hpp:247
+  logic [1:0] select_3145;
+  assign select_3145 = less_573_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
   // hls/stages/agreement.hpp:149
-  logic [1:0] select_3144;
-  assign select_3144 = or_570_s2_q ? select_3143 : 2'h0;
+  logic [1:0] select_3146;
+  assign select_3146 = or_570_s2_q ? select_3145 : 2'h0;
   // hls/stages/agreement.hpp:1027
-  logic and_3146;
-  assign and_3146 = and_627 & (select_3141[0] & select_3144[0]);
+  logic and_3148;
+  assign and_3148 = and_627 & (select_3143[0] & select_3146[0]);
   // hls/stages/agreement.hpp:788
-  logic and_3150;
-  assign and_3150 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3141[1] & and_3146)));
-  logic and_3151;
-  assign and_3151 = not_566_s2_q & and_3150;
-  logic and_3157;
-  assign and_3157 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3144[1] & and_3146)));
-  logic and_3158;
-  assign and_3158 = not_566_s2_q & and_3157;
+  logic and_3152;
+  assign and_3152 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3143[1] & and_3148)));
+  logic and_3153;
+  assign and_3153 = not_566_s2_q & and_3152;
+  logic and_3159;
+  assign and_3159 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3146[1] & and_3148)));
+  logic and_3160;
+  assign and_3160 = not_566_s2_q & and_3159;
   // hls/stages/registration.hpp:76
-  logic less_3161;
-  assign less_3161 = slot_s2_q < 3'h3;
+  logic less_3163;
+  assign less_3163 = slot_s2_q < 3'h3;
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_3163;
-  assign select_3163 = or_570_s2_q ? (less_573_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
   logic [7:0] select_3165;
-  assign select_3165 = or_570_s2_q ? (less_573_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  assign select_3165 = or_570_s2_q ? (less_573_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
   logic [7:0] select_3167;
-  assign select_3167 = or_570_s2_q ? (less_573_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  assign select_3167 = or_570_s2_q ? (less_573_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_3169;
+  assign select_3169 = or_570_s2_q ? (less_573_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_3165} - {1'b0, select_3167};
+  assign rise_2 = {1'b0, select_3167} - {1'b0, select_3169};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_3169;
-  assign select_3169 = rise_2[8] ? select_3165 : select_3167;
+  logic [7:0] select_3171;
+  assign select_3171 = rise_2[8] ? select_3167 : select_3169;
   logic [8:0] fall;
-  assign fall = {1'b0, select_3163} - {1'b0, select_3169};
+  assign fall = {1'b0, select_3165} - {1'b0, select_3171};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:37
-  logic not_3172;
-  assign not_3172 = ~registration_displacement_over_q[9];
+  logic not_3174;
+  assign not_3174 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_3161 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_3172};
+  assign left = less_3163 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_3174};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_3174;
-  assign xor_3174 = rise_2[7:0] ^ {8{rise_2[8]}};
+  logic [7:0] xor_3176;
+  assign xor_3176 = rise_2[7:0] ^ {8{rise_2[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_3174};
+  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_3176};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_3180;
-  assign select_3180 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_3182;
+  assign select_3182 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_3161 ? {taken, 1'b1} : {not_3172, select_3180, not_3172};
+  assign taken_2 = less_3163 ? {taken, 1'b1} : {not_3174, select_3182, not_3174};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_3182;
-  assign sum_3182 = {left, 1'b1} + {taken_2, less_3161};
+  logic [10:0] sum_3184;
+  assign sum_3184 = {left, 1'b1} + {taken_2, less_3163};
   // hls/stages/agreement.hpp:257
-  logic [4:0] select_3184;
-  assign select_3184 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  logic [4:0] select_3186;
+  assign select_3186 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3186;
-  assign select_3186 = equal_565_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
-  logic [10:0] select_3188;
-  assign select_3188 = equal_565_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
+  logic [7:0] select_3188;
+  assign select_3188 = equal_565_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
+  logic [10:0] select_3190;
+  assign select_3190 = equal_565_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_3189;
-  assign equal_3189 = slot_s2_q == 3'h4;
+  logic equal_3191;
+  assign equal_3191 = slot_s2_q == 3'h4;
   // hls/stages/agreement.hpp:262
-  logic and_3193;
-  assign and_3193 = and_627 & less_2164_s2_q;
+  logic and_3195;
+  assign and_3195 = and_627 & less_2164_s2_q;
   // hls/stages/agreement.hpp:149
-  logic [2:0] select_3195;
-  assign select_3195 = or_570_s2_q ? (less_573_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
+  logic [2:0] select_3197;
+  assign select_3197 = or_570_s2_q ? (less_573_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_3199;
-  assign sum_3199 = select_3195[2:1] + 2'h3;
+  logic [1:0] sum_3201;
+  assign sum_3201 = select_3197[2:1] + 2'h3;
   // hls/stages/registration.hpp:102
-  logic [7:0] select_3202;
-  assign select_3202 = (select_3165 < select_3167) ? ({sum_3199, select_3195[0], 5'h0} - {3'h0, select_3184}) : {sum_3199, select_3195[0], select_3184};
-  logic [7:0] select_3203;
-  assign select_3203 = ((select_3195 == 3'h0) | (select_3195 == 3'h4)) ? {sum_3199, select_3195[0], 5'h0} : select_3202;
+  logic [7:0] select_3204;
+  assign select_3204 = (select_3167 < select_3169) ? ({sum_3201, select_3197[0], 5'h0} - {3'h0, select_3186}) : {sum_3201, select_3197[0], select_3186};
+  logic [7:0] select_3205;
+  assign select_3205 = ((select_3197 == 3'h0) | (select_3197 == 3'h4)) ? {sum_3201, select_3197[0], 5'h0} : select_3204;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_3203[7]}}, select_3203} - {sum_2183[9], sum_2183, sum_2179[1]};
+  assign value_2 = {{4{select_3205[7]}}, select_3205} - {sum_2183[9], sum_2183, sum_2179[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_3206;
-  assign select_3206 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_3208;
+  assign select_3208 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_3206[11:7])) ? 12'h7f : select_3206;
+  assign residual = ($signed(5'h0) < $signed(select_3208[11:7])) ? 12'h7f : select_3208;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_3227;
-  assign difference_3227 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_3229;
+  assign difference_3229 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_3229;
-  assign and_3229 = and_3193 & ($signed(difference_3227) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_3231;
+  assign and_3231 = and_3195 & ($signed(difference_3229) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_3242;
-  assign less_3242 = $signed(difference_3227) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic less_3244;
+  assign less_3244 = $signed(difference_3229) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/agreement.hpp:788
-  logic select_3250;
-  assign select_3250 = so_s2_q ? (equal_3189 ? right_2 : registration_of_right_q) : registration_of_right_q;
-  logic select_3253;
-  assign select_3253 = so_s2_q ? (equal_2165 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
+  logic select_3252;
+  assign select_3252 = so_s2_q ? (equal_3191 ? right_2 : registration_of_right_q) : registration_of_right_q;
+  logic select_3255;
+  assign select_3255 = so_s2_q ? (equal_2165 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_3258;
-  assign select_3258 = (sum_2078 == 2'h2) ? (registration_fresh_q & (~select_2125)) : registration_fresh_q;
-  // hls/stages/agreement.hpp:788
   logic [3:0] select_3260;
-  assign select_3260 = so_s2_q ? (and_2120 ? select_3258 : registration_fresh_q) : registration_fresh_q;
-  // hls/stages/registration.hpp:242
+  assign select_3260 = (sum_2078 == 2'h2) ? (registration_fresh_q & (~select_2125)) : registration_fresh_q;
+  // hls/stages/agreement.hpp:788
   logic [3:0] select_3262;
-  assign select_3262 = and_3032 ? 4'hf : (equal_565_s2_q ? registration_fresh_q : select_3260);
+  assign select_3262 = so_s2_q ? (and_2120 ? select_3260 : registration_fresh_q) : registration_fresh_q;
+  // hls/stages/registration.hpp:242
+  logic [3:0] select_3264;
+  assign select_3264 = and_3034 ? 4'hf : (equal_565_s2_q ? registration_fresh_q : select_3262);
   // hls/stages/agreement.hpp:1129
   logic [1:0] quarter_2;
   assign quarter_2 = all ? x_s2_q[1:0] : select_2075;
   // hls/stages/registration.hpp:258
-  logic not_3283;
-  assign not_3283 = ~quarter_2[1];
-  logic [3:0] select_3284;
-  assign select_3284 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3283, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3283};
+  logic not_3285;
+  assign not_3285 = ~quarter_2[1];
+  logic [3:0] select_3286;
+  assign select_3286 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3285, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3285};
   // hls/stages/patches.hpp:91
-  logic parity_3418;
-  assign parity_3418 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  logic parity_3420;
+  assign parity_3420 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
   // hls/stages/agreement.hpp:460
-  logic [15:0] select_3419;
-  assign select_3419 = equal_2927_s2_q ? {patches_chance_q[14:0], parity_3418} : patches_chance_q;
+  logic [15:0] select_3421;
+  assign select_3421 = equal_2929_s2_q ? {patches_chance_q[14:0], parity_3420} : patches_chance_q;
   // hls/stages/patches.hpp:346
-  logic not_3421;
-  assign not_3421 = ~and_2239;
+  logic not_3423;
+  assign not_3423 = ~and_2239;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
@@ -4259,511 +4260,511 @@ module horopter_agreement (
   logic [5:0] further;
   assign further = last_s2_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
   // hls/stages/patches.hpp:110
-  logic [5:0] select_3424;
-  assign select_3424 = right_3 ? last_s2_q[6:1] : 6'h0;
+  logic [5:0] select_3426;
+  assign select_3426 = right_3 ? last_s2_q[6:1] : 6'h0;
   logic [6:0] from;
-  assign from = {1'b0, further} + {1'b0, select_3424};
+  assign from = {1'b0, further} + {1'b0, select_3426};
   // hls/stages/agreement.hpp:788
-  logic and_3430;
-  assign and_3430 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {1'b0, from}))));
+  logic and_3432;
+  assign and_3432 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {1'b0, from}))));
   // hls/stages/patches.hpp:157
-  logic and_3434;
-  assign and_3434 = not_3421 & (patches_fixed_q | ((not_566_s2_q & and_3430) & and_2211));
+  logic and_3436;
+  assign and_3436 = not_3423 & (patches_fixed_q | ((not_566_s2_q & and_3432) & and_2211));
   // hls/stages/patches.hpp:355
-  logic not_3446;
-  assign not_3446 = ~select_2154[1];
+  logic not_3448;
+  assign not_3448 = ~select_2154[1];
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3448;
-  assign select_3448 = sample_pair_whole_s2_q ? (equal_2155 ? select_2154 : {not_3446, 1'b0}) : patches_fetch_q;
+  logic [1:0] select_3450;
+  assign select_3450 = sample_pair_whole_s2_q ? (equal_2155 ? select_2154 : {not_3448, 1'b0}) : patches_fetch_q;
   // hls/stages/patches.hpp:523
   logic [55:0] other;
   assign other = new_row_s2_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
   // hls/stages/patches.hpp:185
-  logic [51:0] select_3547;
-  assign select_3547 = or_2247_s2_q ? {and_2392_s2_q, and_2389_s2_q, and_2373_s2_q, and_2370, patches_codes_at_q[51:4]} : patches_codes_at_q;
   logic [51:0] select_3549;
-  assign select_3549 = equal_2241_s2_q ? patches_codes_at_q : (equal_2243_s2_q ? other[55:4] : select_3547);
+  assign select_3549 = or_2247_s2_q ? {and_2392_s2_q, and_2389_s2_q, and_2373_s2_q, and_2370, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3551;
+  assign select_3551 = equal_2241_s2_q ? patches_codes_at_q : (equal_2243_s2_q ? other[55:4] : select_3549);
   // hls/stages/patches.hpp:506
   logic [27:0] word;
   assign word = or_2346_s2_q ? patches_right_codes_rdata_q : 28'h0;
   // hls/stages/patches.hpp:522
-  logic [27:0] select_3552;
-  assign select_3552 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
-  // hls/stages/patches.hpp:185
   logic [27:0] select_3554;
-  assign select_3554 = equal_2243_s2_q ? (new_row_s2_q ? word : select_3552) : patches_codes_further_q;
+  assign select_3554 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
+  // hls/stages/patches.hpp:185
+  logic [27:0] select_3556;
+  assign select_3556 = equal_2243_s2_q ? (new_row_s2_q ? word : select_3554) : patches_codes_further_q;
   // hls/stages/patches.hpp:524
-  logic [55:0] select_3556;
-  assign select_3556 = less_2333_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:494
   logic [55:0] select_3558;
-  assign select_3558 = less_3557_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/patches.hpp:185
+  assign select_3558 = less_2333_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:494
   logic [55:0] select_3560;
-  assign select_3560 = or_2247_s2_q ? (equal_2246_s2_q ? patches_next_codes_q : select_3558) : patches_next_codes_q;
+  assign select_3560 = less_3559_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/patches.hpp:185
   logic [55:0] select_3562;
-  assign select_3562 = equal_2241_s2_q ? patches_next_codes_q : (equal_2243_s2_q ? select_3556 : select_3560);
+  assign select_3562 = or_2247_s2_q ? (equal_2246_s2_q ? patches_next_codes_q : select_3560) : patches_next_codes_q;
+  logic [55:0] select_3564;
+  assign select_3564 = equal_2241_s2_q ? patches_next_codes_q : (equal_2243_s2_q ? select_3558 : select_3562);
   // hls/stages/count_bits.hpp:24
-  logic parity_3567;
-  assign parity_3567 = ^{and_2392_s2_q, and_2389_s2_q, and_2373_s2_q, and_2370};
+  logic parity_3569;
+  assign parity_3569 = ^{and_2392_s2_q, and_2389_s2_q, and_2373_s2_q, and_2370};
   // hls/stages/count_bits.hpp:25
-  logic or_3571;
-  assign or_3571 = ({and_2373_s2_q, and_2370} == 2'h3) | (and_2389_s2_q & (and_2373_s2_q | and_2370));
-  logic and_3572;
-  assign and_3572 = and_2392_s2_q & (^{and_2389_s2_q, and_2373_s2_q, and_2370});
-  // hls/stages/count_bits.hpp:24
-  logic xor_3573;
-  assign xor_3573 = or_3571 ^ and_3572;
-  // hls/stages/count_bits.hpp:27
+  logic or_3573;
+  assign or_3573 = ({and_2373_s2_q, and_2370} == 2'h3) | (and_2389_s2_q & (and_2373_s2_q | and_2370));
   logic and_3574;
-  assign and_3574 = or_3571 & and_3572;
+  assign and_3574 = and_2392_s2_q & (^{and_2389_s2_q, and_2373_s2_q, and_2370});
+  // hls/stages/count_bits.hpp:24
+  logic xor_3575;
+  assign xor_3575 = or_3573 ^ and_3574;
+  // hls/stages/count_bits.hpp:27
+  logic and_3576;
+  assign and_3576 = or_3573 & and_3574;
   // hls/stages/patches.hpp:185
-  logic [2:0] select_3576;
-  assign select_3576 = or_2247_s2_q ? (and_2415_s2_q ? {and_3574, xor_3573, parity_3567} : 3'h0) : 3'h0;
+  logic [2:0] select_3578;
+  assign select_3578 = or_2247_s2_q ? (and_2415_s2_q ? {and_3576, xor_3575, parity_3569} : 3'h0) : 3'h0;
   // hls/stages/patches.hpp:168
-  logic [9:0] sum_3580;
-  assign sum_3580 = {7'h0, patches_set_q} + (equal_2246_s2_q ? 10'h0 : patches_size_q);
+  logic [9:0] sum_3582;
+  assign sum_3582 = {7'h0, patches_set_q} + (equal_2246_s2_q ? 10'h0 : patches_size_q);
   // hls/stages/patches.hpp:523
-  logic [47:0] select_3590;
-  assign select_3590 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
-  // hls/stages/patches.hpp:185
   logic [47:0] select_3592;
-  assign select_3592 = equal_2241_s2_q ? patches_left_row_q : (equal_2243_s2_q ? select_3590 : patches_left_row_q);
+  assign select_3592 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  // hls/stages/patches.hpp:185
+  logic [47:0] select_3594;
+  assign select_3594 = equal_2241_s2_q ? patches_left_row_q : (equal_2243_s2_q ? select_3592 : patches_left_row_q);
   // hls/stages/patches.hpp:525
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3590;
+  assign bits = other[47:0] ^ select_3592;
   // hls/stages/count_bits.hpp:24
-  logic xor_3596;
-  assign xor_3596 = bits[17] ^ (^{select_3590[16:15], other[16:15]});
-  logic xor_3599;
-  assign xor_3599 = bits[11] ^ (^{select_3590[10:9], other[10:9]});
-  logic xor_3602;
-  assign xor_3602 = bits[14] ^ (^{select_3590[13:12], other[13:12]});
-  logic xor_3605;
-  assign xor_3605 = xor_3596 ^ (^{select_3590[14:9], other[14:9]});
-  logic xor_3608;
-  assign xor_3608 = bits[47] ^ (^{select_3590[46:45], other[46:45]});
-  logic xor_3611;
-  assign xor_3611 = bits[8] ^ (^{select_3590[7:6], other[7:6]});
-  logic xor_3614;
-  assign xor_3614 = bits[2] ^ (^{select_3590[1:0], other[1:0]});
-  logic xor_3617;
-  assign xor_3617 = bits[5] ^ (^{select_3590[4:3], other[4:3]});
-  logic xor_3620;
-  assign xor_3620 = xor_3611 ^ (^{select_3590[5:0], other[5:0]});
-  logic parity_3622;
-  assign parity_3622 = ^{select_3590[47:45], select_3590[8:0], other[47:45], other[8:0]};
-  logic xor_3623;
-  assign xor_3623 = xor_3605 ^ parity_3622;
-  logic xor_3626;
-  assign xor_3626 = bits[44] ^ (^{select_3590[43:42], other[43:42]});
-  logic xor_3629;
-  assign xor_3629 = bits[38] ^ (^{select_3590[37:36], other[37:36]});
-  logic xor_3632;
-  assign xor_3632 = bits[41] ^ (^{select_3590[40:39], other[40:39]});
-  logic xor_3638;
-  assign xor_3638 = bits[26] ^ (^{select_3590[25:24], other[25:24]});
-  logic xor_3641;
-  assign xor_3641 = bits[20] ^ (^{select_3590[19:18], other[19:18]});
-  logic xor_3644;
-  assign xor_3644 = bits[23] ^ (^{select_3590[22:21], other[22:21]});
-  logic xor_3647;
-  assign xor_3647 = xor_3638 ^ (^{select_3590[23:18], other[23:18]});
-  logic xor_3650;
-  assign xor_3650 = bits[35] ^ (^{select_3590[34:33], other[34:33]});
-  logic xor_3653;
-  assign xor_3653 = bits[29] ^ (^{select_3590[28:27], other[28:27]});
-  logic xor_3656;
-  assign xor_3656 = bits[32] ^ (^{select_3590[31:30], other[31:30]});
-  logic xor_3659;
-  assign xor_3659 = xor_3650 ^ (^{select_3590[32:27], other[32:27]});
-  logic xor_3660;
-  assign xor_3660 = xor_3647 ^ xor_3659;
+  logic xor_3598;
+  assign xor_3598 = bits[17] ^ (^{select_3592[16:15], other[16:15]});
+  logic xor_3601;
+  assign xor_3601 = bits[11] ^ (^{select_3592[10:9], other[10:9]});
+  logic xor_3604;
+  assign xor_3604 = bits[14] ^ (^{select_3592[13:12], other[13:12]});
+  logic xor_3607;
+  assign xor_3607 = xor_3598 ^ (^{select_3592[14:9], other[14:9]});
+  logic xor_3610;
+  assign xor_3610 = bits[47] ^ (^{select_3592[46:45], other[46:45]});
+  logic xor_3613;
+  assign xor_3613 = bits[8] ^ (^{select_3592[7:6], other[7:6]});
+  logic xor_3616;
+  assign xor_3616 = bits[2] ^ (^{select_3592[1:0], other[1:0]});
+  logic xor_3619;
+  assign xor_3619 = bits[5] ^ (^{select_3592[4:3], other[4:3]});
+  logic xor_3622;
+  assign xor_3622 = xor_3613 ^ (^{select_3592[5:0], other[5:0]});
+  logic parity_3624;
+  assign parity_3624 = ^{select_3592[47:45], select_3592[8:0], other[47:45], other[8:0]};
+  logic xor_3625;
+  assign xor_3625 = xor_3607 ^ parity_3624;
+  logic xor_3628;
+  assign xor_3628 = bits[44] ^ (^{select_3592[43:42], other[43:42]});
+  logic xor_3631;
+  assign xor_3631 = bits[38] ^ (^{select_3592[37:36], other[37:36]});
+  logic xor_3634;
+  assign xor_3634 = bits[41] ^ (^{select_3592[40:39], other[40:39]});
+  logic xor_3640;
+  assign xor_3640 = bits[26] ^ (^{select_3592[25:24], other[25:24]});
+  logic xor_3643;
+  assign xor_3643 = bits[20] ^ (^{select_3592[19:18], other[19:18]});
+  logic xor_3646;
+  assign xor_3646 = bits[23] ^ (^{select_3592[22:21], other[22:21]});
+  logic xor_3649;
+  assign xor_3649 = xor_3640 ^ (^{select_3592[23:18], other[23:18]});
+  logic xor_3652;
+  assign xor_3652 = bits[35] ^ (^{select_3592[34:33], other[34:33]});
+  logic xor_3655;
+  assign xor_3655 = bits[29] ^ (^{select_3592[28:27], other[28:27]});
+  logic xor_3658;
+  assign xor_3658 = bits[32] ^ (^{select_3592[31:30], other[31:30]});
+  logic xor_3661;
+  assign xor_3661 = xor_3652 ^ (^{select_3592[32:27], other[32:27]});
+  logic xor_3662;
+  assign xor_3662 = xor_3649 ^ xor_3661;
   // hls/stages/count_bits.hpp:25
-  logic or_3668;
-  assign or_3668 = (xor_3599 & xor_3602) | (xor_3596 & (xor_3599 | xor_3602));
-  logic or_3672;
-  assign or_3672 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3676;
-  assign or_3676 = (xor_3614 & xor_3617) | (xor_3611 & (xor_3614 | xor_3617));
+  logic or_3670;
+  assign or_3670 = (xor_3601 & xor_3604) | (xor_3598 & (xor_3601 | xor_3604));
+  logic or_3674;
+  assign or_3674 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+  logic or_3678;
+  assign or_3678 = (xor_3616 & xor_3619) | (xor_3613 & (xor_3616 | xor_3619));
   // hls/stages/count_bits.hpp:23
-  logic or_3683;
-  assign or_3683 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  logic or_3685;
+  assign or_3685 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
   // hls/stages/count_bits.hpp:25
-  logic or_3687;
-  assign or_3687 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-  logic or_3691;
-  assign or_3691 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+  logic or_3689;
+  assign or_3689 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  logic or_3693;
+  assign or_3693 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3694;
-  assign parity_3694 = ^{or_3691, or_3687, or_3683};
+  logic parity_3696;
+  assign parity_3696 = ^{or_3693, or_3689, or_3685};
   // hls/stages/count_bits.hpp:23
-  logic or_3698;
-  assign or_3698 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+  logic or_3700;
+  assign or_3700 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
   // hls/stages/count_bits.hpp:25
-  logic or_3702;
-  assign or_3702 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-  logic or_3706;
-  assign or_3706 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+  logic or_3704;
+  assign or_3704 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3708;
+  assign or_3708 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3709;
-  assign parity_3709 = ^{or_3706, or_3702, or_3698};
-  logic parity_3712;
-  assign parity_3712 = ^{or_3706, or_3702, or_3698, or_3691, or_3687, or_3683, or_3676, or_3672, or_3668};
+  logic parity_3711;
+  assign parity_3711 = ^{or_3708, or_3704, or_3700};
+  logic parity_3714;
+  assign parity_3714 = ^{or_3708, or_3704, or_3700, or_3693, or_3689, or_3685, or_3678, or_3674, or_3670};
   // hls/stages/count_bits.hpp:23
-  logic or_3716;
-  assign or_3716 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  logic or_3718;
+  assign or_3718 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
   // hls/stages/count_bits.hpp:25
-  logic or_3720;
-  assign or_3720 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3724;
-  assign or_3724 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+  logic or_3722;
+  assign or_3722 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3726;
+  assign or_3726 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
   // hls/stages/count_bits.hpp:23
-  logic or_3732;
-  assign or_3732 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+  logic or_3734;
+  assign or_3734 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_3736;
-  assign or_3736 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-  logic or_3740;
-  assign or_3740 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+  logic or_3738;
+  assign or_3738 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  logic or_3742;
+  assign or_3742 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3743;
-  assign parity_3743 = ^{or_3740, or_3736, or_3732};
+  logic parity_3745;
+  assign parity_3745 = ^{or_3742, or_3738, or_3734};
   // hls/stages/count_bits.hpp:23
-  logic or_3747;
-  assign or_3747 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+  logic or_3749;
+  assign or_3749 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
   // hls/stages/count_bits.hpp:25
-  logic or_3751;
-  assign or_3751 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-  logic or_3755;
-  assign or_3755 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  logic or_3753;
+  assign or_3753 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3757;
+  assign or_3757 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3758;
-  assign parity_3758 = ^{or_3755, or_3751, or_3747};
-  logic parity_3761;
-  assign parity_3761 = ^{or_3755, or_3751, or_3747, or_3740, or_3736, or_3732, or_3724, or_3720, or_3716};
+  logic parity_3760;
+  assign parity_3760 = ^{or_3757, or_3753, or_3749};
+  logic parity_3763;
+  assign parity_3763 = ^{or_3757, or_3753, or_3749, or_3742, or_3738, or_3734, or_3726, or_3722, or_3718};
   // hls/stages/count_bits.hpp:25
-  logic or_3765;
-  assign or_3765 = (xor_3629 & xor_3632) | (xor_3626 & (xor_3629 | xor_3632));
-  logic or_3769;
-  assign or_3769 = (xor_3641 & xor_3644) | (xor_3638 & (xor_3641 | xor_3644));
-  logic or_3773;
-  assign or_3773 = (xor_3653 & xor_3656) | (xor_3650 & (xor_3653 | xor_3656));
+  logic or_3767;
+  assign or_3767 = (xor_3631 & xor_3634) | (xor_3628 & (xor_3631 | xor_3634));
+  logic or_3771;
+  assign or_3771 = (xor_3643 & xor_3646) | (xor_3640 & (xor_3643 | xor_3646));
+  logic or_3775;
+  assign or_3775 = (xor_3655 & xor_3658) | (xor_3652 & (xor_3655 | xor_3658));
   // hls/stages/count_bits.hpp:24
-  logic parity_3776;
-  assign parity_3776 = ^{or_3773, or_3769, or_3765};
+  logic parity_3778;
+  assign parity_3778 = ^{or_3775, or_3771, or_3767};
   // hls/stages/count_bits.hpp:25
-  logic and_3777;
-  assign and_3777 = xor_3623 & (^{xor_3660, select_3590[44:36], other[44:36]});
-  logic or_3781;
-  assign or_3781 = (xor_3608 & xor_3620) | (xor_3605 & (xor_3608 | xor_3620));
-  logic and_3784;
-  assign and_3784 = (xor_3626 ^ (^{select_3590[41:36], other[41:36]})) & (xor_3647 | xor_3659);
-  logic or_3785;
-  assign or_3785 = (xor_3647 & xor_3659) | and_3784;
+  logic and_3779;
+  assign and_3779 = xor_3625 & (^{xor_3662, select_3592[44:36], other[44:36]});
+  logic or_3783;
+  assign or_3783 = (xor_3610 & xor_3622) | (xor_3607 & (xor_3610 | xor_3622));
+  logic and_3786;
+  assign and_3786 = (xor_3628 ^ (^{select_3592[41:36], other[41:36]})) & (xor_3649 | xor_3661);
+  logic or_3787;
+  assign or_3787 = (xor_3649 & xor_3661) | and_3786;
   // hls/stages/count_bits.hpp:24
-  logic parity_3788;
-  assign parity_3788 = ^{or_3785, or_3781, and_3777};
-  logic parity_3791;
-  assign parity_3791 = ^{or_3785, or_3781, and_3777, or_3773, or_3769, or_3765, or_3755, or_3751, or_3747, or_3740, or_3736, or_3732, or_3724, or_3720, or_3716};
+  logic parity_3790;
+  assign parity_3790 = ^{or_3787, or_3783, and_3779};
   logic parity_3793;
-  assign parity_3793 = ^{or_3785, or_3781, and_3777, or_3773, or_3769, or_3765, or_3755, or_3751, or_3747, or_3740, or_3736, or_3732, or_3724, or_3720, or_3716, or_3706, or_3702, or_3698, or_3691, or_3687, or_3683, or_3676, or_3672, or_3668};
+  assign parity_3793 = ^{or_3787, or_3783, and_3779, or_3775, or_3771, or_3767, or_3757, or_3753, or_3749, or_3742, or_3738, or_3734, or_3726, or_3722, or_3718};
+  logic parity_3795;
+  assign parity_3795 = ^{or_3787, or_3783, and_3779, or_3775, or_3771, or_3767, or_3757, or_3753, or_3749, or_3742, or_3738, or_3734, or_3726, or_3722, or_3718, or_3708, or_3704, or_3700, or_3693, or_3689, or_3685, or_3678, or_3674, or_3670};
   // hls/stages/count_bits.hpp:25
-  logic and_3794;
-  assign and_3794 = parity_3712 & parity_3791;
-  logic or_3798;
-  assign or_3798 = (parity_3694 & parity_3709) | ((^{or_3676, or_3672, or_3668}) & (parity_3694 | parity_3709));
-  logic or_3802;
-  assign or_3802 = (parity_3776 & parity_3788) | (parity_3761 & (parity_3776 | parity_3788));
-  logic or_3809;
-  assign or_3809 = (parity_3743 & parity_3758) | ((^{or_3724, or_3720, or_3716}) & (parity_3743 | parity_3758));
-  logic or_3813;
-  assign or_3813 = (or_3769 & or_3773) | (or_3765 & (or_3769 | or_3773));
-  logic or_3817;
-  assign or_3817 = (or_3781 & or_3785) | (and_3777 & (or_3781 | or_3785));
+  logic and_3796;
+  assign and_3796 = parity_3714 & parity_3793;
+  logic or_3800;
+  assign or_3800 = (parity_3696 & parity_3711) | ((^{or_3678, or_3674, or_3670}) & (parity_3696 | parity_3711));
+  logic or_3804;
+  assign or_3804 = (parity_3778 & parity_3790) | (parity_3763 & (parity_3778 | parity_3790));
+  logic or_3811;
+  assign or_3811 = (parity_3745 & parity_3760) | ((^{or_3726, or_3722, or_3718}) & (parity_3745 | parity_3760));
+  logic or_3815;
+  assign or_3815 = (or_3771 & or_3775) | (or_3767 & (or_3771 | or_3775));
+  logic or_3819;
+  assign or_3819 = (or_3783 & or_3787) | (and_3779 & (or_3783 | or_3787));
   // hls/stages/count_bits.hpp:23
-  logic or_3824;
-  assign or_3824 = (or_3720 & or_3724) | (or_3716 & (or_3720 | or_3724));
+  logic or_3826;
+  assign or_3826 = (or_3722 & or_3726) | (or_3718 & (or_3722 | or_3726));
   // hls/stages/count_bits.hpp:25
-  logic or_3828;
-  assign or_3828 = (or_3736 & or_3740) | (or_3732 & (or_3736 | or_3740));
-  logic or_3832;
-  assign or_3832 = (or_3751 & or_3755) | (or_3747 & (or_3751 | or_3755));
+  logic or_3830;
+  assign or_3830 = (or_3738 & or_3742) | (or_3734 & (or_3738 | or_3742));
+  logic or_3834;
+  assign or_3834 = (or_3753 & or_3757) | (or_3749 & (or_3753 | or_3757));
   // hls/stages/count_bits.hpp:24
-  logic parity_3835;
-  assign parity_3835 = ^{or_3832, or_3828, or_3824};
+  logic parity_3837;
+  assign parity_3837 = ^{or_3834, or_3830, or_3826};
   // hls/stages/count_bits.hpp:23
-  logic or_3839;
-  assign or_3839 = (or_3672 & or_3676) | (or_3668 & (or_3672 | or_3676));
+  logic or_3841;
+  assign or_3841 = (or_3674 & or_3678) | (or_3670 & (or_3674 | or_3678));
   // hls/stages/count_bits.hpp:25
-  logic or_3843;
-  assign or_3843 = (or_3687 & or_3691) | (or_3683 & (or_3687 | or_3691));
-  logic or_3847;
-  assign or_3847 = (or_3702 & or_3706) | (or_3698 & (or_3702 | or_3706));
+  logic or_3845;
+  assign or_3845 = (or_3689 & or_3693) | (or_3685 & (or_3689 | or_3693));
+  logic or_3849;
+  assign or_3849 = (or_3704 & or_3708) | (or_3700 & (or_3704 | or_3708));
   // hls/stages/count_bits.hpp:24
-  logic parity_3850;
-  assign parity_3850 = ^{or_3847, or_3843, or_3839};
-  logic parity_3853;
-  assign parity_3853 = ^{or_3847, or_3843, or_3839, or_3832, or_3828, or_3824, or_3817, or_3813, or_3809};
+  logic parity_3852;
+  assign parity_3852 = ^{or_3849, or_3845, or_3841};
   logic parity_3855;
-  assign parity_3855 = ^{or_3847, or_3843, or_3839, or_3832, or_3828, or_3824, or_3817, or_3813, or_3809, or_3802, or_3798, and_3794};
+  assign parity_3855 = ^{or_3849, or_3845, or_3841, or_3834, or_3830, or_3826, or_3819, or_3815, or_3811};
+  logic parity_3857;
+  assign parity_3857 = ^{or_3849, or_3845, or_3841, or_3834, or_3830, or_3826, or_3819, or_3815, or_3811, or_3804, or_3800, and_3796};
   // hls/stages/count_bits.hpp:25
-  logic or_3859;
-  assign or_3859 = (or_3813 & or_3817) | (or_3809 & (or_3813 | or_3817));
-  logic or_3863;
-  assign or_3863 = (or_3828 & or_3832) | (or_3824 & (or_3828 | or_3832));
-  logic or_3867;
-  assign or_3867 = (or_3843 & or_3847) | (or_3839 & (or_3843 | or_3847));
+  logic or_3861;
+  assign or_3861 = (or_3815 & or_3819) | (or_3811 & (or_3815 | or_3819));
+  logic or_3865;
+  assign or_3865 = (or_3830 & or_3834) | (or_3826 & (or_3830 | or_3834));
+  logic or_3869;
+  assign or_3869 = (or_3845 & or_3849) | (or_3841 & (or_3845 | or_3849));
   // hls/stages/count_bits.hpp:24
-  logic parity_3870;
-  assign parity_3870 = ^{or_3867, or_3863, or_3859};
+  logic parity_3872;
+  assign parity_3872 = ^{or_3869, or_3865, or_3861};
   // hls/stages/count_bits.hpp:25
-  logic and_3871;
-  assign and_3871 = (^{or_3802, or_3798, and_3794}) & parity_3853;
-  logic or_3875;
-  assign or_3875 = (or_3798 & or_3802) | (and_3794 & (or_3798 | or_3802));
-  logic or_3879;
-  assign or_3879 = (parity_3835 & parity_3850) | ((^{or_3817, or_3813, or_3809}) & (parity_3835 | parity_3850));
+  logic and_3873;
+  assign and_3873 = (^{or_3804, or_3800, and_3796}) & parity_3855;
+  logic or_3877;
+  assign or_3877 = (or_3800 & or_3804) | (and_3796 & (or_3800 | or_3804));
+  logic or_3881;
+  assign or_3881 = (parity_3837 & parity_3852) | ((^{or_3819, or_3815, or_3811}) & (parity_3837 | parity_3852));
   // hls/stages/count_bits.hpp:24
-  logic parity_3882;
-  assign parity_3882 = ^{or_3879, or_3875, and_3871};
+  logic parity_3884;
+  assign parity_3884 = ^{or_3881, or_3877, and_3873};
   // hls/stages/count_bits.hpp:25
-  logic and_3884;
-  assign and_3884 = parity_3870 & parity_3882;
-  logic or_3888;
-  assign or_3888 = (or_3863 & or_3867) | (or_3859 & (or_3863 | or_3867));
-  logic or_3892;
-  assign or_3892 = (or_3875 & or_3879) | (and_3871 & (or_3875 | or_3879));
+  logic and_3886;
+  assign and_3886 = parity_3872 & parity_3884;
+  logic or_3890;
+  assign or_3890 = (or_3865 & or_3869) | (or_3861 & (or_3865 | or_3869));
+  logic or_3894;
+  assign or_3894 = (or_3877 & or_3881) | (and_3873 & (or_3877 | or_3881));
   // hls/stages/patches.hpp:185
-  logic [4:0] select_3937;
-  assign select_3937 = equal_2243_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
-  logic select_3940;
-  assign select_3940 = equal_2241_s2_q ? patches_summed_first_q : (equal_2243_s2_q ? new_row_s2_q : patches_summed_first_q);
+  logic [4:0] select_3939;
+  assign select_3939 = equal_2243_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
+  logic select_3942;
+  assign select_3942 = equal_2241_s2_q ? patches_summed_first_q : (equal_2243_s2_q ? new_row_s2_q : patches_summed_first_q);
   // hls/stages/patches.hpp:557
-  logic [9:0] select_3947;
-  assign select_3947 = less_2421_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
+  logic [9:0] select_3949;
+  assign select_3949 = less_2421_s2_q ? patches_rows_rdata_q[9:0] : 10'h0;
   // hls/stages/patches.hpp:561
-  logic [9:0] select_3950;
-  assign select_3950 = equal_2424_s2_q ? (less_2421_s2_q ? (equal_2424_s2_q ? 10'h0 : select_3947) : 10'h0) : select_3947;
   logic [9:0] select_3952;
-  assign select_3952 = less_2421_s2_q ? (equal_2422_s2_q ? 10'h0 : select_3950) : select_3950;
+  assign select_3952 = equal_2424_s2_q ? (less_2421_s2_q ? (equal_2424_s2_q ? 10'h0 : select_3949) : 10'h0) : select_3949;
+  logic [9:0] select_3954;
+  assign select_3954 = less_2421_s2_q ? (equal_2422_s2_q ? 10'h0 : select_3952) : select_3952;
   // hls/stages/patches.hpp:557
-  logic [4:0] select_3954;
-  assign select_3954 = less_2421_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
+  logic [4:0] select_3956;
+  assign select_3956 = less_2421_s2_q ? patches_rows_rdata_q[14:10] : 5'h0;
   // hls/stages/patches.hpp:561
-  logic [4:0] select_3957;
-  assign select_3957 = equal_2424_s2_q ? (less_2421_s2_q ? (equal_2424_s2_q ? 5'h0 : select_3954) : 5'h0) : select_3954;
   logic [4:0] select_3959;
-  assign select_3959 = less_2421_s2_q ? (equal_2422_s2_q ? 5'h0 : select_3957) : select_3957;
-  // hls/stages/patches.hpp:557
+  assign select_3959 = equal_2424_s2_q ? (less_2421_s2_q ? (equal_2424_s2_q ? 5'h0 : select_3956) : 5'h0) : select_3956;
   logic [4:0] select_3961;
-  assign select_3961 = less_2421_s2_q ? patches_step_s2_q : 5'h0;
-  // hls/stages/patches.hpp:561
-  logic [4:0] select_3964;
-  assign select_3964 = equal_2424_s2_q ? (less_2421_s2_q ? (equal_2424_s2_q ? 5'h0 : select_3961) : 5'h0) : select_3961;
-  logic [4:0] select_3966;
-  assign select_3966 = less_2421_s2_q ? (equal_2422_s2_q ? 5'h0 : select_3964) : select_3964;
+  assign select_3961 = less_2421_s2_q ? (equal_2422_s2_q ? 5'h0 : select_3959) : select_3959;
   // hls/stages/patches.hpp:557
-  logic and_3969;
-  assign and_3969 = less_2421_s2_q & (patches_step_s2_q == 5'h0);
+  logic [4:0] select_3963;
+  assign select_3963 = less_2421_s2_q ? patches_step_s2_q : 5'h0;
   // hls/stages/patches.hpp:561
-  logic select_3972;
-  assign select_3972 = equal_2424_s2_q ? (less_2421_s2_q ? (not_2425_s2_q & and_3969) : and_3969) : and_3969;
+  logic [4:0] select_3966;
+  assign select_3966 = equal_2424_s2_q ? (less_2421_s2_q ? (equal_2424_s2_q ? 5'h0 : select_3963) : 5'h0) : select_3963;
+  logic [4:0] select_3968;
+  assign select_3968 = less_2421_s2_q ? (equal_2422_s2_q ? 5'h0 : select_3966) : select_3966;
+  // hls/stages/patches.hpp:557
+  logic and_3971;
+  assign and_3971 = less_2421_s2_q & (patches_step_s2_q == 5'h0);
+  // hls/stages/patches.hpp:561
+  logic select_3974;
+  assign select_3974 = equal_2424_s2_q ? (less_2421_s2_q ? (not_2425_s2_q & and_3971) : and_3971) : and_3971;
   // hls/stages/patches.hpp:185
-  logic select_3975;
-  assign select_3975 = equal_2241_s2_q ? (less_2421_s2_q ? (not_2423_s2_q & select_3972) : select_3972) : patches_read_first_q;
+  logic select_3977;
+  assign select_3977 = equal_2241_s2_q ? (less_2421_s2_q ? (not_2423_s2_q & select_3974) : select_3974) : patches_read_first_q;
   // hls/stages/patches.hpp:179
-  logic or_3986;
-  assign or_3986 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3987;
-  assign and_3987 = patches_read_searches_s2_q & or_3986;
+  logic or_3988;
+  assign or_3988 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3989;
+  assign and_3989 = patches_read_searches_s2_q & or_3988;
   // hls/stages/patches.hpp:541
-  logic [4:0] select_3988;
-  assign select_3988 = and_3987 ? patches_read_at_q : patches_peak_row_q;
+  logic [4:0] select_3990;
+  assign select_3990 = and_3989 ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:548
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3988};
+  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3990};
   // hls/stages/patches.hpp:557
-  logic and_3992;
-  assign and_3992 = less_2421_s2_q & (equal_3984_s2_q & (away == 6'h3f));
+  logic and_3994;
+  assign and_3994 = less_2421_s2_q & (equal_3986_s2_q & (away == 6'h3f));
   // hls/stages/patches.hpp:561
-  logic select_3995;
-  assign select_3995 = equal_2424_s2_q ? (less_2421_s2_q ? (not_2425_s2_q & and_3992) : and_3992) : and_3992;
+  logic select_3997;
+  assign select_3997 = equal_2424_s2_q ? (less_2421_s2_q ? (not_2425_s2_q & and_3994) : and_3994) : and_3994;
   // hls/stages/patches.hpp:185
-  logic select_3998;
-  assign select_3998 = equal_2241_s2_q ? (less_2421_s2_q ? (not_2423_s2_q & select_3995) : select_3995) : patches_read_above_q;
+  logic select_4000;
+  assign select_4000 = equal_2241_s2_q ? (less_2421_s2_q ? (not_2423_s2_q & select_3997) : select_3997) : patches_read_above_q;
   // hls/stages/patches.hpp:557
-  logic and_4001;
-  assign and_4001 = less_2421_s2_q & (equal_3984_s2_q & (away == 6'h1));
+  logic and_4003;
+  assign and_4003 = less_2421_s2_q & (equal_3986_s2_q & (away == 6'h1));
   // hls/stages/patches.hpp:561
-  logic select_4004;
-  assign select_4004 = equal_2424_s2_q ? (less_2421_s2_q ? (not_2425_s2_q & and_4001) : and_4001) : and_4001;
+  logic select_4006;
+  assign select_4006 = equal_2424_s2_q ? (less_2421_s2_q ? (not_2425_s2_q & and_4003) : and_4003) : and_4003;
   // hls/stages/patches.hpp:185
-  logic select_4007;
-  assign select_4007 = equal_2241_s2_q ? (less_2421_s2_q ? (not_2423_s2_q & select_4004) : select_4004) : patches_read_below_q;
+  logic select_4009;
+  assign select_4009 = equal_2241_s2_q ? (less_2421_s2_q ? (not_2423_s2_q & select_4006) : select_4006) : patches_read_below_q;
   // hls/stages/patches.hpp:554
-  logic [6:0] sum_4008;
-  assign sum_4008 = {away[5], away} + 7'h7d;
+  logic [6:0] sum_4010;
+  assign sum_4010 = {away[5], away} + 7'h7d;
   // hls/stages/patches.hpp:555
-  logic [9:0] select_4011;
-  assign select_4011 = (equal_3984_s2_q & ({sum_4008[6], sum_4008} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  logic [9:0] select_4013;
+  assign select_4013 = (equal_3986_s2_q & ({sum_4010[6], sum_4010} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
   // hls/stages/patches.hpp:557
-  logic [9:0] select_4012;
-  assign select_4012 = less_2421_s2_q ? select_4011 : 10'h3ff;
-  // hls/stages/patches.hpp:558
   logic [9:0] select_4014;
-  assign select_4014 = less_2421_s2_q ? (equal_2424_s2_q ? 10'h3ff : select_4012) : 10'h3ff;
+  assign select_4014 = less_2421_s2_q ? select_4013 : 10'h3ff;
+  // hls/stages/patches.hpp:558
+  logic [9:0] select_4016;
+  assign select_4016 = less_2421_s2_q ? (equal_2424_s2_q ? 10'h3ff : select_4014) : 10'h3ff;
   // hls/stages/patches.hpp:561
-  logic [9:0] select_4015;
-  assign select_4015 = equal_2424_s2_q ? select_4014 : select_4012;
   logic [9:0] select_4017;
-  assign select_4017 = less_2421_s2_q ? (equal_2422_s2_q ? 10'h3ff : select_4015) : select_4015;
+  assign select_4017 = equal_2424_s2_q ? select_4016 : select_4014;
+  logic [9:0] select_4019;
+  assign select_4019 = less_2421_s2_q ? (equal_2422_s2_q ? 10'h3ff : select_4017) : select_4017;
   // hls/stages/patches.hpp:540
-  logic [14:0] select_4019;
-  assign select_4019 = and_3987 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  logic [14:0] select_4021;
+  assign select_4021 = and_3989 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/patches.hpp:185
-  logic [9:0] select_4020;
-  assign select_4020 = equal_2241_s2_q ? select_4019[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_4021;
-  assign select_4021 = equal_2241_s2_q ? select_4019[14:10] : patches_peak_best_column_q;
+  logic [9:0] select_4022;
+  assign select_4022 = equal_2241_s2_q ? select_4021[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_4023;
+  assign select_4023 = equal_2241_s2_q ? select_4021[14:10] : patches_peak_best_column_q;
   // hls/stages/patches.hpp:542
-  logic [9:0] select_4023;
-  assign select_4023 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
-  // hls/stages/patches.hpp:543
   logic [9:0] select_4025;
-  assign select_4025 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  assign select_4025 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
+  // hls/stages/patches.hpp:543
+  logic [9:0] select_4027;
+  assign select_4027 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
   // hls/stages/patches.hpp:544
-  logic [9:0] select_4028;
-  assign select_4028 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
-  logic [9:0] select_4029;
-  assign select_4029 = patches_read_first_q ? patches_read_far_q : select_4028;
+  logic [9:0] select_4030;
+  assign select_4030 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
+  logic [9:0] select_4031;
+  assign select_4031 = patches_read_first_q ? patches_read_far_q : select_4030;
   // hls/stages/patches.hpp:595
-  logic [9:0] difference_4032;
-  assign difference_4032 = select_4029 - select_4019[9:0];
+  logic [9:0] difference_4034;
+  assign difference_4034 = select_4031 - select_4021[9:0];
   // hls/stages/patches.hpp:580
-  logic less_4062;
-  assign less_4062 = select_4023 < select_4025;
+  logic less_4064;
+  assign less_4064 = select_4025 < select_4027;
   // hls/stages/patches.hpp:586
-  logic [1:0] sum_4063;
-  assign sum_4063 = select_3988[4:3] + 2'h3;
+  logic [1:0] sum_4065;
+  assign sum_4065 = select_3990[4:3] + 2'h3;
   // hls/stages/patches.hpp:581
   logic [9:0] high;
-  assign high = less_4062 ? select_4025 : select_4023;
+  assign high = less_4064 ? select_4027 : select_4025;
   logic [9:0] low;
-  assign low = (select_4025 < select_4023) ? select_4025 : select_4023;
+  assign low = (select_4027 < select_4025) ? select_4027 : select_4025;
   // hls/stages/patches.hpp:582
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall_2;
-  assign fall_2 = high - select_4019[9:0];
+  assign fall_2 = high - select_4021[9:0];
   // hls/stages/patches.hpp:584
-  logic not_4070;
-  assign not_4070 = ~({eight, 3'h0} < {3'h0, fall_2});
-  logic [10:0] sum_4071;
-  assign sum_4071 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
-  logic not_4073;
-  assign not_4073 = ~({eight, 3'h0} < {1'b0, sum_4071, fall_2[0]});
-  logic [1:0] sum_4074;
-  assign sum_4074 = {1'b0, not_4070} + {1'b0, not_4073};
+  logic not_4072;
+  assign not_4072 = ~({eight, 3'h0} < {3'h0, fall_2});
+  logic [10:0] sum_4073;
+  assign sum_4073 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
+  logic not_4075;
+  assign not_4075 = ~({eight, 3'h0} < {1'b0, sum_4073, fall_2[0]});
+  logic [1:0] sum_4076;
+  assign sum_4076 = {1'b0, not_4072} + {1'b0, not_4075};
   // hls/stages/patches.hpp:585
-  logic [10:0] sum_4075;
-  assign sum_4075 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
-  logic not_4077;
-  assign not_4077 = ~({eight, 3'h0} < {sum_4075, fall_2[1:0]});
-  logic not_4080;
-  assign not_4080 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
-  logic [1:0] sum_4081;
-  assign sum_4081 = {1'b0, not_4077} + {1'b0, not_4080};
+  logic [10:0] sum_4077;
+  assign sum_4077 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
+  logic not_4079;
+  assign not_4079 = ~({eight, 3'h0} < {sum_4077, fall_2[1:0]});
+  logic not_4082;
+  assign not_4082 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
+  logic [1:0] sum_4083;
+  assign sum_4083 = {1'b0, not_4079} + {1'b0, not_4082};
   // hls/stages/patches.hpp:584
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_4074} + {1'b0, sum_4081};
+  assign fraction = {1'b0, sum_4076} + {1'b0, sum_4083};
   // hls/stages/patches.hpp:587
-  logic [7:0] select_4084;
-  assign select_4084 = less_4062 ? ({sum_4063, select_3988[2:0], 3'h0} - {5'h0, fraction}) : {sum_4063, select_3988[2:0], fraction};
+  logic [7:0] select_4086;
+  assign select_4086 = less_4064 ? ({sum_4065, select_3990[2:0], 3'h0} - {5'h0, fraction}) : {sum_4065, select_3990[2:0], fraction};
   // hls/stages/agreement.hpp:788
-  logic select_4307;
-  assign select_4307 = equal_565_s2_q ? shown_shown_q : (so_s2_q ? select_2486 : shown_shown_q);
   logic select_4309;
-  assign select_4309 = equal_565_s2_q ? shown_nearer_q : (so_s2_q ? select_2489 : shown_nearer_q);
+  assign select_4309 = equal_565_s2_q ? shown_shown_q : (so_s2_q ? select_2486 : shown_shown_q);
+  logic select_4311;
+  assign select_4311 = equal_565_s2_q ? shown_nearer_q : (so_s2_q ? select_2489 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_4311;
-  assign sum_4311 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_4313;
+  assign sum_4313 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:460
-  logic [2:0] select_4313;
-  assign select_4313 = less_4310_s2_q ? (sum_4311[7] ? region_row_q : next_region_row_q) : region_row_q;
   logic [2:0] select_4315;
-  assign select_4315 = equal_2927_s2_q ? (equal_670_s2_q ? 3'h0 : select_4313) : region_row_q;
+  assign select_4315 = less_4312_s2_q ? (sum_4313[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_4317;
+  assign select_4317 = equal_2929_s2_q ? (equal_670_s2_q ? 3'h0 : select_4315) : region_row_q;
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_4320;
-  assign select_4320 = equal_565_s2_q ? select_2440 : (so_s2_q ? (ends_cell_s2_q ? select_2538 : select_2440) : 8'h1);
+  logic [7:0] select_4322;
+  assign select_4322 = equal_565_s2_q ? select_2440 : (so_s2_q ? (ends_cell_s2_q ? select_2538 : select_2440) : 8'h1);
   // hls/stages/agreement.hpp:460
-  logic [8:0] select_4334;
-  assign select_4334 = equal_670_s2_q ? {{2{difference_4332[6]}}, difference_4332} : (less_4310_s2_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:520
   logic [8:0] select_4336;
-  assign select_4336 = and_540_s2_q ? (equal_2927_s2_q ? select_4334 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:460
-  logic [6:0] select_4338;
-  assign select_4338 = equal_670_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  assign select_4336 = equal_670_s2_q ? {{2{difference_4334[6]}}, difference_4334} : (less_4312_s2_q ? region_down_next_q : region_down_rest_q);
   // hls/stages/agreement.hpp:520
+  logic [8:0] select_4338;
+  assign select_4338 = and_540_s2_q ? (equal_2929_s2_q ? select_4336 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:460
   logic [6:0] select_4340;
-  assign select_4340 = and_540_s2_q ? (equal_2927_s2_q ? select_4338 : region_down_back_q) : region_down_back_q;
+  assign select_4340 = equal_670_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:520
+  logic [6:0] select_4342;
+  assign select_4342 = and_540_s2_q ? (equal_2929_s2_q ? select_4340 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4341;
-  assign sum_4341 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_4343;
+  assign sum_4343 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4342;
-  assign select_4342 = sum_4311[7] ? {1'b1, sum_4311[6:0], region_down_rest_q[0]} : sum_4341;
+  logic [8:0] select_4344;
+  assign select_4344 = sum_4313[7] ? {1'b1, sum_4313[6:0], region_down_rest_q[0]} : sum_4343;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_4311[7];
+  assign next = ~sum_4313[7];
   // hls/stages/agreement.hpp:460
-  logic select_4346;
-  assign select_4346 = equal_2927_s2_q ? (equal_670_s2_q | (less_4310_s2_q ? next : region_fresh_q)) : region_fresh_q;
+  logic select_4348;
+  assign select_4348 = equal_2929_s2_q ? (equal_670_s2_q | (less_4312_s2_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:205
-  logic or_4351;
-  assign or_4351 = segment_starts_q | not_568_s2_q;
+  logic or_4353;
+  assign or_4353 = segment_starts_q | not_568_s2_q;
   // hls/stages/agreement.hpp:1030
-  logic select_4354;
-  assign select_4354 = inside_v_s2_q ? (sum_2453_s2_q ? (equal_2234 & or_2455) : or_2455) : or_4351;
+  logic select_4356;
+  assign select_4356 = inside_v_s2_q ? (sum_2453_s2_q ? (equal_2234 & or_2455) : or_2455) : or_4353;
   // hls/stages/agreement.hpp:788
-  logic select_4357;
-  assign select_4357 = equal_565_s2_q ? or_4351 : (so_s2_q ? (ends_cell_s2_q ? select_4354 : or_4351) : or_4351);
+  logic select_4359;
+  assign select_4359 = equal_565_s2_q ? or_4353 : (so_s2_q ? (ends_cell_s2_q ? select_4356 : or_4353) : or_4353);
   // hls/stages/agreement.hpp:1147
-  logic equal_4381;
-  assign equal_4381 = x_s2_q[6:0] == 7'h7f;
+  logic equal_4383;
+  assign equal_4383 = x_s2_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:788
-  logic select_4517;
-  assign select_4517 = so_s2_q ? (ends_cell_s2_q ? and_2526 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4520;
-  assign select_4520 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4519;
+  assign select_4519 = so_s2_q ? (ends_cell_s2_q ? and_2526 : centres_values_0_textured_q) : centres_values_0_textured_q;
   logic select_4522;
-  assign select_4522 = equal_565_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4520 : centres_values_0_of_skin_q);
-  logic select_4523;
-  assign select_4523 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  assign select_4522 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4524;
+  assign select_4524 = equal_565_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4522 : centres_values_0_of_skin_q);
   logic select_4525;
-  assign select_4525 = equal_565_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4523 : centres_values_1_textured_q);
-  logic select_4526;
-  assign select_4526 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  assign select_4525 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4527;
+  assign select_4527 = equal_565_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4525 : centres_values_1_textured_q);
   logic select_4528;
-  assign select_4528 = equal_565_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4526 : centres_values_1_of_skin_q);
+  assign select_4528 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4530;
+  assign select_4530 = equal_565_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4528 : centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:460
-  logic [12:0] select_4532;
-  assign select_4532 = equal_2927_s2_q ? (equal_4529_s2_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
+  logic [12:0] select_4534;
+  assign select_4534 = equal_2929_s2_q ? (equal_4531_s2_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
   // hls/stages/agreement.hpp:520
-  logic [6:0] select_4535;
-  assign select_4535 = and_540_s2_q ? (equal_2927_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
+  logic [6:0] select_4537;
+  assign select_4537 = and_540_s2_q ? (equal_2929_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
   // hls/stages/agreement.hpp:1300
-  logic [2:0] select_4546;
-  assign select_4546 = select_2498 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
+  logic [2:0] select_4548;
+  assign select_4548 = select_2498 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:436
-  logic [7:0] select_4552;
-  assign select_4552 = marks_first_s2_q ? (less_4548 ? {sum_4549, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic [7:0] select_4554;
+  assign select_4554 = marks_first_s2_q ? (less_4550 ? {sum_4551, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/registration.hpp:258
-  logic not_4622;
-  assign not_4622 = ~quarter[1];
-  logic [3:0] select_4623;
-  assign select_4623 = quarter[0] ? {quarter[1], 1'b0, not_4622, 1'b0} : {1'b0, quarter[1], 1'b0, not_4622};
+  logic not_4624;
+  assign not_4624 = ~quarter[1];
+  logic [3:0] select_4625;
+  assign select_4625 = quarter[0] ? {quarter[1], 1'b0, not_4624, 1'b0} : {1'b0, quarter[1], 1'b0, not_4624};
 
   // Memory registration_sums, 12 x 32 and parity, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -5214,99 +5215,99 @@ module horopter_agreement (
       sample_pair_pixel_1_q <= pixel_1_s2_q;
       sample_of_skin_q <= mask_s2_q;
       averager_running_mask_q <= sample_pair_whole_s2_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2651;
-      averager_mask_q <= select_2653;
-      averager_of_skin_q <= select_2655;
+      averager_running_of_skin_q <= select_2653;
+      averager_mask_q <= select_2655;
+      averager_of_skin_q <= select_2657;
       census_filled_q <= and_540_s2_q ? {select_673[2:0], 1'b1} : census_filled_q;
-      moments_turned_0_q <= sum_2750;
-      moments_turned_1_q <= sum_2752;
-      moments_before_0_q <= equal_565_s2_q ? select_2754 : moments_before_0_q;
-      moments_before_1_q <= equal_565_s2_q ? select_2756 : moments_before_1_q;
-      moments_has_before_q <= select_2759;
-      moments_most_before_q <= select_2762;
-      moments_left_begins_q <= select_2766;
-      moments_left_alone_q <= select_2770;
-      moments_left_other_stops_q <= select_2773;
-      moments_right_begins_q <= select_2776;
-      moments_right_alone_q <= select_2780;
-      moments_right_other_stops_q <= select_2783;
-      moments_out_of_step_q <= or_2786;
-      moments_turns_0_q <= and_2794;
-      moments_turns_1_q <= and_2798;
-      moments_begins_alone_q <= and_2807;
-      moments_ends_q <= equal_565_s2_q & (equal_2753 & (not_2808 | and_2810));
+      moments_turned_0_q <= sum_2752;
+      moments_turned_1_q <= sum_2754;
+      moments_before_0_q <= equal_565_s2_q ? select_2756 : moments_before_0_q;
+      moments_before_1_q <= equal_565_s2_q ? select_2758 : moments_before_1_q;
+      moments_has_before_q <= select_2761;
+      moments_most_before_q <= select_2764;
+      moments_left_begins_q <= select_2768;
+      moments_left_alone_q <= select_2772;
+      moments_left_other_stops_q <= select_2775;
+      moments_right_begins_q <= select_2778;
+      moments_right_alone_q <= select_2782;
+      moments_right_other_stops_q <= select_2785;
+      moments_out_of_step_q <= or_2788;
+      moments_turns_0_q <= and_2796;
+      moments_turns_1_q <= and_2800;
+      moments_begins_alone_q <= and_2809;
+      moments_ends_q <= equal_565_s2_q & (equal_2755 & (not_2810 | and_2812));
       rows_passed_above_q <= and_540_s2_q ? select_672 : rows_passed_above_q;
-      shift_allowed_q <= not_3024 & (~less_3025);
+      shift_allowed_q <= not_3026 & (~less_3027);
       shift_not_right_q <= $signed(run_shift_s2_q) < $signed(6'h1);
-      counts_turned_left_q <= and_3032 ? 14'h0 : (counts_turned_left_q + {13'h0, and_3151});
-      counts_turned_right_q <= and_3032 ? 14'h0 : (counts_turned_right_q + {13'h0, and_3158});
-      registration_displacement_over_q <= so_s2_q ? sum_3182[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_3184;
-      registration_slope_here_q <= select_3186;
-      registration_expected_q <= select_3188;
-      registration_of_right_q <= equal_565_s2_q ? registration_of_right_q : select_3250;
-      registration_was_inside_q <= equal_565_s2_q ? registration_was_inside_q : select_3253;
-      registration_fresh_q <= select_3262;
-      patches_chance_q <= and_540_s2_q ? select_3419 : patches_chance_q;
-      patches_fixed_q <= and_3434;
-      patches_choice_valid_q <= and_2239 ? (select_2212 & not_3421) : select_2212;
+      counts_turned_left_q <= and_3034 ? 14'h0 : (counts_turned_left_q + {13'h0, and_3153});
+      counts_turned_right_q <= and_3034 ? 14'h0 : (counts_turned_right_q + {13'h0, and_3160});
+      registration_displacement_over_q <= so_s2_q ? sum_3184[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_3186;
+      registration_slope_here_q <= select_3188;
+      registration_expected_q <= select_3190;
+      registration_of_right_q <= equal_565_s2_q ? registration_of_right_q : select_3252;
+      registration_was_inside_q <= equal_565_s2_q ? registration_was_inside_q : select_3255;
+      registration_fresh_q <= select_3264;
+      patches_chance_q <= and_540_s2_q ? select_3421 : patches_chance_q;
+      patches_fixed_q <= and_3436;
+      patches_choice_valid_q <= and_2239 ? (select_2212 & not_3423) : select_2212;
       patches_choice_column_q <= select_2217;
       patches_choice_shift_q <= select_2222;
       patches_choice_slope_q <= select_2233;
       patches_band_q <= sample_pair_whole_s2_q ? select_2254 : patches_band_q;
-      patches_fetch_q <= select_3448;
-      patches_codes_at_q <= select_3549;
-      patches_codes_further_q <= equal_2241_s2_q ? patches_codes_further_q : select_3554;
-      patches_next_codes_q <= select_3562;
-      patches_set_q <= equal_2241_s2_q ? 3'h0 : (equal_2243_s2_q ? 3'h0 : select_3576);
-      patches_size_q <= sum_3580;
-      patches_left_row_q <= select_3592;
-      patches_summed_row_column_q <= equal_2241_s2_q ? patches_summed_row_column_q : select_3937;
-      patches_summed_first_q <= select_3940;
-      patches_read_row_differing_q <= equal_2241_s2_q ? select_3952 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_2241_s2_q ? select_3959 : patches_read_row_column_q;
-      patches_read_at_q <= equal_2241_s2_q ? select_3966 : patches_read_at_q;
-      patches_read_first_q <= select_3975;
-      patches_read_above_q <= select_3998;
-      patches_read_below_q <= select_4007;
-      patches_read_far_q <= equal_2241_s2_q ? select_4017 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_4020;
-      patches_peak_best_column_q <= select_4021;
-      patches_peak_row_q <= equal_2241_s2_q ? select_3988 : patches_peak_row_q;
-      patches_peak_above_q <= equal_2241_s2_q ? select_4023 : patches_peak_above_q;
-      patches_peak_below_q <= equal_2241_s2_q ? select_4025 : patches_peak_below_q;
-      patches_peak_far_q <= equal_2241_s2_q ? select_4029 : patches_peak_far_q;
-      patches_frame_ended_q <= equal_565_s2_q & equal_2753;
-      shown_shown_q <= select_4307;
-      shown_nearer_q <= select_4309;
-      region_row_q <= and_540_s2_q ? select_4315 : region_row_q;
+      patches_fetch_q <= select_3450;
+      patches_codes_at_q <= select_3551;
+      patches_codes_further_q <= equal_2241_s2_q ? patches_codes_further_q : select_3556;
+      patches_next_codes_q <= select_3564;
+      patches_set_q <= equal_2241_s2_q ? 3'h0 : (equal_2243_s2_q ? 3'h0 : select_3578);
+      patches_size_q <= sum_3582;
+      patches_left_row_q <= select_3594;
+      patches_summed_row_column_q <= equal_2241_s2_q ? patches_summed_row_column_q : select_3939;
+      patches_summed_first_q <= select_3942;
+      patches_read_row_differing_q <= equal_2241_s2_q ? select_3954 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_2241_s2_q ? select_3961 : patches_read_row_column_q;
+      patches_read_at_q <= equal_2241_s2_q ? select_3968 : patches_read_at_q;
+      patches_read_first_q <= select_3977;
+      patches_read_above_q <= select_4000;
+      patches_read_below_q <= select_4009;
+      patches_read_far_q <= equal_2241_s2_q ? select_4019 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_4022;
+      patches_peak_best_column_q <= select_4023;
+      patches_peak_row_q <= equal_2241_s2_q ? select_3990 : patches_peak_row_q;
+      patches_peak_above_q <= equal_2241_s2_q ? select_4025 : patches_peak_above_q;
+      patches_peak_below_q <= equal_2241_s2_q ? select_4027 : patches_peak_below_q;
+      patches_peak_far_q <= equal_2241_s2_q ? select_4031 : patches_peak_far_q;
+      patches_frame_ended_q <= equal_565_s2_q & equal_2755;
+      shown_shown_q <= select_4309;
+      shown_nearer_q <= select_4311;
+      region_row_q <= and_540_s2_q ? select_4317 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_4320;
-      region_down_rest_q <= select_4336;
-      region_down_back_q <= select_4340;
-      region_down_next_q <= select_4342;
-      region_fresh_q <= and_540_s2_q ? select_4346 : region_fresh_q;
-      segment_starts_q <= select_4357;
-      centres_values_0_textured_q <= equal_565_s2_q ? centres_values_0_textured_q : select_4517;
-      centres_values_0_of_skin_q <= select_4522;
-      centres_values_1_textured_q <= select_4525;
-      centres_values_1_of_skin_q <= select_4528;
-      map_row_q <= and_540_s2_q ? select_4532 : map_row_q;
-      map_width_q <= select_4535;
+      region_columns_q <= select_4322;
+      region_down_rest_q <= select_4338;
+      region_down_back_q <= select_4342;
+      region_down_next_q <= select_4344;
+      region_fresh_q <= and_540_s2_q ? select_4348 : region_fresh_q;
+      segment_starts_q <= select_4359;
+      centres_values_0_textured_q <= equal_565_s2_q ? centres_values_0_textured_q : select_4519;
+      centres_values_0_of_skin_q <= select_4524;
+      centres_values_1_textured_q <= select_4527;
+      centres_values_1_of_skin_q <= select_4530;
+      map_row_q <= and_540_s2_q ? select_4534 : map_row_q;
+      map_width_q <= select_4537;
       write_half_q <= marks_first_s2_q ? (write_half_q ^ done_q) : write_half_q;
       read_half_q <= select_2509;
       done_q <= not_2511 & ((~drew_q) & (done_q | said_q));
       proven_q <= marks_first_s2_q ? done_q : proven_q;
       drew_q <= so_s2_q;
-      said_q <= equal_565_s2_q & equal_4381;
+      said_q <= equal_565_s2_q & equal_4383;
       rows_passed_q <= select_2494;
       columns_passed_q <= {select_2496[7:0], or_2492};
       line_ended_q <= marks_last_s2_q;
       began_q <= and_2513;
       seen_x_q <= select_2515;
-      seen_y_q <= marks_first_s2_q ? 3'h0 : select_4546;
+      seen_y_q <= marks_first_s2_q ? 3'h0 : select_4548;
       seen_column_q <= select_2506;
-      seen_rows_left_q <= select_4552;
+      seen_rows_left_q <= select_4554;
       at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
       seen_base_q <= select_2503;
@@ -5384,64 +5385,64 @@ module horopter_agreement (
     if (s2_en) begin
       averager_running_0_q <= sample_pair_whole_s2_q ? select_517 : averager_running_0_q;
       averager_running_1_q <= sample_pair_whole_s2_q ? sum_523 : averager_running_1_q;
-      averager_total_0_q <= select_2629;
-      averager_total_1_q <= select_2631;
-      census_columns_values_0_cell_0_left_q <= select_2656;
-      census_columns_values_0_cell_0_right_q <= select_2657;
+      averager_total_0_q <= select_2631;
+      averager_total_1_q <= select_2633;
+      census_columns_values_0_cell_0_left_q <= select_2658;
+      census_columns_values_0_cell_0_right_q <= select_2659;
       census_columns_values_0_cell_0_mask_q <= and_540_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2659;
-      census_columns_values_0_cell_1_right_q <= select_2660;
-      census_columns_values_0_cell_1_mask_q <= select_2661;
-      census_columns_values_0_cell_2_left_q <= select_2662;
-      census_columns_values_0_cell_2_right_q <= select_2663;
-      census_columns_values_0_cell_2_mask_q <= select_2664;
-      census_columns_values_0_cell_2_of_skin_q <= select_2665;
-      census_columns_values_0_cell_3_left_q <= select_2666;
-      census_columns_values_0_cell_3_right_q <= select_2667;
-      census_columns_values_0_cell_3_mask_q <= select_2668;
-      census_columns_values_0_cell_4_left_q <= select_2669;
-      census_columns_values_0_cell_4_right_q <= select_2670;
-      census_columns_values_0_cell_4_mask_q <= select_2671;
-      census_columns_values_1_cell_0_left_q <= select_2672;
-      census_columns_values_1_cell_0_right_q <= select_2673;
-      census_columns_values_1_cell_0_mask_q <= select_2674;
-      census_columns_values_1_cell_1_left_q <= select_2675;
-      census_columns_values_1_cell_1_right_q <= select_2676;
-      census_columns_values_1_cell_1_mask_q <= select_2677;
-      census_columns_values_1_cell_2_left_q <= select_2678;
-      census_columns_values_1_cell_2_right_q <= select_2679;
-      census_columns_values_1_cell_2_mask_q <= select_2680;
-      census_columns_values_1_cell_2_of_skin_q <= select_2681;
-      census_columns_values_1_cell_3_left_q <= select_2682;
-      census_columns_values_1_cell_3_right_q <= select_2683;
-      census_columns_values_1_cell_3_mask_q <= select_2684;
-      census_columns_values_1_cell_4_left_q <= select_2685;
-      census_columns_values_1_cell_4_right_q <= select_2686;
-      census_columns_values_1_cell_4_mask_q <= select_2687;
-      census_columns_values_2_cell_0_left_q <= select_2688;
-      census_columns_values_2_cell_0_right_q <= select_2689;
-      census_columns_values_2_cell_0_mask_q <= select_2690;
-      census_columns_values_2_cell_1_left_q <= select_2691;
-      census_columns_values_2_cell_1_right_q <= select_2692;
-      census_columns_values_2_cell_1_mask_q <= select_2693;
-      census_columns_values_2_cell_2_left_q <= select_2694;
-      census_columns_values_2_cell_2_right_q <= select_2695;
-      census_columns_values_2_cell_2_mask_q <= select_2696;
-      census_columns_values_2_cell_3_left_q <= select_2697;
-      census_columns_values_2_cell_3_right_q <= select_2698;
-      census_columns_values_2_cell_3_mask_q <= select_2699;
-      census_columns_values_2_cell_4_left_q <= select_2700;
-      census_columns_values_2_cell_4_right_q <= select_2701;
-      census_columns_values_2_cell_4_mask_q <= select_2702;
-      census_columns_values_3_cell_0_mask_q <= select_2703;
-      census_columns_values_3_cell_1_left_q <= select_2704;
-      census_columns_values_3_cell_1_right_q <= select_2705;
-      census_columns_values_3_cell_1_mask_q <= select_2706;
-      census_columns_values_3_cell_2_mask_q <= select_2707;
-      census_columns_values_3_cell_3_left_q <= select_2708;
-      census_columns_values_3_cell_3_right_q <= select_2709;
-      census_columns_values_3_cell_3_mask_q <= select_2710;
-      census_columns_values_3_cell_4_mask_q <= select_2711;
+      census_columns_values_0_cell_1_left_q <= select_2661;
+      census_columns_values_0_cell_1_right_q <= select_2662;
+      census_columns_values_0_cell_1_mask_q <= select_2663;
+      census_columns_values_0_cell_2_left_q <= select_2664;
+      census_columns_values_0_cell_2_right_q <= select_2665;
+      census_columns_values_0_cell_2_mask_q <= select_2666;
+      census_columns_values_0_cell_2_of_skin_q <= select_2667;
+      census_columns_values_0_cell_3_left_q <= select_2668;
+      census_columns_values_0_cell_3_right_q <= select_2669;
+      census_columns_values_0_cell_3_mask_q <= select_2670;
+      census_columns_values_0_cell_4_left_q <= select_2671;
+      census_columns_values_0_cell_4_right_q <= select_2672;
+      census_columns_values_0_cell_4_mask_q <= select_2673;
+      census_columns_values_1_cell_0_left_q <= select_2674;
+      census_columns_values_1_cell_0_right_q <= select_2675;
+      census_columns_values_1_cell_0_mask_q <= select_2676;
+      census_columns_values_1_cell_1_left_q <= select_2677;
+      census_columns_values_1_cell_1_right_q <= select_2678;
+      census_columns_values_1_cell_1_mask_q <= select_2679;
+      census_columns_values_1_cell_2_left_q <= select_2680;
+      census_columns_values_1_cell_2_right_q <= select_2681;
+      census_columns_values_1_cell_2_mask_q <= select_2682;
+      census_columns_values_1_cell_2_of_skin_q <= select_2683;
+      census_columns_values_1_cell_3_left_q <= select_2684;
+      census_columns_values_1_cell_3_right_q <= select_2685;
+      census_columns_values_1_cell_3_mask_q <= select_2686;
+      census_columns_values_1_cell_4_left_q <= select_2687;
+      census_columns_values_1_cell_4_right_q <= select_2688;
+      census_columns_values_1_cell_4_mask_q <= select_2689;
+      census_columns_values_2_cell_0_left_q <= select_2690;
+      census_columns_values_2_cell_0_right_q <= select_2691;
+      census_columns_values_2_cell_0_mask_q <= select_2692;
+      census_columns_values_2_cell_1_left_q <= select_2693;
+      census_columns_values_2_cell_1_right_q <= select_2694;
+      census_columns_values_2_cell_1_mask_q <= select_2695;
+      census_columns_values_2_cell_2_left_q <= select_2696;
+      census_columns_values_2_cell_2_right_q <= select_2697;
+      census_columns_values_2_cell_2_mask_q <= select_2698;
+      census_columns_values_2_cell_3_left_q <= select_2699;
+      census_columns_values_2_cell_3_right_q <= select_2700;
+      census_columns_values_2_cell_3_mask_q <= select_2701;
+      census_columns_values_2_cell_4_left_q <= select_2702;
+      census_columns_values_2_cell_4_right_q <= select_2703;
+      census_columns_values_2_cell_4_mask_q <= select_2704;
+      census_columns_values_3_cell_0_mask_q <= select_2705;
+      census_columns_values_3_cell_1_left_q <= select_2706;
+      census_columns_values_3_cell_1_right_q <= select_2707;
+      census_columns_values_3_cell_1_mask_q <= select_2708;
+      census_columns_values_3_cell_2_mask_q <= select_2709;
+      census_columns_values_3_cell_3_left_q <= select_2710;
+      census_columns_values_3_cell_3_right_q <= select_2711;
+      census_columns_values_3_cell_3_mask_q <= select_2712;
+      census_columns_values_3_cell_4_mask_q <= select_2713;
       sharpness_last_mean_0_q <= and_540_s2_q ? select_546 : sharpness_last_mean_0_q;
       sharpness_last_mean_1_q <= and_540_s2_q ? select_550 : sharpness_last_mean_1_q;
     end
@@ -5472,8 +5473,8 @@ module horopter_agreement (
   logic region_fresh_s3_q;
   logic centres_values_1_textured_s3_q;
   logic centres_values_1_of_skin_s3_q;
+  logic [2:0] select_501_s3_q;
   logic row_starts_s3_q;
-  logic [2:0] select_502_s3_q;
   logic [6:0] select_534_s3_q;
   logic [6:0] last_s3_q;
   logic and_538_s3_q;
@@ -5569,39 +5570,39 @@ module horopter_agreement (
   logic [2:0] shown_2_s3_q;
   logic [2:0] near_2_s3_q;
   logic and_2597_s3_q;
-  logic [11:0] sum_2727_s3_q;
-  logic [9:0] sum_2730_s3_q;
-  logic equal_2738_s3_q;
+  logic [11:0] sum_2729_s3_q;
+  logic [9:0] sum_2732_s3_q;
+  logic equal_2740_s3_q;
   logic [8:0] contrast_s3_q;
   logic [8:0] contrast_2_s3_q;
-  logic and_3032_s3_q;
-  logic and_3038_s3_q;
+  logic and_3034_s3_q;
+  logic and_3040_s3_q;
   logic [2:0] explained_2_s3_q;
-  logic and_3100_s3_q;
-  logic and_3134_s3_q;
-  logic and_3192_s3_q;
-  logic and_3193_s3_q;
+  logic and_3102_s3_q;
+  logic and_3136_s3_q;
+  logic and_3194_s3_q;
+  logic and_3195_s3_q;
   logic [7:0] residual_s3_q;
-  logic and_3229_s3_q;
-  logic and_3243_s3_q;
-  logic equal_3286_s3_q;
-  logic parity_3664_s3_q;
-  logic parity_3793_s3_q;
-  logic parity_3855_s3_q;
-  logic xor_3883_s3_q;
-  logic parity_3895_s3_q;
-  logic or_3899_s3_q;
-  logic equal_3900_s3_q;
-  logic [4:0] select_4019_s3_q;
-  logic equal_4031_s3_q;
-  logic less_4033_s3_q;
-  logic less_4034_s3_q;
-  logic or_4039_s3_q;
-  logic [7:0] select_4084_s3_q;
-  logic equal_4381_s3_q;
-  logic and_4558_s3_q;
-  logic not_4572_s3_q;
-  logic equal_4625_s3_q;
+  logic and_3231_s3_q;
+  logic and_3245_s3_q;
+  logic equal_3288_s3_q;
+  logic parity_3666_s3_q;
+  logic parity_3795_s3_q;
+  logic parity_3857_s3_q;
+  logic xor_3885_s3_q;
+  logic parity_3897_s3_q;
+  logic or_3901_s3_q;
+  logic equal_3902_s3_q;
+  logic [4:0] select_4021_s3_q;
+  logic equal_4033_s3_q;
+  logic less_4035_s3_q;
+  logic less_4036_s3_q;
+  logic or_4041_s3_q;
+  logic [7:0] select_4086_s3_q;
+  logic equal_4383_s3_q;
+  logic and_4560_s3_q;
+  logic not_4574_s3_q;
+  logic equal_4627_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       saturated_s3_q <= saturated_s2_q;
@@ -5629,8 +5630,8 @@ module horopter_agreement (
       region_fresh_s3_q <= region_fresh_q;
       centres_values_1_textured_s3_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s3_q <= centres_values_1_of_skin_q;
+      select_501_s3_q <= select_501_s2_q;
       row_starts_s3_q <= row_starts_s2_q;
-      select_502_s3_q <= select_502_s2_q;
       select_534_s3_q <= select_534_s2_q;
       last_s3_q <= last_s2_2_q;
       and_538_s3_q <= and_538_s2_q;
@@ -5726,39 +5727,39 @@ module horopter_agreement (
       shown_2_s3_q <= shown_2;
       near_2_s3_q <= near_2;
       and_2597_s3_q <= and_2597;
-      sum_2727_s3_q <= {1'b0, sum_2723} + {2'h0, sum_2726};
-      sum_2730_s3_q <= {9'h0, difference_2728[9]} + {1'b0, xor_2729};
-      equal_2738_s3_q <= equal_2738_s2_q;
+      sum_2729_s3_q <= {1'b0, sum_2725} + {2'h0, sum_2728};
+      sum_2732_s3_q <= {9'h0, difference_2730[9]} + {1'b0, xor_2731};
+      equal_2740_s3_q <= equal_2740_s2_q;
       contrast_s3_q <= contrast;
       contrast_2_s3_q <= contrast_2;
-      and_3032_s3_q <= and_3032;
-      and_3038_s3_q <= and_3038;
+      and_3034_s3_q <= and_3034;
+      and_3040_s3_q <= and_3040;
       explained_2_s3_q <= explained_2;
-      and_3100_s3_q <= not_566_s2_q & and_3099;
-      and_3134_s3_q <= not_566_s2_q & and_3133;
-      and_3192_s3_q <= not_566_s2_q & (so_s2_q & (half_ends & equal_3189));
-      and_3193_s3_q <= and_3193;
+      and_3102_s3_q <= not_566_s2_q & and_3101;
+      and_3136_s3_q <= not_566_s2_q & and_3135;
+      and_3194_s3_q <= not_566_s2_q & (so_s2_q & (half_ends & equal_3191));
+      and_3195_s3_q <= and_3195;
       residual_s3_q <= residual[7:0];
-      and_3229_s3_q <= and_3229;
-      and_3243_s3_q <= and_3193 & less_3242;
-      equal_3286_s3_q <= (registration_fresh_q & select_3284) == 4'h0;
-      parity_3664_s3_q <= ^{xor_3660, xor_3623, select_3590[44:36], other[44:36]};
-      parity_3793_s3_q <= parity_3793;
-      parity_3855_s3_q <= parity_3855;
-      xor_3883_s3_q <= parity_3870 ^ parity_3882;
-      parity_3895_s3_q <= ^{or_3892, or_3888, and_3884};
-      or_3899_s3_q <= (or_3888 & or_3892) | (and_3884 & (or_3888 | or_3892));
-      equal_3900_s3_q <= equal_3900_s2_q;
-      select_4019_s3_q <= select_4019[14:10];
-      equal_4031_s3_q <= select_3988[3:0] == 4'h0;
-      less_4033_s3_q <= {difference_4032, 3'h0} < {3'h0, sum_3580};
-      less_4034_s3_q <= select_4029 < select_4019[9:0];
-      or_4039_s3_q <= (sum_3580 < 10'h39) | ({1'b0, sum_3580[9:1]} < select_4019[9:0]);
-      select_4084_s3_q <= select_4084;
-      equal_4381_s3_q <= equal_4381;
-      and_4558_s3_q <= and_2597 & ({sum_2523, index_2[5:0]} == {sum_2510, index[5:0]});
-      not_4572_s3_q <= ~proven_q;
-      equal_4625_s3_q <= (registration_fresh_q & select_4623) == 4'h0;
+      and_3231_s3_q <= and_3231;
+      and_3245_s3_q <= and_3195 & less_3244;
+      equal_3288_s3_q <= (registration_fresh_q & select_3286) == 4'h0;
+      parity_3666_s3_q <= ^{xor_3662, xor_3625, select_3592[44:36], other[44:36]};
+      parity_3795_s3_q <= parity_3795;
+      parity_3857_s3_q <= parity_3857;
+      xor_3885_s3_q <= parity_3872 ^ parity_3884;
+      parity_3897_s3_q <= ^{or_3894, or_3890, and_3886};
+      or_3901_s3_q <= (or_3890 & or_3894) | (and_3886 & (or_3890 | or_3894));
+      equal_3902_s3_q <= equal_3902_s2_q;
+      select_4021_s3_q <= select_4021[14:10];
+      equal_4033_s3_q <= select_3990[3:0] == 4'h0;
+      less_4035_s3_q <= {difference_4034, 3'h0} < {3'h0, sum_3582};
+      less_4036_s3_q <= select_4031 < select_4021[9:0];
+      or_4041_s3_q <= (sum_3582 < 10'h39) | ({1'b0, sum_3582[9:1]} < select_4021[9:0]);
+      select_4086_s3_q <= select_4086;
+      equal_4383_s3_q <= equal_4383;
+      and_4560_s3_q <= and_2597 & ({sum_2523, index_2[5:0]} == {sum_2510, index[5:0]});
+      not_4574_s3_q <= ~proven_q;
+      equal_4627_s3_q <= (registration_fresh_q & select_4625) == 4'h0;
     end
   end
 
@@ -5979,7 +5980,7 @@ module horopter_agreement (
   assign select_2259 = equal_2155_s3_q ? patches_place_0_valid_q : (select_2154_s3_q ? patches_place_0_valid_q : select_2257[0]);
   // hls/stages/patches.hpp:132
   logic [8:0] sum_2260;
-  assign sum_2260 = {1'b0, select_534_s3_q, select_502_s3_q[2]} + 9'h3;
+  assign sum_2260 = {1'b0, select_534_s3_q, select_501_s3_q[2]} + 9'h3;
   // hls/stages/patches.hpp:355
   logic [21:0] select_2261;
   assign select_2261 = select_2154_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2257[22:1];
@@ -5993,7 +5994,7 @@ module horopter_agreement (
   assign sum_2264 = {1'b0, select_2262} + {{3{select_2263[5]}}, select_2263};
   // hls/stages/patches.hpp:132
   logic equal_2265;
-  assign equal_2265 = {sum_2264, sum_2260[0], select_502_s3_q[1:0]} == {1'b0, sum_2260[8:1], 3'h0};
+  assign equal_2265 = {sum_2264, sum_2260[0], select_501_s3_q[1:0]} == {1'b0, sum_2260[8:1], 3'h0};
   // hls/stages/patches.hpp:134
   logic or_2267;
   assign or_2267 = row_starts_s3_q | (select_2259 & equal_2265);
@@ -6022,7 +6023,7 @@ module horopter_agreement (
   assign sum_2292 = {1'b0, select_2290} + {{3{select_2291[5]}}, select_2291};
   // hls/stages/patches.hpp:132
   logic equal_2293;
-  assign equal_2293 = {sum_2292[8], sum_2260, select_502_s3_q[1:0]} == {1'b0, sum_2292[7:0], 3'h0};
+  assign equal_2293 = {sum_2292[8], sum_2260, select_501_s3_q[1:0]} == {1'b0, sum_2292[7:0], 3'h0};
   // hls/stages/patches.hpp:134
   logic or_2295;
   assign or_2295 = row_starts_s3_q | (select_2288 & equal_2293);
@@ -6040,7 +6041,7 @@ module horopter_agreement (
   assign sum_2306 = select_2262 + 8'hff;
   // hls/stages/patches.hpp:133
   logic equal_2307;
-  assign equal_2307 = {sum_2306[7], select_534_s3_q, select_502_s3_q} == {1'b0, sum_2306[6:0], 3'h4};
+  assign equal_2307 = {sum_2306[7], select_534_s3_q, select_501_s3_q} == {1'b0, sum_2306[6:0], 3'h4};
   // hls/stages/patches.hpp:135
   logic or_2309;
   assign or_2309 = row_starts_s3_q | (select_2259 & equal_2307);
@@ -6051,7 +6052,7 @@ module horopter_agreement (
   assign sum_2311 = select_2290 + 8'hff;
   // hls/stages/patches.hpp:133
   logic equal_2312;
-  assign equal_2312 = {sum_2311[7], select_534_s3_q, select_502_s3_q} == {1'b0, sum_2311[6:0], 3'h4};
+  assign equal_2312 = {sum_2311[7], select_534_s3_q, select_501_s3_q} == {1'b0, sum_2311[6:0], 3'h4};
   // hls/stages/patches.hpp:135
   logic [4:0] select_2315;
   assign select_2315 = (row_starts_s3_q | (select_2288 & equal_2312)) ? {row_starts_s3_q, 4'h0} : patches_left_next_1_q;
@@ -6154,1039 +6155,1039 @@ module horopter_agreement (
   logic and_2587;
   assign and_2587 = is_seen & ({1'b0, around[4:1]} < n);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_2621;
-  assign select_2621 = sample_pair_whole_s3_q ? (and_538_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_2623;
-  assign select_2623 = sample_pair_whole_s3_q ? (and_538_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  assign select_2623 = sample_pair_whole_s3_q ? (and_538_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_2625;
-  assign select_2625 = sample_pair_whole_s3_q ? (and_538_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  assign select_2625 = sample_pair_whole_s3_q ? (and_538_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
   logic [8:0] select_2627;
-  assign select_2627 = sample_pair_whole_s3_q ? (and_538_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  assign select_2627 = sample_pair_whole_s3_q ? (and_538_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2629;
+  assign select_2629 = sample_pair_whole_s3_q ? (and_538_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2632;
-  assign sum_2632 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
-  logic [9:0] difference_2633;
-  assign difference_2633 = {1'b0, sum_2632[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_2634;
+  assign sum_2634 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
+  logic [9:0] difference_2635;
+  assign difference_2635 = {1'b0, sum_2634[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2634;
-  assign xor_2634 = {difference_2633[8:0], sum_2632[0]} ^ {10{difference_2633[9]}};
+  logic [9:0] xor_2636;
+  assign xor_2636 = {difference_2635[8:0], sum_2634[0]} ^ {10{difference_2635[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2633[9]} + {1'b0, xor_2634};
+  assign size = {10'h0, difference_2635[9]} + {1'b0, xor_2636};
   // hls/stages/census.hpp:222
   logic [13:0] detail;
   assign detail = {3'h0, size} + (equal_543_s3_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2639;
-  assign select_2639 = sample_pair_whole_s3_q ? (and_538_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2641;
+  assign select_2641 = sample_pair_whole_s3_q ? (and_538_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2640;
-  assign sum_2640 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
-  logic [9:0] difference_2641;
-  assign difference_2641 = {1'b0, sum_2640[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_2642;
+  assign sum_2642 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
+  logic [9:0] difference_2643;
+  assign difference_2643 = {1'b0, sum_2642[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2642;
-  assign xor_2642 = {difference_2641[8:0], sum_2640[0]} ^ {10{difference_2641[9]}};
+  logic [9:0] xor_2644;
+  assign xor_2644 = {difference_2643[8:0], sum_2642[0]} ^ {10{difference_2643[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2641[9]} + {1'b0, xor_2642};
+  assign size_2 = {10'h0, difference_2643[9]} + {1'b0, xor_2644};
   // hls/stages/census.hpp:222
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_2} + (equal_543_s3_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2647;
-  assign select_2647 = sample_pair_whole_s3_q ? (and_538_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2649;
+  assign select_2649 = sample_pair_whole_s3_q ? (and_538_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/census.hpp:286
-  logic [11:0] sum_2731;
-  assign sum_2731 = sum_2727_s3_q + {2'h0, sum_2730_s3_q};
+  logic [11:0] sum_2733;
+  assign sum_2733 = sum_2729_s3_q + {2'h0, sum_2732_s3_q};
   // hls/stages/agreement.hpp:520
-  logic [11:0] select_2733;
-  assign select_2733 = and_540_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2734;
-  assign select_2734 = and_540_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
   logic [11:0] select_2735;
-  assign select_2735 = and_540_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  assign select_2735 = and_540_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_2736;
-  assign select_2736 = and_540_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  assign select_2736 = and_540_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2737;
+  assign select_2737 = and_540_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2738;
+  assign select_2738 = and_540_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:296
-  logic [12:0] sum_2739;
-  assign sum_2739 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2731};
-  logic [13:0] sum_2741;
-  assign sum_2741 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2739});
+  logic [12:0] sum_2741;
+  assign sum_2741 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2733};
+  logic [13:0] sum_2743;
+  assign sum_2743 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2741});
   // hls/stages/census.hpp:323
-  logic and_2743;
-  assign and_2743 = and_699_s3_q & (9'h4 < sum_2741[13:5]);
+  logic and_2745;
+  assign and_2745 = and_699_s3_q & (9'h4 < sum_2743[13:5]);
   // hls/stages/census.hpp:324
-  logic and_2744;
-  assign and_2744 = and_699_s3_q & less_723;
+  logic and_2746;
+  assign and_2746 = and_699_s3_q & less_723;
   // hls/stages/census.hpp:325
-  logic [19:0] sum_2745;
-  assign sum_2745 = census_left_misses_q + {{17{and_2744}}, and_2743, 1'b0, and_2743};
+  logic [19:0] sum_2747;
+  assign sum_2747 = census_left_misses_q + {{17{and_2746}}, and_2745, 1'b0, and_2745};
   // hls/stages/agreement.hpp:520
-  logic [19:0] select_2747;
-  assign select_2747 = and_540_s3_q ? (equal_2738_s3_q ? 20'h0 : sum_2745) : census_left_misses_q;
+  logic [19:0] select_2749;
+  assign select_2749 = and_540_s3_q ? (equal_2740_s3_q ? 20'h0 : sum_2747) : census_left_misses_q;
   // hls/stages/agreement.hpp:276
-  logic [27:0] select_2817;
-  assign select_2817 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
+  logic [27:0] select_2819;
+  assign select_2819 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
   // hls/stages/agreement.hpp:520
-  logic select_2820;
-  assign select_2820 = and_540_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic select_2822;
+  assign select_2822 = and_540_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:373
-  logic and_2823;
-  assign and_2823 = whole_2_s3_q & (~(last_s3_q[6:1] == 6'h0));
+  logic and_2825;
+  assign and_2825 = whole_2_s3_q & (~(last_s3_q[6:1] == 6'h0));
   // hls/stages/agreement.hpp:457
-  logic and_2829;
-  assign and_2829 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
-  logic and_2830;
-  assign and_2830 = and_2823 & and_2829;
+  logic and_2831;
+  assign and_2831 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
+  logic and_2832;
+  assign and_2832 = and_2825 & and_2831;
   // hls/stages/census.hpp:372
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2817[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2819[13:0]};
   // hls/stages/census.hpp:374
-  logic [12:0] select_2832;
-  assign select_2832 = and_2830 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2834;
+  assign select_2834 = and_2832 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:375
-  logic [23:0] select_2834;
-  assign select_2834 = equal_2738_s3_q ? {11'h0, select_2832} : (sharpness_sums_detail_0_q + {11'h0, select_2832});
+  logic [23:0] select_2836;
+  assign select_2836 = equal_2740_s3_q ? {11'h0, select_2834} : (sharpness_sums_detail_0_q + {11'h0, select_2834});
   // hls/stages/agreement.hpp:457
-  logic and_2841;
-  assign and_2841 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
-  logic and_2842;
-  assign and_2842 = and_2823 & and_2841;
+  logic and_2843;
+  assign and_2843 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
+  logic and_2844;
+  assign and_2844 = and_2825 & and_2843;
   // hls/stages/census.hpp:372
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2817[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2819[27:14]};
   // hls/stages/census.hpp:374
-  logic [12:0] select_2844;
-  assign select_2844 = and_2842 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2846;
+  assign select_2846 = and_2844 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:375
-  logic [23:0] select_2846;
-  assign select_2846 = equal_2738_s3_q ? {11'h0, select_2844} : (sharpness_sums_detail_1_q + {11'h0, select_2844});
-  logic [8:0] select_2849;
-  assign select_2849 = and_2830 ? contrast_s3_q : 9'h0;
-  logic [23:0] sum_2850;
-  assign sum_2850 = (equal_2738_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2849};
-  logic [8:0] select_2853;
-  assign select_2853 = and_2842 ? contrast_2_s3_q : 9'h0;
-  logic [23:0] sum_2854;
-  assign sum_2854 = (equal_2738_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2853};
+  logic [23:0] select_2848;
+  assign select_2848 = equal_2740_s3_q ? {11'h0, select_2846} : (sharpness_sums_detail_1_q + {11'h0, select_2846});
+  logic [8:0] select_2851;
+  assign select_2851 = and_2832 ? contrast_s3_q : 9'h0;
+  logic [23:0] sum_2852;
+  assign sum_2852 = (equal_2740_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2851};
+  logic [8:0] select_2855;
+  assign select_2855 = and_2844 ? contrast_2_s3_q : 9'h0;
+  logic [23:0] sum_2856;
+  assign sum_2856 = (equal_2740_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2855};
   // hls/stages/agreement.hpp:211
-  logic equal_2856;
-  assign equal_2856 = x_s3_q[7:3] == 5'h0;
+  logic equal_2858;
+  assign equal_2858 = x_s3_q[7:3] == 5'h0;
   // hls/stages/census.hpp:388
-  logic less_2857;
-  assign less_2857 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
+  logic less_2859;
+  assign less_2859 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
   // hls/stages/census.hpp:427
-  logic less_2858;
-  assign less_2858 = x_s3_q[4:0] < 5'h3;
-  logic not_2859;
-  assign not_2859 = ~x_s3_q[1];
-  logic [2:0] select_2860;
-  assign select_2860 = x_s3_q[0] ? {1'b0, not_2859, 1'b0} : {x_s3_q[1], 1'b0, not_2859};
-  logic [5:0] select_2861;
-  assign select_2861 = slot_s3_q[2] ? {select_2860[2], 1'b0, select_2860[1], 1'b0, select_2860[0], 1'b0} : {1'b0, select_2860[2], 1'b0, select_2860[1], 1'b0, select_2860[0]};
-  logic [11:0] select_2862;
-  assign select_2862 = slot_s3_q[1] ? {select_2861[5], 1'b0, select_2861[4], 1'b0, select_2861[3], 1'b0, select_2861[2], 1'b0, select_2861[1], 1'b0, select_2861[0], 1'b0} : {1'b0, select_2861[5], 1'b0, select_2861[4], 1'b0, select_2861[3], 1'b0, select_2861[2], 1'b0, select_2861[1], 1'b0, select_2861[0]};
-  logic [23:0] select_2863;
-  assign select_2863 = slot_s3_q[0] ? {select_2862[11], 1'b0, select_2862[10], 1'b0, select_2862[9], 1'b0, select_2862[8], 1'b0, select_2862[7], 1'b0, select_2862[6], 1'b0, select_2862[5], 1'b0, select_2862[4], 1'b0, select_2862[3], 1'b0, select_2862[2], 1'b0, select_2862[1], 1'b0, select_2862[0], 1'b0} : {1'b0, select_2862[11], 1'b0, select_2862[10], 1'b0, select_2862[9], 1'b0, select_2862[8], 1'b0, select_2862[7], 1'b0, select_2862[6], 1'b0, select_2862[5], 1'b0, select_2862[4], 1'b0, select_2862[3], 1'b0, select_2862[2], 1'b0, select_2862[1], 1'b0, select_2862[0]};
+  logic less_2860;
+  assign less_2860 = x_s3_q[4:0] < 5'h3;
+  logic not_2861;
+  assign not_2861 = ~x_s3_q[1];
+  logic [2:0] select_2862;
+  assign select_2862 = x_s3_q[0] ? {1'b0, not_2861, 1'b0} : {x_s3_q[1], 1'b0, not_2861};
+  logic [5:0] select_2863;
+  assign select_2863 = slot_s3_q[2] ? {select_2862[2], 1'b0, select_2862[1], 1'b0, select_2862[0], 1'b0} : {1'b0, select_2862[2], 1'b0, select_2862[1], 1'b0, select_2862[0]};
+  logic [11:0] select_2864;
+  assign select_2864 = slot_s3_q[1] ? {select_2863[5], 1'b0, select_2863[4], 1'b0, select_2863[3], 1'b0, select_2863[2], 1'b0, select_2863[1], 1'b0, select_2863[0], 1'b0} : {1'b0, select_2863[5], 1'b0, select_2863[4], 1'b0, select_2863[3], 1'b0, select_2863[2], 1'b0, select_2863[1], 1'b0, select_2863[0]};
+  logic [23:0] select_2865;
+  assign select_2865 = slot_s3_q[0] ? {select_2864[11], 1'b0, select_2864[10], 1'b0, select_2864[9], 1'b0, select_2864[8], 1'b0, select_2864[7], 1'b0, select_2864[6], 1'b0, select_2864[5], 1'b0, select_2864[4], 1'b0, select_2864[3], 1'b0, select_2864[2], 1'b0, select_2864[1], 1'b0, select_2864[0], 1'b0} : {1'b0, select_2864[11], 1'b0, select_2864[10], 1'b0, select_2864[9], 1'b0, select_2864[8], 1'b0, select_2864[7], 1'b0, select_2864[6], 1'b0, select_2864[5], 1'b0, select_2864[4], 1'b0, select_2864[3], 1'b0, select_2864[2], 1'b0, select_2864[1], 1'b0, select_2864[0]};
   // hls/stages/census.hpp:390
-  logic and_2867;
-  assign and_2867 = less_2858 & (~((sharpness_sums_contrast_1_q & select_2863) == 24'h0));
+  logic and_2869;
+  assign and_2869 = less_2860 & (~((sharpness_sums_contrast_1_q & select_2865) == 24'h0));
   // hls/stages/census.hpp:395
-  logic [17:0] select_2869;
-  assign select_2869 = (less_2857 & and_2867) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2871;
+  assign select_2871 = (less_2859 & and_2869) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2869};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2871};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2872;
-  assign select_2872 = equal_2856 ? (less_2857 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_2874;
+  assign select_2874 = equal_2858 ? (less_2859 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:390
-  logic and_2877;
-  assign and_2877 = less_2858 & (~((sharpness_sums_contrast_0_q & select_2863) == 24'h0));
+  logic and_2879;
+  assign and_2879 = less_2860 & (~((sharpness_sums_contrast_0_q & select_2865) == 24'h0));
   // hls/stages/census.hpp:395
-  logic [17:0] select_2879;
-  assign select_2879 = (less_2857 & and_2877) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2881;
+  assign select_2881 = (less_2859 & and_2879) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2879};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2881};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2882;
-  assign select_2882 = equal_2856 ? (less_2857 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2884;
-  assign select_2884 = equal_2856 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [17:0] select_2884;
+  assign select_2884 = equal_2858 ? (less_2859 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
   logic [2:0] select_2886;
-  assign select_2886 = equal_2856 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2888;
-  assign select_2888 = equal_2856 ? {sharpness_comparing_contrast_0_q[0], and_2877} : sharpness_comparing_contrast_0_q;
+  assign select_2886 = equal_2858 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2888;
+  assign select_2888 = equal_2858 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
   logic [1:0] select_2890;
-  assign select_2890 = equal_2856 ? {sharpness_comparing_contrast_1_q[0], and_2867} : sharpness_comparing_contrast_1_q;
+  assign select_2890 = equal_2858 ? {sharpness_comparing_contrast_0_q[0], and_2879} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2892;
+  assign select_2892 = equal_2858 ? {sharpness_comparing_contrast_1_q[0], and_2869} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2895;
-  assign select_2895 = drew_q ? (equal_2856 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2897;
+  assign select_2897 = drew_q ? (equal_2858 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2899;
-  assign select_2899 = drew_q ? (equal_2856 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  logic select_2901;
+  assign select_2901 = drew_q ? (equal_2858 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:387
-  logic equal_2900;
-  assign equal_2900 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
+  logic equal_2902;
+  assign equal_2902 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
   // hls/stages/census.hpp:403
-  logic xor_2901;
-  assign xor_2901 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2904;
-  assign select_2904 = (equal_2900 | xor_2901) ? (five_times[0] & xor_2901) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:216
+  logic xor_2903;
+  assign xor_2903 = sharpness_comparing_product_0_q[2] ^ five_times[0];
   logic select_2906;
-  assign select_2906 = drew_q ? (equal_2856 ? select_2904 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  assign select_2906 = (equal_2902 | xor_2903) ? (five_times[0] & xor_2903) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/agreement.hpp:216
+  logic select_2908;
+  assign select_2908 = drew_q ? (equal_2858 ? select_2906 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
   // hls/stages/census.hpp:403
-  logic xor_2907;
-  assign xor_2907 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2910;
-  assign select_2910 = (equal_2900 | xor_2907) ? (five_times_2[0] & xor_2907) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:216
+  logic xor_2909;
+  assign xor_2909 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
   logic select_2912;
-  assign select_2912 = drew_q ? (equal_2856 ? select_2910 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/census.hpp:404
-  logic xor_2913;
-  assign xor_2913 = sharpness_comparing_contrast_0_q[1] ^ and_2867;
-  logic select_2916;
-  assign select_2916 = (equal_2900 | xor_2913) ? (and_2867 & xor_2913) : sharpness_comparing_less_contrast_0_q;
+  assign select_2912 = (equal_2902 | xor_2909) ? (five_times_2[0] & xor_2909) : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:216
+  logic select_2914;
+  assign select_2914 = drew_q ? (equal_2858 ? select_2912 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/census.hpp:404
+  logic xor_2915;
+  assign xor_2915 = sharpness_comparing_contrast_0_q[1] ^ and_2869;
   logic select_2918;
-  assign select_2918 = drew_q ? (equal_2856 ? select_2916 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:404
-  logic xor_2919;
-  assign xor_2919 = sharpness_comparing_contrast_1_q[1] ^ and_2877;
-  logic select_2922;
-  assign select_2922 = (equal_2900 | xor_2919) ? (and_2877 & xor_2919) : sharpness_comparing_less_contrast_1_q;
+  assign select_2918 = (equal_2902 | xor_2915) ? (and_2869 & xor_2915) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:216
+  logic select_2920;
+  assign select_2920 = drew_q ? (equal_2858 ? select_2918 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:404
+  logic xor_2921;
+  assign xor_2921 = sharpness_comparing_contrast_1_q[1] ^ and_2879;
   logic select_2924;
-  assign select_2924 = drew_q ? (equal_2856 ? select_2922 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  assign select_2924 = (equal_2902 | xor_2921) ? (and_2879 & xor_2921) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:216
+  logic select_2926;
+  assign select_2926 = drew_q ? (equal_2858 ? select_2924 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_3040;
-  assign select_3040 = and_3032_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_3038_s3_q});
+  logic [13:0] select_3042;
+  assign select_3042 = and_3034_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_3040_s3_q});
   // hls/stages/agreement.hpp:788
-  logic and_3043;
-  assign and_3043 = not_566_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
-  logic and_3048;
-  assign and_3048 = not_566_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
-  logic and_3053;
-  assign and_3053 = not_566_s3_q & (drew_q & (ends_cell_s3_q & and_2478_s3_q));
+  logic and_3045;
+  assign and_3045 = not_566_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
+  logic and_3050;
+  assign and_3050 = not_566_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
+  logic and_3055;
+  assign and_3055 = not_566_s3_q & (drew_q & (ends_cell_s3_q & and_2478_s3_q));
   // hls/stages/agreement.hpp:1105
-  logic not_3057;
-  assign not_3057 = ~(x_s3_q[7:1] == 7'h0);
+  logic not_3059;
+  assign not_3059 = ~(x_s3_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:1095
-  logic [2:0] select_3066;
-  assign select_3066 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_3067;
-  assign difference_3067 = {1'b0, explained_2_s3_q} - {1'b0, select_3066};
+  logic [2:0] select_3068;
+  assign select_3068 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_3069;
+  assign difference_3069 = {1'b0, explained_2_s3_q} - {1'b0, select_3068};
   logic [4:0] e;
-  assign e = {difference_3067[3], difference_3067} + (equal_560_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  assign e = {difference_3069[3], difference_3069} + (equal_560_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1102
-  logic [5:0] sum_3070;
-  assign sum_3070 = {1'b0, e} + {2'h0, e[4:1]};
+  logic [5:0] sum_3072;
+  assign sum_3072 = {1'b0, e} + {2'h0, e[4:1]};
   // hls/stages/agreement.hpp:1106
-  logic not_3074;
-  assign not_3074 = ~(equal_2536 ? and_2557 : (~({sum_3070, e[0]} < {2'h0, t})));
+  logic not_3076;
+  assign not_3076 = ~(equal_2536 ? and_2557 : (~({sum_3072, e[0]} < {2'h0, t})));
   // hls/stages/agreement.hpp:788
-  logic and_3077;
-  assign and_3077 = ends_cell_s3_q & (not_3057 & (centres_values_1_textured_s3_q & not_3074));
   logic and_3079;
-  assign and_3079 = not_566_s3_q & (drew_q & and_3077);
+  assign and_3079 = ends_cell_s3_q & (not_3059 & (centres_values_1_textured_s3_q & not_3076));
+  logic and_3081;
+  assign and_3081 = not_566_s3_q & (drew_q & and_3079);
   // hls/stages/agreement.hpp:1132
-  logic less_3082;
-  assign less_3082 = region_row_s3_q < x_s3_q[5:3];
-  logic [9:0] select_3083;
-  assign select_3083 = less_3082 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_3086;
-  assign select_3086 = less_3082 ? 10'h0 : regions_rdata_q[19:10];
+  logic less_3084;
+  assign less_3084 = region_row_s3_q < x_s3_q[5:3];
+  logic [9:0] select_3085;
+  assign select_3085 = less_3084 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_3088;
+  assign select_3088 = less_3084 ? 10'h0 : regions_rdata_q[19:10];
   // hls/stages/agreement.hpp:1133
-  logic [10:0] sum_3087;
-  assign sum_3087 = {1'b0, select_3086} + {3'h0, select_3086[9:2]};
-  logic and_3089;
-  assign and_3089 = (~(select_3083[9:4] == 6'h0)) & ({sum_3087, select_3086[1:0]} < {3'h0, select_3083});
+  logic [10:0] sum_3089;
+  assign sum_3089 = {1'b0, select_3088} + {3'h0, select_3088[9:2]};
+  logic and_3091;
+  assign and_3091 = (~(select_3085[9:4] == 6'h0)) & ({sum_3089, select_3088[1:0]} < {3'h0, select_3085});
   // hls/stages/agreement.hpp:1142
-  logic [9:0] select_3092;
-  assign select_3092 = x_s3_q[6] ? (equal_2072_s3_q ? 10'h0 : (and_3089 ? select_3083 : 10'h0)) : 10'h0;
+  logic [9:0] select_3094;
+  assign select_3094 = x_s3_q[6] ? (equal_2072_s3_q ? 10'h0 : (and_3091 ? select_3085 : 10'h0)) : 10'h0;
   // hls/stages/agreement.hpp:788
-  logic [9:0] select_3093;
-  assign select_3093 = equal_565_s3_q ? select_3092 : 10'h0;
+  logic [9:0] select_3095;
+  assign select_3095 = equal_565_s3_q ? select_3094 : 10'h0;
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_3095;
-  assign select_3095 = and_3032_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3093});
-  logic [13:0] select_3102;
-  assign select_3102 = and_3032_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3100_s3_q});
+  logic [13:0] select_3097;
+  assign select_3097 = and_3034_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3095});
+  logic [13:0] select_3104;
+  assign select_3104 = and_3034_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3102_s3_q});
   // hls/stages/agreement.hpp:1110
-  logic and_3104;
-  assign and_3104 = not_3057 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
+  logic and_3106;
+  assign and_3106 = not_3059 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
   // hls/stages/agreement.hpp:788
-  logic and_3107;
-  assign and_3107 = not_566_s3_q & (drew_q & (ends_cell_s3_q & and_3104));
+  logic and_3109;
+  assign and_3109 = not_566_s3_q & (drew_q & (ends_cell_s3_q & and_3106));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_3109;
-  assign select_3109 = and_3032_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3107});
+  logic [13:0] select_3111;
+  assign select_3111 = and_3034_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3109});
   // hls/stages/agreement.hpp:1110
-  logic and_3111;
-  assign and_3111 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_3074);
+  logic and_3113;
+  assign and_3113 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_3076);
   // hls/stages/agreement.hpp:788
-  logic and_3115;
-  assign and_3115 = not_566_s3_q & (drew_q & (ends_cell_s3_q & (not_3057 & and_3111)));
+  logic and_3117;
+  assign and_3117 = not_566_s3_q & (drew_q & (ends_cell_s3_q & (not_3059 & and_3113)));
   // hls/stages/agreement.hpp:926
-  logic [13:0] select_3117;
-  assign select_3117 = and_3032_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3115});
-  logic [13:0] select_3136;
-  assign select_3136 = and_3032_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_3134_s3_q});
+  logic [13:0] select_3119;
+  assign select_3119 = and_3034_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3117});
+  logic [13:0] select_3138;
+  assign select_3138 = and_3034_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_3136_s3_q});
   // hls/stages/agreement.hpp:788
-  logic [7:0] select_3211;
-  assign select_3211 = drew_q ? (equal_2165_s3_q ? (and_3193_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_3212;
-  assign select_3212 = equal_565_s3_q ? 8'h0 : select_3211;
+  logic [7:0] select_3213;
+  assign select_3213 = drew_q ? (equal_2165_s3_q ? (and_3195_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_3214;
+  assign select_3214 = equal_565_s3_q ? 8'h0 : select_3213;
   // hls/stages/registration.hpp:134
-  logic [13:0] select_3214;
-  assign select_3214 = and_3192_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3212[7]}}, select_3212});
+  logic [13:0] select_3216;
+  assign select_3216 = and_3194_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3214[7]}}, select_3214});
   // hls/stages/agreement.hpp:788
-  logic and_3217;
-  assign and_3217 = not_566_s3_q & (drew_q & (and_3193_s3_q & equal_2165_s3_q));
+  logic and_3219;
+  assign and_3219 = not_566_s3_q & (drew_q & (and_3195_s3_q & equal_2165_s3_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_3219;
-  assign select_3219 = and_3192_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3217});
+  logic [5:0] select_3221;
+  assign select_3221 = and_3194_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3219});
   // hls/stages/registration.hpp:107
-  logic and_3221;
-  assign and_3221 = and_3193_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
+  logic and_3223;
+  assign and_3223 = and_3195_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_3223;
-  assign select_3223 = drew_q ? (equal_2165_s3_q ? {and_3221, and_3193_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3224;
-  assign select_3224 = equal_565_s3_q ? 2'h0 : select_3223;
+  logic [1:0] select_3225;
+  assign select_3225 = drew_q ? (equal_2165_s3_q ? {and_3223, and_3195_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3226;
+  assign select_3226 = equal_565_s3_q ? 2'h0 : select_3225;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_3225;
-  assign sum_3225 = registration_half_votes_down_q + {{5{select_3224[1]}}, select_3224};
+  logic [6:0] sum_3227;
+  assign sum_3227 = registration_half_votes_down_q + {{5{select_3226[1]}}, select_3226};
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_3231;
-  assign select_3231 = drew_q ? (equal_2165_s3_q ? {and_3229_s3_q, and_3193_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3232;
-  assign select_3232 = equal_565_s3_q ? 2'h0 : select_3231;
+  logic [1:0] select_3233;
+  assign select_3233 = drew_q ? (equal_2165_s3_q ? {and_3231_s3_q, and_3195_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3234;
+  assign select_3234 = equal_565_s3_q ? 2'h0 : select_3233;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_3233;
-  assign sum_3233 = registration_half_votes_up_q + {{5{select_3232[1]}}, select_3232};
+  logic [6:0] sum_3235;
+  assign sum_3235 = registration_half_votes_up_q + {{5{select_3234[1]}}, select_3234};
   // hls/stages/registration.hpp:107
-  logic and_3236;
-  assign and_3236 = and_3193_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
+  logic and_3238;
+  assign and_3238 = and_3195_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_3238;
-  assign select_3238 = drew_q ? (equal_2165_s3_q ? {and_3236, and_3193_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3239;
-  assign select_3239 = equal_565_s3_q ? 2'h0 : select_3238;
+  logic [1:0] select_3240;
+  assign select_3240 = drew_q ? (equal_2165_s3_q ? {and_3238, and_3195_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3241;
+  assign select_3241 = equal_565_s3_q ? 2'h0 : select_3240;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_3240;
-  assign sum_3240 = registration_half_half_votes_down_q + {{5{select_3239[1]}}, select_3239};
+  logic [6:0] sum_3242;
+  assign sum_3242 = registration_half_half_votes_down_q + {{5{select_3241[1]}}, select_3241};
   // hls/stages/agreement.hpp:788
-  logic [1:0] select_3245;
-  assign select_3245 = drew_q ? (equal_2165_s3_q ? {and_3243_s3_q, and_3193_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3246;
-  assign select_3246 = equal_565_s3_q ? 2'h0 : select_3245;
+  logic [1:0] select_3247;
+  assign select_3247 = drew_q ? (equal_2165_s3_q ? {and_3245_s3_q, and_3195_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3248;
+  assign select_3248 = equal_565_s3_q ? 2'h0 : select_3247;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_3247;
-  assign sum_3247 = registration_half_half_votes_up_q + {{5{select_3246[1]}}, select_3246};
+  logic [6:0] sum_3249;
+  assign sum_3249 = registration_half_half_votes_up_q + {{5{select_3248[1]}}, select_3248};
   // hls/stages/agreement.hpp:788
-  logic and_3281;
-  assign and_3281 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & less_2103_s3_q));
+  logic and_3283;
+  assign and_3283 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & less_2103_s3_q));
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_3288;
-  assign select_3288 = or_2107_s3_q ? 12'h0 : (equal_3286_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  logic [11:0] select_3290;
+  assign select_3290 = or_2107_s3_q ? 12'h0 : (equal_3288_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
   // hls/stages/agreement.hpp:1142
-  logic [11:0] select_3291;
-  assign select_3291 = x_s3_q[6] ? (equal_2072_s3_q ? 12'h0 : (less_2103_s3_q ? select_3288 : 12'h0)) : 12'h0;
+  logic [11:0] select_3293;
+  assign select_3293 = x_s3_q[6] ? (equal_2072_s3_q ? 12'h0 : (less_2103_s3_q ? select_3290 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:788
-  logic [11:0] select_3292;
-  assign select_3292 = equal_565_s3_q ? select_3291 : 12'h0;
+  logic [11:0] select_3294;
+  assign select_3294 = equal_565_s3_q ? select_3293 : 12'h0;
   // hls/stages/registration.hpp:153
-  logic and_3293;
-  assign and_3293 = x_s3_q[1] & all_s3_q;
+  logic and_3295;
+  assign and_3295 = x_s3_q[1] & all_s3_q;
   // hls/stages/agreement.hpp:1142
-  logic and_3296;
-  assign and_3296 = not_2451_s3_q & (less_2103_s3_q & ({and_3293, x_s3_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:788
   logic and_3298;
-  assign and_3298 = equal_565_s3_q & (x_s3_q[6] & and_3296);
+  assign and_3298 = not_2451_s3_q & (less_2103_s3_q & ({and_3295, x_s3_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:788
+  logic and_3300;
+  assign and_3300 = equal_565_s3_q & (x_s3_q[6] & and_3298);
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_3300;
-  assign sum_3300 = {{2{select_3292[11]}}, select_3292} + (and_3298 ? 14'h0 : registration_down_q);
+  logic [13:0] sum_3302;
+  assign sum_3302 = {{2{select_3294[11]}}, select_3294} + (and_3300 ? 14'h0 : registration_down_q);
   // hls/stages/agreement.hpp:1130
-  logic [11:0] select_3303;
-  assign select_3303 = or_2107_s3_q ? 12'h0 : (equal_3286_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  logic [11:0] select_3305;
+  assign select_3305 = or_2107_s3_q ? 12'h0 : (equal_3288_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
   // hls/stages/agreement.hpp:1142
-  logic [11:0] select_3306;
-  assign select_3306 = x_s3_q[6] ? (equal_2072_s3_q ? 12'h0 : (less_2103_s3_q ? select_3303 : 12'h0)) : 12'h0;
+  logic [11:0] select_3308;
+  assign select_3308 = x_s3_q[6] ? (equal_2072_s3_q ? 12'h0 : (less_2103_s3_q ? select_3305 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:788
-  logic [11:0] select_3307;
-  assign select_3307 = equal_565_s3_q ? select_3306 : 12'h0;
+  logic [11:0] select_3309;
+  assign select_3309 = equal_565_s3_q ? select_3308 : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_3309;
-  assign sum_3309 = {{2{select_3307[11]}}, select_3307} + (and_3298 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_3311;
+  assign sum_3311 = {{2{select_3309[11]}}, select_3309} + (and_3300 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:150
-  logic not_3311;
-  assign not_3311 = ~all_s3_q;
+  logic not_3313;
+  assign not_3313 = ~all_s3_q;
   // hls/stages/agreement.hpp:1142
-  logic and_3314;
-  assign and_3314 = not_2451_s3_q & (less_2103_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3311, 1'b0}));
+  logic and_3316;
+  assign and_3316 = not_2451_s3_q & (less_2103_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3313, 1'b0}));
   // hls/stages/agreement.hpp:788
-  logic and_3320;
-  assign and_3320 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (less_2103_s3_q & all_s3_q)));
+  logic and_3322;
+  assign and_3322 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (less_2103_s3_q & all_s3_q)));
   // hls/stages/registration.hpp:246
-  logic not_3321;
-  assign not_3321 = ~and_3320;
-  logic less_3322;
-  assign less_3322 = $signed({9'h1, {2{not_3321}}, and_3320}) < $signed(registration_up_q[13:2]);
-  logic select_3323;
-  assign select_3323 = (equal_565_s3_q & (x_s3_q[6] & and_3314)) ? less_3322 : registration_enough_q;
+  logic not_3323;
+  assign not_3323 = ~and_3322;
+  logic less_3324;
+  assign less_3324 = $signed({9'h1, {2{not_3323}}, and_3322}) < $signed(registration_up_q[13:2]);
+  logic select_3325;
+  assign select_3325 = (equal_565_s3_q & (x_s3_q[6] & and_3316)) ? less_3324 : registration_enough_q;
   // hls/stages/agreement.hpp:1142
-  logic and_3327;
-  assign and_3327 = x_s3_q[6] & (not_2451_s3_q & (less_2103_s3_q & (x_s3_q[2:0] == 3'h4)));
+  logic and_3329;
+  assign and_3329 = x_s3_q[6] & (not_2451_s3_q & (less_2103_s3_q & (x_s3_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:788
-  logic and_3328;
-  assign and_3328 = equal_565_s3_q & and_3327;
+  logic and_3330;
+  assign and_3330 = equal_565_s3_q & and_3329;
   // hls/stages/registration.hpp:242
-  logic less_3329;
-  assign less_3329 = $signed(14'h0) < $signed(registration_down_q);
   logic less_3331;
-  assign less_3331 = $signed(14'h0) < $signed(registration_up_q);
+  assign less_3331 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_3333;
+  assign less_3333 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_3333;
-  assign equal_3333 = x_s3_q[2:0] == 3'h7;
+  logic equal_3335;
+  assign equal_3335 = x_s3_q[2:0] == 3'h7;
   // hls/stages/agreement.hpp:788
-  logic and_3337;
-  assign and_3337 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (less_2103_s3_q & equal_3333)));
+  logic and_3339;
+  assign and_3339 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (less_2103_s3_q & equal_3335)));
   // hls/stages/agreement.hpp:1142
-  logic and_3344;
-  assign and_3344 = x_s3_q[6] & (not_2451_s3_q & (less_2103_s3_q & (x_s3_q[5:0] == 6'h0)));
+  logic and_3346;
+  assign and_3346 = x_s3_q[6] & (not_2451_s3_q & (less_2103_s3_q & (x_s3_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
-  logic equal_3347;
-  assign equal_3347 = x_s3_q[2:0] == 3'h6;
+  logic equal_3349;
+  assign equal_3349 = x_s3_q[2:0] == 3'h6;
   // hls/stages/agreement.hpp:1142
-  logic and_3350;
-  assign and_3350 = not_2451_s3_q & (less_2103_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3347));
+  logic and_3352;
+  assign and_3352 = not_2451_s3_q & (less_2103_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3349));
   // hls/stages/registration.hpp:244
-  logic and_3354;
-  assign and_3354 = (equal_565_s3_q & (x_s3_q[6] & and_3350)) & (less_3331 | less_3329);
+  logic and_3356;
+  assign and_3356 = (equal_565_s3_q & (x_s3_q[6] & and_3352)) & (less_3333 | less_3331);
   // hls/stages/agreement.hpp:1142
-  logic and_3359;
-  assign and_3359 = not_2451_s3_q & (less_2103_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3347)));
+  logic and_3361;
+  assign and_3361 = not_2451_s3_q & (less_2103_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3349)));
   // hls/stages/registration.hpp:244
-  logic and_3362;
-  assign and_3362 = registration_votes_up_q & registration_other_down_q;
-  logic select_3364;
-  assign select_3364 = registration_votes_down_q ? (registration_other_up_q | and_3362) : and_3362;
+  logic and_3364;
+  assign and_3364 = registration_votes_up_q & registration_other_down_q;
+  logic select_3366;
+  assign select_3366 = registration_votes_down_q ? (registration_other_up_q | and_3364) : and_3364;
   // hls/stages/registration.hpp:138
-  logic and_3366;
-  assign and_3366 = (equal_565_s3_q & (x_s3_q[6] & and_3359)) & (registration_other_enough_q & select_3364);
+  logic and_3368;
+  assign and_3368 = (equal_565_s3_q & (x_s3_q[6] & and_3361)) & (registration_other_enough_q & select_3366);
   // hls/stages/registration.hpp:245
-  logic or_3369;
-  assign or_3369 = registration_moved_q | (registration_enough_q & (and_3354 | and_3366));
+  logic or_3371;
+  assign or_3371 = registration_moved_q | (registration_enough_q & (and_3356 | and_3368));
   // hls/stages/agreement.hpp:276
-  logic [7:0] select_3453;
-  assign select_3453 = sample_pair_whole_s3_q ? (equal_2155_s3_q ? patches_place_0_slope_q : select_2261[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3458;
-  assign select_3458 = sample_pair_whole_s3_q ? (equal_2155_s3_q ? patches_place_1_slope_q : select_2289[21:14]) : patches_place_1_slope_q;
+  logic [7:0] select_3455;
+  assign select_3455 = sample_pair_whole_s3_q ? (equal_2155_s3_q ? patches_place_0_slope_q : select_2261[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3460;
+  assign select_3460 = sample_pair_whole_s3_q ? (equal_2155_s3_q ? patches_place_1_slope_q : select_2289[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:127
-  logic select_3460;
-  assign select_3460 = equal_2155_s3_q ? patches_valid_0_q : (select_2154_s3_q ? patches_valid_0_q : select_2257[0]);
+  logic select_3462;
+  assign select_3462 = equal_2155_s3_q ? patches_valid_0_q : (select_2154_s3_q ? patches_valid_0_q : select_2257[0]);
   // hls/stages/agreement.hpp:276
-  logic select_3463;
-  assign select_3463 = sample_pair_whole_s3_q ? (and_2280 ? (sample_present_s3_q & select_3460) : select_3460) : patches_valid_0_q;
-  // hls/stages/patches.hpp:127
   logic select_3465;
-  assign select_3465 = equal_2155_s3_q ? patches_valid_1_q : (select_2154_s3_q ? select_2257[0] : patches_valid_1_q);
+  assign select_3465 = sample_pair_whole_s3_q ? (and_2280 ? (sample_present_s3_q & select_3462) : select_3462) : patches_valid_0_q;
+  // hls/stages/patches.hpp:127
+  logic select_3467;
+  assign select_3467 = equal_2155_s3_q ? patches_valid_1_q : (select_2154_s3_q ? select_2257[0] : patches_valid_1_q);
   // hls/stages/agreement.hpp:276
-  logic select_3468;
-  assign select_3468 = sample_pair_whole_s3_q ? (and_2299 ? (sample_present_s3_q & select_3465) : select_3465) : patches_valid_1_q;
-  logic [5:0] select_3471;
-  assign select_3471 = sample_pair_whole_s3_q ? (select_2278[5] ? {1'b1, select_2278[4:0]} : (select_2278 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3474;
-  assign select_3474 = sample_pair_whole_s3_q ? (select_2297[5] ? {1'b1, select_2297[4:0]} : (select_2297 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3477;
-  assign select_3477 = sample_pair_whole_s3_q ? (select_2310[4] ? {1'b1, select_2310[3:0]} : (select_2310 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3480;
-  assign select_3480 = sample_pair_whole_s3_q ? (select_2315[4] ? {1'b1, select_2315[3:0]} : (select_2315 + 5'h1)) : patches_left_next_1_q;
+  logic select_3470;
+  assign select_3470 = sample_pair_whole_s3_q ? (and_2299 ? (sample_present_s3_q & select_3467) : select_3467) : patches_valid_1_q;
+  logic [5:0] select_3473;
+  assign select_3473 = sample_pair_whole_s3_q ? (select_2278[5] ? {1'b1, select_2278[4:0]} : (select_2278 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3476;
+  assign select_3476 = sample_pair_whole_s3_q ? (select_2297[5] ? {1'b1, select_2297[4:0]} : (select_2297 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3479;
+  assign select_3479 = sample_pair_whole_s3_q ? (select_2310[4] ? {1'b1, select_2310[3:0]} : (select_2310 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3482;
+  assign select_3482 = sample_pair_whole_s3_q ? (select_2315[4] ? {1'b1, select_2315[3:0]} : (select_2315 + 5'h1)) : patches_left_next_1_q;
   // hls/stages/patches.hpp:526
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3899_s3_q, parity_3895_s3_q, xor_3883_s3_q, parity_3855_s3_q, parity_3793_s3_q, parity_3664_s3_q} + (equal_3900_s3_q ? 10'h0 : patches_sums_values_16_q);
+  assign sum_3 = {4'h0, or_3901_s3_q, parity_3897_s3_q, xor_3885_s3_q, parity_3857_s3_q, parity_3795_s3_q, parity_3666_s3_q} + (equal_3902_s3_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/patches.hpp:185
-  logic [9:0] select_3904;
-  assign select_3904 = equal_2241_s3_q ? patches_sums_values_0_q : (equal_2243_s3_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3905;
-  assign select_3905 = equal_2243_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3906;
+  assign select_3906 = equal_2241_s3_q ? patches_sums_values_0_q : (equal_2243_s3_q ? sum_3 : patches_sums_values_0_q);
   logic [9:0] select_3907;
-  assign select_3907 = equal_2243_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  assign select_3907 = equal_2243_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
   logic [9:0] select_3909;
-  assign select_3909 = equal_2243_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  assign select_3909 = equal_2243_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
   logic [9:0] select_3911;
-  assign select_3911 = equal_2243_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  assign select_3911 = equal_2243_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
   logic [9:0] select_3913;
-  assign select_3913 = equal_2243_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  assign select_3913 = equal_2243_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
   logic [9:0] select_3915;
-  assign select_3915 = equal_2243_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  assign select_3915 = equal_2243_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
   logic [9:0] select_3917;
-  assign select_3917 = equal_2243_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  assign select_3917 = equal_2243_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
   logic [9:0] select_3919;
-  assign select_3919 = equal_2243_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  assign select_3919 = equal_2243_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
   logic [9:0] select_3921;
-  assign select_3921 = equal_2243_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  assign select_3921 = equal_2243_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
   logic [9:0] select_3923;
-  assign select_3923 = equal_2243_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  assign select_3923 = equal_2243_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
   logic [9:0] select_3925;
-  assign select_3925 = equal_2243_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  assign select_3925 = equal_2243_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
   logic [9:0] select_3927;
-  assign select_3927 = equal_2243_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  assign select_3927 = equal_2243_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
   logic [9:0] select_3929;
-  assign select_3929 = equal_2243_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  assign select_3929 = equal_2243_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
   logic [9:0] select_3931;
-  assign select_3931 = equal_2243_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  assign select_3931 = equal_2243_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
   logic [9:0] select_3933;
-  assign select_3933 = equal_2243_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  assign select_3933 = equal_2243_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
   logic [9:0] select_3935;
-  assign select_3935 = equal_2243_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  assign select_3935 = equal_2243_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3937;
+  assign select_3937 = equal_2243_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
   // hls/stages/patches.hpp:600
-  logic or_4040;
-  assign or_4040 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_4039_s3_q;
-  logic or_4043;
-  assign or_4043 = equal_4031_s3_q | (less_4033_s3_q | (less_4034_s3_q | or_4040));
+  logic or_4042;
+  assign or_4042 = (~(patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q)) | or_4041_s3_q;
+  logic or_4045;
+  assign or_4045 = equal_4033_s3_q | (less_4035_s3_q | (less_4036_s3_q | or_4042));
   // hls/stages/patches.hpp:580
-  logic not_4044;
-  assign not_4044 = ~or_4043;
+  logic not_4046;
+  assign not_4046 = ~or_4045;
   // hls/stages/patches.hpp:561
-  logic and_4045;
-  assign and_4045 = equal_2424_s3_q & not_4044;
+  logic and_4047;
+  assign and_4047 = equal_2424_s3_q & not_4046;
   // hls/stages/patches.hpp:185
-  logic and_4048;
-  assign and_4048 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4045) : and_4045);
+  logic and_4050;
+  assign and_4050 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4047) : and_4047);
   // hls/stages/patches.hpp:658
-  logic not_4049;
-  assign not_4049 = ~patches_lower_s3_q;
+  logic not_4051;
+  assign not_4051 = ~patches_lower_s3_q;
   // hls/stages/patches.hpp:561
-  logic and_4051;
-  assign and_4051 = equal_2424_s3_q & (patches_second_s3_q & not_4044);
+  logic and_4053;
+  assign and_4053 = equal_2424_s3_q & (patches_second_s3_q & not_4046);
   // hls/stages/patches.hpp:185
-  logic and_4054;
-  assign and_4054 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4051) : and_4051);
+  logic and_4056;
+  assign and_4056 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4053) : and_4053);
   // hls/stages/patches.hpp:658
-  logic not_4055;
-  assign not_4055 = ~and_4054;
+  logic not_4057;
+  assign not_4057 = ~and_4056;
   // hls/stages/patches.hpp:189
-  logic and_4057;
-  assign and_4057 = and_4048 & (not_4049 & not_4055);
+  logic and_4059;
+  assign and_4059 = and_4050 & (not_4051 & not_4057);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_4059;
-  assign sum_4059 = {7'h0, and_4057} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  logic [7:0] sum_4061;
+  assign sum_4061 = {7'h0, and_4059} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:598
-  logic [7:0] select_4085;
-  assign select_4085 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  logic [7:0] select_4087;
+  assign select_4087 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
   // hls/stages/patches.hpp:597
-  logic [5:0] select_4086;
-  assign select_4086 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_4087;
-  assign sum_4087 = {2'h0, select_4019_s3_q[4:3]} + 4'hf;
-  logic [6:0] sum_4088;
-  assign sum_4088 = {select_4086[5], select_4086} + {{3{sum_4087[3]}}, sum_4087};
+  logic [5:0] select_4088;
+  assign select_4088 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_4089;
+  assign sum_4089 = {2'h0, select_4021_s3_q[4:3]} + 4'hf;
+  logic [6:0] sum_4090;
+  assign sum_4090 = {select_4088[5], select_4088} + {{3{sum_4089[3]}}, sum_4089};
   // hls/stages/patches.hpp:598
-  logic [17:0] product_4089;
-  assign product_4089 = $signed({{10{select_4085[7]}}, select_4085}) * $signed({{8{sum_4088[6]}}, sum_4088, select_4019_s3_q[2:0]});
+  logic [17:0] product_4091;
+  assign product_4091 = $signed({{10{select_4087[7]}}, select_4087}) * $signed({{8{sum_4090[6]}}, sum_4090, select_4021_s3_q[2:0]});
   // hls/stages/patches.hpp:599
-  logic [13:0] difference_4090;
-  assign difference_4090 = {{6{select_4084_s3_q[7]}}, select_4084_s3_q} - {product_4089[17], product_4089[17:5]};
+  logic [13:0] difference_4092;
+  assign difference_4092 = {{6{select_4086_s3_q[7]}}, select_4086_s3_q} - {product_4091[17], product_4091[17:5]};
   // hls/stages/patches.hpp:605
-  logic less_4091;
-  assign less_4091 = $signed({{7{difference_4061[6]}}, difference_4061}) < $signed(difference_4090);
+  logic less_4093;
+  assign less_4093 = $signed({{7{difference_4063[6]}}, difference_4063}) < $signed(difference_4092);
   // hls/stages/patches.hpp:561
-  logic and_4094;
-  assign and_4094 = equal_2424_s3_q & (not_4044 & (~less_4091));
+  logic and_4096;
+  assign and_4096 = equal_2424_s3_q & (not_4046 & (~less_4093));
   // hls/stages/patches.hpp:185
-  logic and_4097;
-  assign and_4097 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4094) : and_4094);
+  logic and_4099;
+  assign and_4099 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4096) : and_4096);
   // hls/stages/patches.hpp:661
-  logic and_4098;
-  assign and_4098 = and_4097 & and_4057;
-  logic [7:0] sum_4099;
-  assign sum_4099 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_4098};
+  logic and_4100;
+  assign and_4100 = and_4099 & and_4059;
+  logic [7:0] sum_4101;
+  assign sum_4101 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_4100};
   // hls/stages/patches.hpp:561
-  logic and_4103;
-  assign and_4103 = not_4044 & (~($signed(difference_4090) < $signed({8'h0, cfg_patch_limit_i})));
-  logic and_4104;
-  assign and_4104 = equal_2424_s3_q & and_4103;
+  logic and_4105;
+  assign and_4105 = not_4046 & (~($signed(difference_4092) < $signed({8'h0, cfg_patch_limit_i})));
+  logic and_4106;
+  assign and_4106 = equal_2424_s3_q & and_4105;
   // hls/stages/patches.hpp:185
-  logic and_4107;
-  assign and_4107 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4104) : and_4104);
+  logic and_4109;
+  assign and_4109 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4106) : and_4106);
   // hls/stages/patches.hpp:662
-  logic and_4108;
-  assign and_4108 = and_4107 & and_4057;
-  logic [7:0] sum_4109;
-  assign sum_4109 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_4108};
+  logic and_4110;
+  assign and_4110 = and_4109 & and_4059;
+  logic [7:0] sum_4111;
+  assign sum_4111 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_4110};
   // hls/stages/patches.hpp:189
-  logic and_4111;
-  assign and_4111 = and_4048 & (and_4054 & not_4049);
+  logic and_4113;
+  assign and_4113 = and_4050 & (and_4056 & not_4051);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_4113;
-  assign sum_4113 = {7'h0, and_4111} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  logic [7:0] sum_4115;
+  assign sum_4115 = {7'h0, and_4113} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
   // hls/stages/patches.hpp:661
-  logic and_4115;
-  assign and_4115 = and_4097 & and_4111;
-  logic [7:0] sum_4116;
-  assign sum_4116 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_4115};
+  logic and_4117;
+  assign and_4117 = and_4099 & and_4113;
+  logic [7:0] sum_4118;
+  assign sum_4118 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_4117};
   // hls/stages/patches.hpp:662
-  logic and_4118;
-  assign and_4118 = and_4107 & and_4111;
-  logic [7:0] sum_4119;
-  assign sum_4119 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_4118};
+  logic and_4120;
+  assign and_4120 = and_4109 & and_4113;
+  logic [7:0] sum_4121;
+  assign sum_4121 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_4120};
   // hls/stages/patches.hpp:189
-  logic and_4121;
-  assign and_4121 = and_4048 & (patches_lower_s3_q & not_4055);
+  logic and_4123;
+  assign and_4123 = and_4050 & (patches_lower_s3_q & not_4057);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_4123;
-  assign sum_4123 = {7'h0, and_4121} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  logic [7:0] sum_4125;
+  assign sum_4125 = {7'h0, and_4123} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
   // hls/stages/patches.hpp:661
-  logic and_4125;
-  assign and_4125 = and_4097 & and_4121;
-  logic [7:0] sum_4126;
-  assign sum_4126 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_4125};
+  logic and_4127;
+  assign and_4127 = and_4099 & and_4123;
+  logic [7:0] sum_4128;
+  assign sum_4128 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_4127};
   // hls/stages/patches.hpp:662
-  logic and_4128;
-  assign and_4128 = and_4107 & and_4121;
-  logic [7:0] sum_4129;
-  assign sum_4129 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_4128};
+  logic and_4130;
+  assign and_4130 = and_4109 & and_4123;
+  logic [7:0] sum_4131;
+  assign sum_4131 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_4130};
   // hls/stages/patches.hpp:189
-  logic and_4131;
-  assign and_4131 = and_4048 & (patches_lower_s3_q & and_4054);
+  logic and_4133;
+  assign and_4133 = and_4050 & (patches_lower_s3_q & and_4056);
   // hls/stages/patches.hpp:660
-  logic [7:0] sum_4133;
-  assign sum_4133 = {7'h0, and_4131} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  logic [7:0] sum_4135;
+  assign sum_4135 = {7'h0, and_4133} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
   // hls/stages/patches.hpp:661
-  logic and_4135;
-  assign and_4135 = and_4097 & and_4131;
-  logic [7:0] sum_4136;
-  assign sum_4136 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_4135};
+  logic and_4137;
+  assign and_4137 = and_4099 & and_4133;
+  logic [7:0] sum_4138;
+  assign sum_4138 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_4137};
   // hls/stages/patches.hpp:662
-  logic and_4138;
-  assign and_4138 = and_4107 & and_4131;
-  logic [7:0] sum_4139;
-  assign sum_4139 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_4138};
+  logic and_4140;
+  assign and_4140 = and_4109 & and_4133;
+  logic [7:0] sum_4141;
+  assign sum_4141 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_4140};
   // hls/stages/agreement.hpp:1223
-  logic equal_4140;
-  assign equal_4140 = x_s3_q[2:0] == 3'h0;
+  logic equal_4142;
+  assign equal_4142 = x_s3_q[2:0] == 3'h0;
   // hls/stages/agreement.hpp:1130
-  logic less_4141;
-  assign less_4141 = x_s3_q[5:3] < 3'h3;
+  logic less_4143;
+  assign less_4143 = x_s3_q[5:3] < 3'h3;
   // hls/stages/agreement.hpp:788
-  logic and_4145;
-  assign and_4145 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (equal_4140 & less_4141)));
+  logic and_4147;
+  assign and_4147 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (equal_4142 & less_4143)));
   // hls/stages/agreement.hpp:1142
-  logic and_4150;
-  assign and_4150 = x_s3_q[6] & (not_2451_s3_q & (less_4141 & (x_s3_q[2:0] == 3'h1)));
+  logic and_4152;
+  assign and_4152 = x_s3_q[6] & (not_2451_s3_q & (less_4143 & (x_s3_q[2:0] == 3'h1)));
   // hls/stages/agreement.hpp:788
-  logic and_4151;
-  assign and_4151 = equal_565_s3_q & and_4150;
+  logic and_4153;
+  assign and_4153 = equal_565_s3_q & and_4152;
   // hls/stages/patches.hpp:624
-  logic [7:0] or_4153;
-  assign or_4153 = (and_4145 ? patches_quarters_0_places_q : 8'h0) | (and_4151 ? patches_quarters_1_places_q : 8'h0);
+  logic [7:0] or_4155;
+  assign or_4155 = (and_4147 ? patches_quarters_0_places_q : 8'h0) | (and_4153 ? patches_quarters_1_places_q : 8'h0);
   // hls/stages/agreement.hpp:1142
-  logic and_4157;
-  assign and_4157 = x_s3_q[6] & (not_2451_s3_q & (less_4141 & (x_s3_q[2:0] == 3'h2)));
+  logic and_4159;
+  assign and_4159 = x_s3_q[6] & (not_2451_s3_q & (less_4143 & (x_s3_q[2:0] == 3'h2)));
   // hls/stages/agreement.hpp:788
-  logic and_4158;
-  assign and_4158 = equal_565_s3_q & and_4157;
+  logic and_4160;
+  assign and_4160 = equal_565_s3_q & and_4159;
   // hls/stages/agreement.hpp:1142
-  logic and_4164;
-  assign and_4164 = x_s3_q[6] & (not_2451_s3_q & (less_4141 & (x_s3_q[2:0] == 3'h3)));
+  logic and_4166;
+  assign and_4166 = x_s3_q[6] & (not_2451_s3_q & (less_4143 & (x_s3_q[2:0] == 3'h3)));
   // hls/stages/agreement.hpp:788
-  logic and_4165;
-  assign and_4165 = equal_565_s3_q & and_4164;
+  logic and_4167;
+  assign and_4167 = equal_565_s3_q & and_4166;
   // hls/stages/patches.hpp:624
-  logic [7:0] or_4167;
-  assign or_4167 = (or_4153 | (and_4158 ? patches_quarters_2_places_q : 8'h0)) | (and_4165 ? patches_quarters_3_places_q : 8'h0);
+  logic [7:0] or_4169;
+  assign or_4169 = (or_4155 | (and_4160 ? patches_quarters_2_places_q : 8'h0)) | (and_4167 ? patches_quarters_3_places_q : 8'h0);
   // hls/stages/patches.hpp:200
-  logic select_4171;
-  assign select_4171 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
+  logic select_4173;
+  assign select_4173 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
   // hls/stages/agreement.hpp:788
-  logic and_4175;
-  assign and_4175 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (less_4141 & select_4171)));
+  logic and_4177;
+  assign and_4177 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (less_4143 & select_4173)));
   // hls/stages/patches.hpp:625
-  logic [7:0] select_4177;
-  assign select_4177 = and_4145 ? (and_4175 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
   logic [7:0] select_4179;
-  assign select_4179 = and_4151 ? (and_4175 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_4182;
-  assign select_4182 = and_4158 ? (and_4175 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_4185;
-  assign select_4185 = and_4165 ? (and_4175 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  assign select_4179 = and_4147 ? (and_4177 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_4181;
+  assign select_4181 = and_4153 ? (and_4177 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_4184;
+  assign select_4184 = and_4160 ? (and_4177 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_4187;
+  assign select_4187 = and_4167 ? (and_4177 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
   // hls/stages/patches.hpp:626
-  logic [7:0] select_4188;
-  assign select_4188 = and_4145 ? (and_4175 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
   logic [7:0] select_4190;
-  assign select_4190 = and_4151 ? (and_4175 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_4193;
-  assign select_4193 = and_4158 ? (and_4175 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_4196;
-  assign select_4196 = and_4165 ? (and_4175 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  assign select_4190 = and_4147 ? (and_4177 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_4192;
+  assign select_4192 = and_4153 ? (and_4177 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_4195;
+  assign select_4195 = and_4160 ? (and_4177 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_4198;
+  assign select_4198 = and_4167 ? (and_4177 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
   // hls/stages/patches.hpp:203
-  logic [4:0] sum_4198;
-  assign sum_4198 = {2'h0, x_s3_q[2:0]} + 5'h1f;
+  logic [4:0] sum_4200;
+  assign sum_4200 = {2'h0, x_s3_q[2:0]} + 5'h1f;
   // hls/stages/agreement.hpp:1142
-  logic and_4202;
-  assign and_4202 = x_s3_q[6] & (not_2451_s3_q & (less_4141 & (sum_4198[4:2] == 3'h0)));
+  logic and_4204;
+  assign and_4204 = x_s3_q[6] & (not_2451_s3_q & (less_4143 & (sum_4200[4:2] == 3'h0)));
   // hls/stages/agreement.hpp:788
-  logic and_4203;
-  assign and_4203 = equal_565_s3_q & and_4202;
+  logic and_4205;
+  assign and_4205 = equal_565_s3_q & and_4204;
   // hls/stages/patches.hpp:621
-  logic [7:0] select_4206;
-  assign select_4206 = and_4203 ? (patches_word_places_q + (and_4151 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_4209;
-  assign select_4209 = and_4203 ? (patches_word_up_q + (and_4151 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] select_4212;
-  assign select_4212 = and_4203 ? (patches_word_down_q + (and_4151 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  logic [7:0] select_4208;
+  assign select_4208 = and_4205 ? (patches_word_places_q + (and_4153 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_4211;
+  assign select_4211 = and_4205 ? (patches_word_up_q + (and_4153 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] select_4214;
+  assign select_4214 = and_4205 ? (patches_word_down_q + (and_4153 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
   // hls/stages/patches.hpp:607
-  logic [5:0] select_4216;
-  assign select_4216 = ($signed(difference_4090[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_4090[5:0];
-  logic [5:0] select_4217;
-  assign select_4217 = ($signed(14'h10) < $signed(difference_4090)) ? 6'h10 : select_4216;
-  // hls/stages/patches.hpp:561
+  logic [5:0] select_4218;
+  assign select_4218 = ($signed(difference_4092[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_4092[5:0];
   logic [5:0] select_4219;
-  assign select_4219 = equal_2424_s3_q ? (or_4043 ? 6'h0 : select_4217) : 6'h0;
-  logic [5:0] select_4221;
-  assign select_4221 = less_2421_s3_q ? (equal_2422_s3_q ? 6'h0 : select_4219) : select_4219;
-  // hls/stages/patches.hpp:664
-  logic [5:0] select_4223;
-  assign select_4223 = and_4048 ? (equal_2241_s3_q ? select_4221 : 6'h0) : 6'h0;
-  logic [11:0] sum_4224;
-  assign sum_4224 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_4223[5]}}, select_4223};
-  // hls/stages/agreement.hpp:788
-  logic and_4228;
-  assign and_4228 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (equal_3333 & less_4141)));
-  // hls/stages/agreement.hpp:1142
-  logic and_4232;
-  assign and_4232 = x_s3_q[6] & (not_2451_s3_q & (less_4141 & (x_s3_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_4233;
-  assign and_4233 = equal_565_s3_q & and_4232;
-  // hls/stages/patches.hpp:648
-  logic [7:0] select_4235;
-  assign select_4235 = and_4228 ? (and_4233 ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:650
-  logic or_4239;
-  assign or_4239 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:651
-  logic or_4242;
-  assign or_4242 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
-  // hls/stages/patches.hpp:652
-  logic [8:0] sum_4243;
-  assign sum_4243 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
-  // hls/stages/patches.hpp:647
-  logic select_4245;
-  assign select_4245 = and_4228 ? (and_4233 ? patches_enough_q : patches_complete_q) : patches_complete_q;
-  // hls/stages/patches.hpp:189
-  logic and_4248;
-  assign and_4248 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:647
-  logic [2:0] select_4250;
-  assign select_4250 = and_4233 ? {and_4248, patches_found_q[2:1]} : (and_4228 ? {and_4248, patches_found_q[2:1]} : patches_found_q);
-  // hls/stages/patches.hpp:646
-  logic or_4254;
-  assign or_4254 = patches_partly_q | (patches_doubted_q & (~and_4233));
-  // hls/stages/patches.hpp:647
-  logic select_4257;
-  assign select_4257 = and_4228 ? (and_4233 ? or_4254 : (and_4228 ? or_4254 : patches_doubted_q)) : patches_doubted_q;
-  // hls/stages/patches.hpp:645
-  logic select_4258;
-  assign select_4258 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
-  // hls/stages/patches.hpp:634
-  logic [7:0] select_4262;
-  assign select_4262 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
-  // hls/stages/patches.hpp:606
-  logic [10:0] sum_4264;
-  assign sum_4264 = {sum_4088[6], sum_4088, select_4019_s3_q[2:0]} + 11'h1;
+  assign select_4219 = ($signed(14'h10) < $signed(difference_4092)) ? 6'h10 : select_4218;
   // hls/stages/patches.hpp:561
-  logic and_4267;
-  assign and_4267 = equal_2424_s3_q & (not_4044 & ({{5{sum_4264[10]}}, sum_4264} < 16'h3));
+  logic [5:0] select_4221;
+  assign select_4221 = equal_2424_s3_q ? (or_4045 ? 6'h0 : select_4219) : 6'h0;
+  logic [5:0] select_4223;
+  assign select_4223 = less_2421_s3_q ? (equal_2422_s3_q ? 6'h0 : select_4221) : select_4221;
+  // hls/stages/patches.hpp:664
+  logic [5:0] select_4225;
+  assign select_4225 = and_4050 ? (equal_2241_s3_q ? select_4223 : 6'h0) : 6'h0;
+  logic [11:0] sum_4226;
+  assign sum_4226 = (patches_round_ends_q ? 12'h0 : patches_across_q) + {{6{select_4225[5]}}, select_4225};
+  // hls/stages/agreement.hpp:788
+  logic and_4230;
+  assign and_4230 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q & (equal_3335 & less_4143)));
+  // hls/stages/agreement.hpp:1142
+  logic and_4234;
+  assign and_4234 = x_s3_q[6] & (not_2451_s3_q & (less_4143 & (x_s3_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:788
+  logic and_4235;
+  assign and_4235 = equal_565_s3_q & and_4234;
+  // hls/stages/patches.hpp:648
+  logic [7:0] select_4237;
+  assign select_4237 = and_4230 ? (and_4235 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  // hls/stages/patches.hpp:650
+  logic or_4241;
+  assign or_4241 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  // hls/stages/patches.hpp:651
+  logic or_4244;
+  assign or_4244 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  // hls/stages/patches.hpp:652
+  logic [8:0] sum_4245;
+  assign sum_4245 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  // hls/stages/patches.hpp:647
+  logic select_4247;
+  assign select_4247 = and_4230 ? (and_4235 ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  // hls/stages/patches.hpp:189
+  logic and_4250;
+  assign and_4250 = patches_enough_q & patches_mostly_q;
+  // hls/stages/patches.hpp:647
+  logic [2:0] select_4252;
+  assign select_4252 = and_4235 ? {and_4250, patches_found_q[2:1]} : (and_4230 ? {and_4250, patches_found_q[2:1]} : patches_found_q);
+  // hls/stages/patches.hpp:646
+  logic or_4256;
+  assign or_4256 = patches_partly_q | (patches_doubted_q & (~and_4235));
+  // hls/stages/patches.hpp:647
+  logic select_4259;
+  assign select_4259 = and_4230 ? (and_4235 ? or_4256 : (and_4230 ? or_4256 : patches_doubted_q)) : patches_doubted_q;
+  // hls/stages/patches.hpp:645
+  logic select_4260;
+  assign select_4260 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  // hls/stages/patches.hpp:634
+  logic [7:0] select_4264;
+  assign select_4264 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  // hls/stages/patches.hpp:606
+  logic [10:0] sum_4266;
+  assign sum_4266 = {sum_4090[6], sum_4090, select_4021_s3_q[2:0]} + 11'h1;
+  // hls/stages/patches.hpp:561
+  logic and_4269;
+  assign and_4269 = equal_2424_s3_q & (not_4046 & ({{5{sum_4266[10]}}, sum_4266} < 16'h3));
   // hls/stages/patches.hpp:185
-  logic and_4270;
-  assign and_4270 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4267) : and_4267);
+  logic and_4272;
+  assign and_4272 = equal_2241_s3_q & (less_2421_s3_q ? (not_2423_s3_q & and_4269) : and_4269);
   // hls/stages/patches.hpp:189
-  logic and_4271;
-  assign and_4271 = and_4048 & and_4270;
+  logic and_4273;
+  assign and_4273 = and_4050 & and_4272;
   // hls/stages/patches.hpp:665
-  logic [7:0] sum_4272;
-  assign sum_4272 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_4271};
+  logic [7:0] sum_4274;
+  assign sum_4274 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_4273};
   // hls/stages/patches.hpp:654
-  logic [12:0] product_4277;
-  assign product_4277 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_4235};
+  logic [12:0] product_4279;
+  assign product_4279 = {8'h0, cfg_on_skin_limit_i} * {5'h0, select_4237};
   // hls/stages/patches.hpp:189
-  logic and_4279;
-  assign and_4279 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_4277[12:5] < patches_on_skin_q);
-  logic select_4284;
-  assign select_4284 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic and_4281;
+  assign and_4281 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_4279[12:5] < patches_on_skin_q);
+  logic select_4286;
+  assign select_4286 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:635
-  logic or_4288;
-  assign or_4288 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  logic or_4290;
+  assign or_4290 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
   // hls/stages/patches.hpp:636
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
   // hls/stages/patches.hpp:637
-  logic select_4295;
-  assign select_4295 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  logic select_4297;
+  assign select_4297 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:638
-  logic and_4301;
-  assign and_4301 = patches_frame_ended_s3_q & (~patches_age_q[9]);
-  logic [9:0] sum_4302;
-  assign sum_4302 = patches_age_q + {9'h0, and_4301};
-  logic [9:0] select_4305;
-  assign select_4305 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4302)) : sum_4302;
+  logic and_4303;
+  assign and_4303 = patches_frame_ended_s3_q & (~patches_age_q[9]);
+  logic [9:0] sum_4304;
+  assign sum_4304 = patches_age_q + {9'h0, and_4303};
+  logic [9:0] select_4307;
+  assign select_4307 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4304)) : sum_4304;
   // hls/stages/agreement.hpp:1188
-  logic or_4362;
-  assign or_4362 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  logic or_4364;
+  assign or_4364 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
   // hls/stages/agreement.hpp:1217
-  logic equal_4364;
-  assign equal_4364 = x_s3_q[6:3] == 4'h7;
+  logic equal_4366;
+  assign equal_4366 = x_s3_q[6:3] == 4'h7;
   // hls/stages/agreement.hpp:1226
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
   // hls/stages/agreement.hpp:1227
-  logic select_4370;
-  assign select_4370 = (equal_4364 & equal_4140) ? too_little : disagree_q;
+  logic select_4372;
+  assign select_4372 = (equal_4366 & equal_4142) ? too_little : disagree_q;
   // hls/stages/agreement.hpp:1135
-  logic [10:0] sum_4373;
-  assign sum_4373 = {1'b0, select_3086} + {2'h0, select_3086[9:1]};
-  logic select_4376;
-  assign select_4376 = (select_3083[9:3] == 7'h0) ? ((~or_4362) & (~select_4370)) : (~({sum_4373, select_3086[0]} < {2'h0, select_3083}));
+  logic [10:0] sum_4375;
+  assign sum_4375 = {1'b0, select_3088} + {2'h0, select_3088[9:1]};
+  logic select_4378;
+  assign select_4378 = (select_3085[9:3] == 7'h0) ? ((~or_4364) & (~select_4372)) : (~({sum_4375, select_3088[0]} < {2'h0, select_3085}));
   // hls/stages/agreement.hpp:1142
-  logic [47:0] select_4378;
-  assign select_4378 = x_s3_q[6] ? (equal_2072_s3_q ? good_q : {select_4376, good_q[47:1]}) : good_q;
+  logic [47:0] select_4380;
+  assign select_4380 = x_s3_q[6] ? (equal_2072_s3_q ? good_q : {select_4378, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:788
-  logic select_4383;
-  assign select_4383 = equal_565_s3_q ? ((x_s3_q[6] & good_known_q) | equal_4381_s3_q) : good_known_q;
+  logic select_4385;
+  assign select_4385 = equal_565_s3_q ? ((x_s3_q[6] & good_known_q) | equal_4383_s3_q) : good_known_q;
   // hls/stages/agreement.hpp:1217
-  logic equal_4384;
-  assign equal_4384 = x_s3_q[6:3] == 4'ha;
   logic equal_4386;
-  assign equal_4386 = x_s3_q[6:3] == 4'hc;
-  logic equal_4387;
-  assign equal_4387 = x_s3_q[6:3] == 4'hb;
+  assign equal_4386 = x_s3_q[6:3] == 4'ha;
   logic equal_4388;
-  assign equal_4388 = x_s3_q[6:3] == 4'h9;
+  assign equal_4388 = x_s3_q[6:3] == 4'hc;
   logic equal_4389;
-  assign equal_4389 = x_s3_q[6:3] == 4'h8;
+  assign equal_4389 = x_s3_q[6:3] == 4'hb;
+  logic equal_4390;
+  assign equal_4390 = x_s3_q[6:3] == 4'h9;
+  logic equal_4391;
+  assign equal_4391 = x_s3_q[6:3] == 4'h8;
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_4391;
-  assign select_4391 = equal_4388 ? counts_skin_unproven_q : (equal_4389 ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] select_4393;
-  assign select_4393 = equal_4387 ? counts_regions_bad_q : (equal_4384 ? counts_nearer_q : select_4391);
+  assign select_4393 = equal_4390 ? counts_skin_unproven_q : (equal_4391 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_4395;
+  assign select_4395 = equal_4389 ? counts_regions_bad_q : (equal_4386 ? counts_nearer_q : select_4393);
   logic [13:0] before_v_6;
-  assign before_v_6 = equal_4386 ? counts_on_skin_q : select_4393;
+  assign before_v_6 = equal_4388 ? counts_on_skin_q : select_4395;
   // hls/stages/agreement.hpp:1222
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_6};
   // hls/stages/agreement.hpp:1230
-  logic select_4396;
-  assign select_4396 = (equal_4384 & equal_4140) ? over[14] : hides_q;
+  logic select_4398;
+  assign select_4398 = (equal_4386 & equal_4142) ? over[14] : hides_q;
   // hls/stages/agreement.hpp:1148
-  logic not_4397;
-  assign not_4397 = ~hidden_for_q[7];
-  logic [7:0] select_4399;
-  assign select_4399 = select_4396 ? (hidden_for_q + {7'h0, not_4397}) : 8'h0;
-  // hls/stages/agreement.hpp:788
+  logic not_4399;
+  assign not_4399 = ~hidden_for_q[7];
   logic [7:0] select_4401;
-  assign select_4401 = equal_565_s3_q ? (equal_4381_s3_q ? select_4399 : hidden_for_q) : hidden_for_q;
+  assign select_4401 = select_4398 ? (hidden_for_q + {7'h0, not_4399}) : 8'h0;
+  // hls/stages/agreement.hpp:788
+  logic [7:0] select_4403;
+  assign select_4403 = equal_565_s3_q ? (equal_4383_s3_q ? select_4401 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1231
-  logic [13:0] select_4402;
-  assign select_4402 = equal_4140 ? 14'h0 : product_q;
+  logic [13:0] select_4404;
+  assign select_4404 = equal_4142 ? 14'h0 : product_q;
   // hls/stages/agreement.hpp:1125
-  logic [7:0] select_4404;
-  assign select_4404 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_4406;
-  assign select_4406 = equal_4389 ? cfg_unproven_skin_limit_i : (equal_4364 ? cfg_unproven_limit_i : select_4404);
+  assign select_4406 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_4408;
-  assign select_4408 = equal_4384 ? cfg_regions_limit_i : (equal_4388 ? cfg_hidden_limit_i : select_4406);
+  assign select_4408 = equal_4391 ? cfg_unproven_skin_limit_i : (equal_4366 ? cfg_unproven_limit_i : select_4406);
+  logic [7:0] select_4410;
+  assign select_4410 = equal_4386 ? cfg_regions_limit_i : (equal_4390 ? cfg_hidden_limit_i : select_4408);
   logic [7:0] limit;
-  assign limit = equal_4386 ? cfg_regions_limit_i : (equal_4387 ? {cfg_on_skin_limit_i, 3'h0} : select_4408);
+  assign limit = equal_4388 ? cfg_regions_limit_i : (equal_4389 ? {cfg_on_skin_limit_i, 3'h0} : select_4410);
   // hls/stages/agreement.hpp:1231
-  logic not_4411;
-  assign not_4411 = ~x_s3_q[2];
-  logic [3:0] select_4412;
-  assign select_4412 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4411, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4411};
-  logic [7:0] select_4413;
-  assign select_4413 = x_s3_q[0] ? {select_4412[3], 1'b0, select_4412[2], 1'b0, select_4412[1], 1'b0, select_4412[0], 1'b0} : {1'b0, select_4412[3], 1'b0, select_4412[2], 1'b0, select_4412[1], 1'b0, select_4412[0]};
+  logic not_4413;
+  assign not_4413 = ~x_s3_q[2];
+  logic [3:0] select_4414;
+  assign select_4414 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4413, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4413};
+  logic [7:0] select_4415;
+  assign select_4415 = x_s3_q[0] ? {select_4414[3], 1'b0, select_4414[2], 1'b0, select_4414[1], 1'b0, select_4414[0], 1'b0} : {1'b0, select_4414[3], 1'b0, select_4414[2], 1'b0, select_4414[1], 1'b0, select_4414[0]};
   // hls/stages/agreement.hpp:1125
-  logic [13:0] select_4417;
-  assign select_4417 = equal_4388 ? counts_skin_supervised_q : (equal_4389 ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] select_4419;
-  assign select_4419 = equal_4387 ? counts_skin_textured_q : (equal_4384 ? counts_textured_q : select_4417);
-  logic [13:0] of;
-  assign of = equal_4386 ? counts_textured_q : select_4419;
-  // hls/stages/agreement.hpp:1231
+  assign select_4419 = equal_4390 ? counts_skin_supervised_q : (equal_4391 ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] select_4421;
-  assign select_4421 = ((limit & select_4413) == 8'h0) ? 14'h0 : of;
-  logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_4402} + {1'b0, select_4421};
-  // hls/stages/agreement.hpp:788
-  logic select_4426;
-  assign select_4426 = equal_565_s3_q ? (equal_4140 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:1228
-  logic and_4431;
-  assign and_4431 = too_much_q & (~(equal_4389 & equal_4140));
-  // hls/stages/agreement.hpp:1229
-  logic select_4436;
-  assign select_4436 = (over[14] & equal_4140) ? (and_4431 | ((equal_4389 | equal_4388) | (x_s3_q[6:3] == 4'hf))) : and_4431;
-  // hls/stages/agreement.hpp:1125
-  logic and_4441;
-  assign and_4441 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  assign select_4421 = equal_4389 ? counts_skin_textured_q : (equal_4386 ? counts_textured_q : select_4419);
+  logic [13:0] of;
+  assign of = equal_4388 ? counts_textured_q : select_4421;
   // hls/stages/agreement.hpp:1231
-  logic select_4442;
-  assign select_4442 = (equal_4386 & equal_4140) ? and_4441 : overlooks_q;
+  logic [13:0] select_4423;
+  assign select_4423 = ((limit & select_4415) == 8'h0) ? 14'h0 : of;
+  logic [14:0] sum_4;
+  assign sum_4 = {1'b0, select_4404} + {1'b0, select_4423};
   // hls/stages/agreement.hpp:788
-  logic [2:0] select_4444;
-  assign select_4444 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic select_4428;
+  assign select_4428 = equal_565_s3_q ? (equal_4142 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
+  // hls/stages/agreement.hpp:1228
+  logic and_4433;
+  assign and_4433 = too_much_q & (~(equal_4391 & equal_4142));
+  // hls/stages/agreement.hpp:1229
+  logic select_4438;
+  assign select_4438 = (over[14] & equal_4142) ? (and_4433 | ((equal_4391 | equal_4390) | (x_s3_q[6:3] == 4'hf))) : and_4433;
+  // hls/stages/agreement.hpp:1125
+  logic and_4443;
+  assign and_4443 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  // hls/stages/agreement.hpp:1231
+  logic select_4444;
+  assign select_4444 = (equal_4388 & equal_4142) ? and_4443 : overlooks_q;
+  // hls/stages/agreement.hpp:788
   logic [2:0] select_4446;
-  assign select_4446 = equal_565_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4444 : box_textured_columns_values_0_q);
-  logic [2:0] select_4447;
-  assign select_4447 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  assign select_4446 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic [2:0] select_4448;
+  assign select_4448 = equal_565_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4446 : box_textured_columns_values_0_q);
   logic [2:0] select_4449;
-  assign select_4449 = equal_565_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4447 : box_textured_columns_values_1_q);
-  logic [2:0] select_4450;
-  assign select_4450 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  assign select_4449 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_4451;
+  assign select_4451 = equal_565_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4449 : box_textured_columns_values_1_q);
   logic [2:0] select_4452;
-  assign select_4452 = equal_565_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4450 : box_textured_columns_values_2_q);
-  logic [2:0] select_4453;
-  assign select_4453 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  assign select_4452 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_4454;
+  assign select_4454 = equal_565_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4452 : box_textured_columns_values_2_q);
   logic [2:0] select_4455;
-  assign select_4455 = equal_565_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4453 : box_textured_columns_values_3_q);
-  logic [2:0] select_4456;
-  assign select_4456 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  assign select_4455 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_4457;
+  assign select_4457 = equal_565_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4455 : box_textured_columns_values_3_q);
   logic [2:0] select_4458;
-  assign select_4458 = equal_565_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4456 : box_textured_columns_values_4_q);
-  logic [4:0] select_4460;
-  assign select_4460 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_4462;
-  assign select_4462 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  assign select_4458 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_4460;
+  assign select_4460 = equal_565_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4458 : box_textured_columns_values_4_q);
+  logic [4:0] select_4462;
+  assign select_4462 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   logic [2:0] select_4464;
-  assign select_4464 = equal_565_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4462 : box_explained_columns_values_0_q);
-  logic [2:0] select_4465;
-  assign select_4465 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  assign select_4464 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  logic [2:0] select_4466;
+  assign select_4466 = equal_565_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4464 : box_explained_columns_values_0_q);
   logic [2:0] select_4467;
-  assign select_4467 = equal_565_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4465 : box_explained_columns_values_1_q);
-  logic [2:0] select_4468;
-  assign select_4468 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  assign select_4467 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_4469;
+  assign select_4469 = equal_565_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4467 : box_explained_columns_values_1_q);
   logic [2:0] select_4470;
-  assign select_4470 = equal_565_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4468 : box_explained_columns_values_2_q);
-  logic [2:0] select_4471;
-  assign select_4471 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  assign select_4470 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_4472;
+  assign select_4472 = equal_565_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4470 : box_explained_columns_values_2_q);
   logic [2:0] select_4473;
-  assign select_4473 = equal_565_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4471 : box_explained_columns_values_3_q);
-  logic [2:0] select_4474;
-  assign select_4474 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  assign select_4473 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_4475;
+  assign select_4475 = equal_565_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4473 : box_explained_columns_values_3_q);
   logic [2:0] select_4476;
-  assign select_4476 = equal_565_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4474 : box_explained_columns_values_4_q);
-  logic [4:0] select_4478;
-  assign select_4478 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [2:0] select_4481;
-  assign select_4481 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  assign select_4476 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_4478;
+  assign select_4478 = equal_565_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4476 : box_explained_columns_values_4_q);
+  logic [4:0] select_4480;
+  assign select_4480 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
   logic [2:0] select_4483;
-  assign select_4483 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_4483 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
   logic [2:0] select_4485;
-  assign select_4485 = equal_565_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4483 : box_shown_columns_values_1_q);
-  logic [2:0] select_4486;
-  assign select_4486 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  assign select_4485 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4487;
+  assign select_4487 = equal_565_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4485 : box_shown_columns_values_1_q);
   logic [2:0] select_4488;
-  assign select_4488 = equal_565_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4486 : box_shown_columns_values_2_q);
-  logic [2:0] select_4489;
-  assign select_4489 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  assign select_4488 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_4490;
+  assign select_4490 = equal_565_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4488 : box_shown_columns_values_2_q);
   logic [2:0] select_4491;
-  assign select_4491 = equal_565_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4489 : box_shown_columns_values_3_q);
-  logic [2:0] select_4492;
-  assign select_4492 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  assign select_4491 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_4493;
+  assign select_4493 = equal_565_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4491 : box_shown_columns_values_3_q);
   logic [2:0] select_4494;
-  assign select_4494 = equal_565_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4492 : box_shown_columns_values_4_q);
-  logic [4:0] select_4496;
-  assign select_4496 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_4499;
-  assign select_4499 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  assign select_4494 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4496;
+  assign select_4496 = equal_565_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4494 : box_shown_columns_values_4_q);
+  logic [4:0] select_4498;
+  assign select_4498 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
   logic [2:0] select_4501;
-  assign select_4501 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_4501 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
   logic [2:0] select_4503;
-  assign select_4503 = equal_565_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4501 : box_nearer_columns_values_1_q);
-  logic [2:0] select_4504;
-  assign select_4504 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  assign select_4503 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4505;
+  assign select_4505 = equal_565_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4503 : box_nearer_columns_values_1_q);
   logic [2:0] select_4506;
-  assign select_4506 = equal_565_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4504 : box_nearer_columns_values_2_q);
-  logic [2:0] select_4507;
-  assign select_4507 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  assign select_4506 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4508;
+  assign select_4508 = equal_565_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4506 : box_nearer_columns_values_2_q);
   logic [2:0] select_4509;
-  assign select_4509 = equal_565_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4507 : box_nearer_columns_values_3_q);
-  logic [2:0] select_4510;
-  assign select_4510 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  assign select_4509 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4511;
+  assign select_4511 = equal_565_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4509 : box_nearer_columns_values_3_q);
   logic [2:0] select_4512;
-  assign select_4512 = equal_565_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4510 : box_nearer_columns_values_4_q);
-  logic [4:0] select_4514;
-  assign select_4514 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  assign select_4512 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4514;
+  assign select_4514 = equal_565_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4512 : box_nearer_columns_values_4_q);
+  logic [4:0] select_4516;
+  assign select_4516 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:1308
-  logic [1:0] select_4559;
-  assign select_4559 = and_4558_s3_q ? {and_2587, is_seen} : map_rdata_q;
+  logic [1:0] select_4561;
+  assign select_4561 = and_4560_s3_q ? {and_2587, is_seen} : map_rdata_q;
   // hls/stages/agreement.hpp:1309
-  logic and_4560;
-  assign and_4560 = proven_q & less_4548;
+  logic and_4562;
+  assign and_4562 = proven_q & less_4550;
   // hls/stages/agreement.hpp:438
-  logic select_4563;
-  assign select_4563 = and_2517_s3_q ? (less_2518_s3_q ? (select_4559[0] & and_4560) : seen_q) : seen_q;
-  logic select_4566;
-  assign select_4566 = and_2517_s3_q ? (less_2518_s3_q ? (select_4559[1] & and_4560) : nearer_q) : nearer_q;
+  logic select_4565;
+  assign select_4565 = and_2517_s3_q ? (less_2518_s3_q ? (select_4561[0] & and_4562) : seen_q) : seen_q;
+  logic select_4568;
+  assign select_4568 = and_2517_s3_q ? (less_2518_s3_q ? (select_4561[1] & and_4562) : nearer_q) : nearer_q;
   // hls/stages/agreement.hpp:1239
-  logic or_4573;
-  assign or_4573 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4572_s3_q;
+  logic or_4575;
+  assign or_4575 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4574_s3_q;
   // hls/stages/agreement.hpp:1241
-  logic not_4581;
-  assign not_4581 = ~(or_4362 | not_2808);
+  logic not_4583;
+  assign not_4583 = ~(or_4364 | not_2810);
   // hls/stages/agreement.hpp:788
-  logic and_4585;
-  assign and_4585 = equal_565_s3_q & (equal_4381_s3_q & (not_4581 & (select_4370 | select_4436)));
-  logic and_4588;
-  assign and_4588 = equal_4381_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  logic and_4587;
+  assign and_4587 = equal_565_s3_q & (equal_4383_s3_q & (not_4583 & (select_4372 | select_4438)));
+  logic and_4590;
+  assign and_4590 = equal_4383_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
   // hls/stages/agreement.hpp:1150
-  logic or_4592;
-  assign or_4592 = select_2906 | (select_2918 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  logic or_4594;
+  assign or_4594 = select_2908 | (select_2920 | ($signed(20'h0) < $signed(census_left_misses_q)));
   // hls/stages/agreement.hpp:788
-  logic and_4599;
-  assign and_4599 = equal_565_s3_q & (equal_4381_s3_q & (not_4581 & (select_2912 | select_2924)));
+  logic and_4601;
+  assign and_4601 = equal_565_s3_q & (equal_4383_s3_q & (not_4583 & (select_2914 | select_2926)));
   // hls/stages/agreement.hpp:1150
-  logic and_4604;
-  assign and_4604 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4399 < cfg_hidden_frames_i));
-  logic select_4610;
-  assign select_4610 = (not_2808 | (select_4442 & not_4274)) ? cfg_prove_i : patches_overlooked_q;
+  logic and_4606;
+  assign and_4606 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4401 < cfg_hidden_frames_i));
+  logic select_4612;
+  assign select_4612 = (not_2810 | (select_4444 & not_4276)) ? cfg_prove_i : patches_overlooked_q;
   // hls/stages/agreement.hpp:788
-  logic and_4615;
-  assign and_4615 = equal_565_s3_q & (equal_4381_s3_q & (cfg_prove_i & moments_out_of_step_q));
-  logic and_4619;
-  assign and_4619 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q | (4'hc < x_s3_q[5:2])));
+  logic and_4617;
+  assign and_4617 = equal_565_s3_q & (equal_4383_s3_q & (cfg_prove_i & moments_out_of_step_q));
+  logic and_4621;
+  assign and_4621 = equal_565_s3_q & (x_s3_q[6] & (not_2451_s3_q | (4'hc < x_s3_q[5:2])));
   // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4627;
-  assign select_4627 = equal_2094_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4625_s3_q ? registration_sums_rdata_q : 32'h0);
-  logic [31:0] select_4628;
-  assign select_4628 = equal_2092_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4627;
   logic [31:0] select_4629;
-  assign select_4629 = equal_2090_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4628;
+  assign select_4629 = equal_2094_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4627_s3_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_4630;
-  assign select_4630 = equal_2088_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4629;
+  assign select_4630 = equal_2092_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4629;
   logic [31:0] select_4631;
-  assign select_4631 = equal_2086_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4630;
+  assign select_4631 = equal_2090_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4630;
   logic [31:0] select_4632;
-  assign select_4632 = equal_2084_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4631;
+  assign select_4632 = equal_2088_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4631;
   logic [31:0] select_4633;
-  assign select_4633 = equal_2082_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4632;
+  assign select_4633 = equal_2086_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4632;
   logic [31:0] select_4634;
-  assign select_4634 = equal_2080_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4633;
-  // hls/stages/agreement.hpp:1138
-  logic [9:0] select_4635;
-  assign select_4635 = less_3082 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:1142
+  assign select_4634 = equal_2084_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4633;
+  logic [31:0] select_4635;
+  assign select_4635 = equal_2082_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4634;
   logic [31:0] select_4636;
-  assign select_4636 = equal_2072_s3_q ? select_4634 : {2'h0, select_4635, select_3086, select_3083};
+  assign select_4636 = equal_2080_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4635;
+  // hls/stages/agreement.hpp:1138
+  logic [9:0] select_4637;
+  assign select_4637 = less_3084 ? 10'h0 : regions_rdata_q[29:20];
+  // hls/stages/agreement.hpp:1142
+  logic [31:0] select_4638;
+  assign select_4638 = equal_2072_s3_q ? select_4636 : {2'h0, select_4637, select_3088, select_3085};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
@@ -7609,139 +7610,139 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s3_en) begin
-      census_left_misses_q <= select_2747;
-      sharpness_before_last_mask_q <= select_2820;
-      sharpness_sums_detail_0_q <= and_540_s3_q ? select_2834 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_540_s3_q ? select_2846 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_540_s3_q ? sum_2850 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_540_s3_q ? sum_2854 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2872 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2882 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2884 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2886 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2888 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2890 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2895;
-      sharpness_comparing_carry_1_q <= select_2899;
-      sharpness_comparing_less_detail_0_q <= select_2906;
-      sharpness_comparing_less_detail_1_q <= select_2912;
-      sharpness_comparing_less_contrast_0_q <= select_2918;
-      sharpness_comparing_less_contrast_1_q <= select_2924;
-      counts_supervised_q <= select_3040;
-      counts_textured_q <= and_3032_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_3043});
-      counts_explained_q <= and_3032_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_3048});
-      counts_nearer_q <= and_3032_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_3053});
-      counts_unproven_q <= and_3032_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_3079});
-      counts_regions_bad_q <= select_3095;
-      counts_skin_supervised_q <= select_3102;
-      counts_skin_textured_q <= select_3109;
-      counts_skin_unproven_q <= select_3117;
-      counts_on_skin_q <= select_3136;
-      registration_half_across_q <= select_3214;
-      registration_half_measured_q <= select_3219;
-      registration_half_votes_down_q <= and_3192_s3_q ? 7'h0 : sum_3225;
-      registration_half_votes_up_q <= and_3192_s3_q ? 7'h0 : sum_3233;
-      registration_half_half_votes_down_q <= and_3192_s3_q ? 7'h0 : sum_3240;
-      registration_half_half_votes_up_q <= and_3192_s3_q ? 7'h0 : sum_3247;
-      registration_down_q <= and_3281 ? sum_3300 : registration_down_q;
-      registration_up_q <= and_3281 ? sum_3309 : registration_up_q;
-      registration_enough_q <= select_3323;
-      registration_votes_down_q <= and_3328 ? less_3329 : registration_votes_down_q;
-      registration_votes_up_q <= and_3328 ? less_3331 : registration_votes_up_q;
-      registration_other_enough_q <= and_3337 ? select_3323 : registration_other_enough_q;
-      registration_other_down_q <= and_3337 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_3337 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_565_s3_q & and_3344)) & or_3369;
+      census_left_misses_q <= select_2749;
+      sharpness_before_last_mask_q <= select_2822;
+      sharpness_sums_detail_0_q <= and_540_s3_q ? select_2836 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_540_s3_q ? select_2848 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_540_s3_q ? sum_2852 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_540_s3_q ? sum_2856 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= drew_q ? select_2874 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= drew_q ? select_2884 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= drew_q ? select_2886 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= drew_q ? select_2888 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= drew_q ? select_2890 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= drew_q ? select_2892 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2897;
+      sharpness_comparing_carry_1_q <= select_2901;
+      sharpness_comparing_less_detail_0_q <= select_2908;
+      sharpness_comparing_less_detail_1_q <= select_2914;
+      sharpness_comparing_less_contrast_0_q <= select_2920;
+      sharpness_comparing_less_contrast_1_q <= select_2926;
+      counts_supervised_q <= select_3042;
+      counts_textured_q <= and_3034_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_3045});
+      counts_explained_q <= and_3034_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_3050});
+      counts_nearer_q <= and_3034_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_3055});
+      counts_unproven_q <= and_3034_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_3081});
+      counts_regions_bad_q <= select_3097;
+      counts_skin_supervised_q <= select_3104;
+      counts_skin_textured_q <= select_3111;
+      counts_skin_unproven_q <= select_3119;
+      counts_on_skin_q <= select_3138;
+      registration_half_across_q <= select_3216;
+      registration_half_measured_q <= select_3221;
+      registration_half_votes_down_q <= and_3194_s3_q ? 7'h0 : sum_3227;
+      registration_half_votes_up_q <= and_3194_s3_q ? 7'h0 : sum_3235;
+      registration_half_half_votes_down_q <= and_3194_s3_q ? 7'h0 : sum_3242;
+      registration_half_half_votes_up_q <= and_3194_s3_q ? 7'h0 : sum_3249;
+      registration_down_q <= and_3283 ? sum_3302 : registration_down_q;
+      registration_up_q <= and_3283 ? sum_3311 : registration_up_q;
+      registration_enough_q <= select_3325;
+      registration_votes_down_q <= and_3330 ? less_3331 : registration_votes_down_q;
+      registration_votes_up_q <= and_3330 ? less_3333 : registration_votes_up_q;
+      registration_other_enough_q <= and_3339 ? select_3325 : registration_other_enough_q;
+      registration_other_down_q <= and_3339 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_3339 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_565_s3_q & and_3346)) & or_3371;
       patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_2259 : patches_place_0_valid_q;
       patches_place_0_column_q <= sample_pair_whole_s3_q ? select_2262 : patches_place_0_column_q;
       patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_2263 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3453;
+      patches_place_0_slope_q <= select_3455;
       patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_2288 : patches_place_1_valid_q;
       patches_place_1_column_q <= sample_pair_whole_s3_q ? select_2290 : patches_place_1_column_q;
       patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_2291 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3458;
-      patches_valid_0_q <= select_3463;
-      patches_valid_1_q <= select_3468;
-      patches_right_next_0_q <= select_3471;
-      patches_right_next_1_q <= select_3474;
-      patches_left_next_0_q <= select_3477;
-      patches_left_next_1_q <= select_3480;
-      patches_sums_values_0_q <= select_3904;
-      patches_sums_values_1_q <= equal_2241_s3_q ? patches_sums_values_1_q : select_3905;
-      patches_sums_values_2_q <= equal_2241_s3_q ? patches_sums_values_2_q : select_3907;
-      patches_sums_values_3_q <= equal_2241_s3_q ? patches_sums_values_3_q : select_3909;
-      patches_sums_values_4_q <= equal_2241_s3_q ? patches_sums_values_4_q : select_3911;
-      patches_sums_values_5_q <= equal_2241_s3_q ? patches_sums_values_5_q : select_3913;
-      patches_sums_values_6_q <= equal_2241_s3_q ? patches_sums_values_6_q : select_3915;
-      patches_sums_values_7_q <= equal_2241_s3_q ? patches_sums_values_7_q : select_3917;
-      patches_sums_values_8_q <= equal_2241_s3_q ? patches_sums_values_8_q : select_3919;
-      patches_sums_values_9_q <= equal_2241_s3_q ? patches_sums_values_9_q : select_3921;
-      patches_sums_values_10_q <= equal_2241_s3_q ? patches_sums_values_10_q : select_3923;
-      patches_sums_values_11_q <= equal_2241_s3_q ? patches_sums_values_11_q : select_3925;
-      patches_sums_values_12_q <= equal_2241_s3_q ? patches_sums_values_12_q : select_3927;
-      patches_sums_values_13_q <= equal_2241_s3_q ? patches_sums_values_13_q : select_3929;
-      patches_sums_values_14_q <= equal_2241_s3_q ? patches_sums_values_14_q : select_3931;
-      patches_sums_values_15_q <= equal_2241_s3_q ? patches_sums_values_15_q : select_3933;
-      patches_sums_values_16_q <= equal_2241_s3_q ? patches_sums_values_16_q : select_3935;
+      patches_place_1_slope_q <= select_3460;
+      patches_valid_0_q <= select_3465;
+      patches_valid_1_q <= select_3470;
+      patches_right_next_0_q <= select_3473;
+      patches_right_next_1_q <= select_3476;
+      patches_left_next_0_q <= select_3479;
+      patches_left_next_1_q <= select_3482;
+      patches_sums_values_0_q <= select_3906;
+      patches_sums_values_1_q <= equal_2241_s3_q ? patches_sums_values_1_q : select_3907;
+      patches_sums_values_2_q <= equal_2241_s3_q ? patches_sums_values_2_q : select_3909;
+      patches_sums_values_3_q <= equal_2241_s3_q ? patches_sums_values_3_q : select_3911;
+      patches_sums_values_4_q <= equal_2241_s3_q ? patches_sums_values_4_q : select_3913;
+      patches_sums_values_5_q <= equal_2241_s3_q ? patches_sums_values_5_q : select_3915;
+      patches_sums_values_6_q <= equal_2241_s3_q ? patches_sums_values_6_q : select_3917;
+      patches_sums_values_7_q <= equal_2241_s3_q ? patches_sums_values_7_q : select_3919;
+      patches_sums_values_8_q <= equal_2241_s3_q ? patches_sums_values_8_q : select_3921;
+      patches_sums_values_9_q <= equal_2241_s3_q ? patches_sums_values_9_q : select_3923;
+      patches_sums_values_10_q <= equal_2241_s3_q ? patches_sums_values_10_q : select_3925;
+      patches_sums_values_11_q <= equal_2241_s3_q ? patches_sums_values_11_q : select_3927;
+      patches_sums_values_12_q <= equal_2241_s3_q ? patches_sums_values_12_q : select_3929;
+      patches_sums_values_13_q <= equal_2241_s3_q ? patches_sums_values_13_q : select_3931;
+      patches_sums_values_14_q <= equal_2241_s3_q ? patches_sums_values_14_q : select_3933;
+      patches_sums_values_15_q <= equal_2241_s3_q ? patches_sums_values_15_q : select_3935;
+      patches_sums_values_16_q <= equal_2241_s3_q ? patches_sums_values_16_q : select_3937;
       patches_best_differing_q <= select_2439[9:0];
       patches_best_column_q <= select_2439[14:10];
-      patches_quarters_0_places_q <= sum_4059;
-      patches_quarters_0_up_q <= sum_4099;
-      patches_quarters_0_down_q <= sum_4109;
-      patches_quarters_1_places_q <= sum_4113;
-      patches_quarters_1_up_q <= sum_4116;
-      patches_quarters_1_down_q <= sum_4119;
-      patches_quarters_2_places_q <= sum_4123;
-      patches_quarters_2_up_q <= sum_4126;
-      patches_quarters_2_down_q <= sum_4129;
-      patches_quarters_3_places_q <= sum_4133;
-      patches_quarters_3_up_q <= sum_4136;
-      patches_quarters_3_down_q <= sum_4139;
-      patches_word_places_q <= or_4167;
-      patches_word_up_q <= ((select_4177 | select_4179) | select_4182) | select_4185;
-      patches_word_down_q <= ((select_4188 | select_4190) | select_4193) | select_4196;
-      patches_sum_places_q <= select_4206;
-      patches_sum_up_q <= select_4209;
-      patches_sum_down_q <= select_4212;
-      patches_across_q <= sum_4224;
-      patches_places_q <= select_4235;
+      patches_quarters_0_places_q <= sum_4061;
+      patches_quarters_0_up_q <= sum_4101;
+      patches_quarters_0_down_q <= sum_4111;
+      patches_quarters_1_places_q <= sum_4115;
+      patches_quarters_1_up_q <= sum_4118;
+      patches_quarters_1_down_q <= sum_4121;
+      patches_quarters_2_places_q <= sum_4125;
+      patches_quarters_2_up_q <= sum_4128;
+      patches_quarters_2_down_q <= sum_4131;
+      patches_quarters_3_places_q <= sum_4135;
+      patches_quarters_3_up_q <= sum_4138;
+      patches_quarters_3_down_q <= sum_4141;
+      patches_word_places_q <= or_4169;
+      patches_word_up_q <= ((select_4179 | select_4181) | select_4184) | select_4187;
+      patches_word_down_q <= ((select_4190 | select_4192) | select_4195) | select_4198;
+      patches_sum_places_q <= select_4208;
+      patches_sum_up_q <= select_4211;
+      patches_sum_down_q <= select_4214;
+      patches_across_q <= sum_4226;
+      patches_places_q <= select_4237;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_4239;
-      patches_partly_q <= or_4242;
-      patches_clear_limit_q <= sum_4243[8:2];
-      patches_complete_q <= select_4245;
+      patches_mostly_q <= or_4241;
+      patches_partly_q <= or_4244;
+      patches_clear_limit_q <= sum_4245[8:2];
+      patches_complete_q <= select_4247;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= and_4228 ? select_4250 : patches_found_q;
-      patches_doubted_q <= select_4257;
-      patches_doubted_before_q <= select_4258;
+      patches_found_q <= and_4230 ? select_4252 : patches_found_q;
+      patches_doubted_q <= select_4259;
+      patches_doubted_before_q <= select_4260;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_4262;
-      patches_on_skin_q <= sum_4272;
-      patches_large_q <= not_4274 & and_4279;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_4284;
-      patches_spoiled_q <= or_4288;
+      patches_round_on_skin_q <= select_4264;
+      patches_on_skin_q <= sum_4274;
+      patches_large_q <= not_4276 & and_4281;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_4286;
+      patches_spoiled_q <= or_4290;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_4295;
+      patches_moved_q <= select_4297;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_4305;
-      segment_textured_q <= select_2464 + {6'h0, and_3043};
-      segment_explained_q <= select_2469 + {6'h0, and_3048};
-      segment_nearer_q <= select_2479 + {6'h0, and_3053};
+      patches_age_q <= select_4307;
+      segment_textured_q <= select_2464 + {6'h0, and_3045};
+      segment_explained_q <= select_2469 + {6'h0, and_3050};
+      segment_nearer_q <= select_2479 + {6'h0, and_3055};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_565_s3_q ? select_4378 : good_q;
-      good_known_q <= select_4383;
-      hidden_for_q <= select_4401;
+      good_q <= equal_565_s3_q ? select_4380 : good_q;
+      good_known_q <= select_4385;
+      hidden_for_q <= select_4403;
       product_q <= equal_565_s3_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_4426;
-      disagree_q <= equal_565_s3_q ? select_4370 : disagree_q;
-      too_much_q <= equal_565_s3_q ? select_4436 : too_much_q;
-      hides_q <= equal_565_s3_q ? select_4396 : hides_q;
-      overlooks_q <= equal_565_s3_q ? select_4442 : overlooks_q;
-      seen_q <= select_4563;
-      nearer_q <= select_4566;
+      product_rest_q <= select_4428;
+      disagree_q <= equal_565_s3_q ? select_4372 : disagree_q;
+      too_much_q <= equal_565_s3_q ? select_4438 : too_much_q;
+      hides_q <= equal_565_s3_q ? select_4398 : hides_q;
+      overlooks_q <= equal_565_s3_q ? select_4444 : overlooks_q;
+      seen_q <= select_4565;
+      nearer_q <= select_4568;
     end
   end
 
@@ -7793,45 +7794,45 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
       left_pixel_q <= left_pixel_q;
-      averager_quarter_1_0_q <= select_2621;
-      averager_quarter_1_1_q <= select_2623;
-      averager_quarter_2_0_q <= select_2625;
-      averager_quarter_2_1_q <= select_2627;
-      averager_detail_0_q <= select_2639;
-      averager_detail_1_q <= select_2647;
+      averager_quarter_1_0_q <= select_2623;
+      averager_quarter_1_1_q <= select_2625;
+      averager_quarter_2_0_q <= select_2627;
+      averager_quarter_2_1_q <= select_2629;
+      averager_detail_0_q <= select_2641;
+      averager_detail_1_q <= select_2649;
       census_changes_values_0_left_q <= and_540_s3_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_540_s3_q ? sum_2731 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2733;
-      census_changes_values_1_right_q <= select_2734;
-      census_changes_values_2_left_q <= select_2735;
-      census_changes_values_2_right_q <= select_2736;
+      census_changes_values_0_right_q <= and_540_s3_q ? sum_2733 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2735;
+      census_changes_values_1_right_q <= select_2736;
+      census_changes_values_2_left_q <= select_2737;
+      census_changes_values_2_right_q <= select_2738;
       sharpness_last_mask_q <= and_540_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_540_s3_q ? select_2817[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_540_s3_q ? select_2817[27:14] : sharpness_last_detail_1_q;
-      box_textured_columns_values_0_q <= select_4446;
-      box_textured_columns_values_1_q <= select_4449;
-      box_textured_columns_values_2_q <= select_4452;
-      box_textured_columns_values_3_q <= select_4455;
-      box_textured_columns_values_4_q <= select_4458;
-      box_textured_sum_sums_values_0_q <= equal_565_s3_q ? box_textured_sum_sums_values_0_q : select_4460;
-      box_explained_columns_values_0_q <= select_4464;
-      box_explained_columns_values_1_q <= select_4467;
-      box_explained_columns_values_2_q <= select_4470;
-      box_explained_columns_values_3_q <= select_4473;
-      box_explained_columns_values_4_q <= select_4476;
-      box_explained_sum_sums_values_0_q <= equal_565_s3_q ? box_explained_sum_sums_values_0_q : select_4478;
-      box_shown_columns_values_0_q <= equal_565_s3_q ? box_shown_columns_values_0_q : select_4481;
-      box_shown_columns_values_1_q <= select_4485;
-      box_shown_columns_values_2_q <= select_4488;
-      box_shown_columns_values_3_q <= select_4491;
-      box_shown_columns_values_4_q <= select_4494;
-      box_shown_sum_sums_values_0_q <= equal_565_s3_q ? box_shown_sum_sums_values_0_q : select_4496;
-      box_nearer_columns_values_0_q <= equal_565_s3_q ? box_nearer_columns_values_0_q : select_4499;
-      box_nearer_columns_values_1_q <= select_4503;
-      box_nearer_columns_values_2_q <= select_4506;
-      box_nearer_columns_values_3_q <= select_4509;
-      box_nearer_columns_values_4_q <= select_4512;
-      box_nearer_sum_sums_values_0_q <= equal_565_s3_q ? box_nearer_sum_sums_values_0_q : select_4514;
+      sharpness_last_detail_0_q <= and_540_s3_q ? select_2819[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_540_s3_q ? select_2819[27:14] : sharpness_last_detail_1_q;
+      box_textured_columns_values_0_q <= select_4448;
+      box_textured_columns_values_1_q <= select_4451;
+      box_textured_columns_values_2_q <= select_4454;
+      box_textured_columns_values_3_q <= select_4457;
+      box_textured_columns_values_4_q <= select_4460;
+      box_textured_sum_sums_values_0_q <= equal_565_s3_q ? box_textured_sum_sums_values_0_q : select_4462;
+      box_explained_columns_values_0_q <= select_4466;
+      box_explained_columns_values_1_q <= select_4469;
+      box_explained_columns_values_2_q <= select_4472;
+      box_explained_columns_values_3_q <= select_4475;
+      box_explained_columns_values_4_q <= select_4478;
+      box_explained_sum_sums_values_0_q <= equal_565_s3_q ? box_explained_sum_sums_values_0_q : select_4480;
+      box_shown_columns_values_0_q <= equal_565_s3_q ? box_shown_columns_values_0_q : select_4483;
+      box_shown_columns_values_1_q <= select_4487;
+      box_shown_columns_values_2_q <= select_4490;
+      box_shown_columns_values_3_q <= select_4493;
+      box_shown_columns_values_4_q <= select_4496;
+      box_shown_sum_sums_values_0_q <= equal_565_s3_q ? box_shown_sum_sums_values_0_q : select_4498;
+      box_nearer_columns_values_0_q <= equal_565_s3_q ? box_nearer_columns_values_0_q : select_4501;
+      box_nearer_columns_values_1_q <= select_4505;
+      box_nearer_columns_values_2_q <= select_4508;
+      box_nearer_columns_values_3_q <= select_4511;
+      box_nearer_columns_values_4_q <= select_4514;
+      box_nearer_sum_sums_values_0_q <= equal_565_s3_q ? box_nearer_sum_sums_values_0_q : select_4516;
     end
   end
 
@@ -7841,21 +7842,21 @@ module horopter_agreement (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic and_4543_s4_q;
-  logic or_4567_s4_q;
-  logic and_4568_s4_q;
-  logic and_4576_s4_q;
-  logic and_4579_s4_q;
-  logic and_4585_s4_q;
-  logic and_4589_s4_q;
-  logic and_4595_s4_q;
-  logic and_4599_s4_q;
-  logic and_4607_s4_q;
-  logic and_4612_s4_q;
-  logic and_4615_s4_q;
-  logic and_4619_s4_q;
-  logic [5:0] select_4621_s4_q;
-  logic [31:0] select_4638_s4_q;
+  logic and_4545_s4_q;
+  logic or_4569_s4_q;
+  logic and_4570_s4_q;
+  logic and_4578_s4_q;
+  logic and_4581_s4_q;
+  logic and_4587_s4_q;
+  logic and_4591_s4_q;
+  logic and_4597_s4_q;
+  logic and_4601_s4_q;
+  logic and_4609_s4_q;
+  logic and_4614_s4_q;
+  logic and_4617_s4_q;
+  logic and_4621_s4_q;
+  logic [5:0] select_4623_s4_q;
+  logic [31:0] select_4640_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_0_q;
@@ -7864,21 +7865,21 @@ module horopter_agreement (
       mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= line_ended_q;
-      and_4543_s4_q <= said_q;
-      or_4567_s4_q <= not_2808 | select_4563;
-      and_4568_s4_q <= cfg_prove_i & select_4566;
-      and_4576_s4_q <= equal_565_s3_q & (equal_4381_s3_q & (cfg_prove_i & or_4573));
-      and_4579_s4_q <= equal_565_s3_q & (equal_4381_s3_q & (cfg_prove_i & or_4362));
-      and_4585_s4_q <= and_4585;
-      and_4589_s4_q <= equal_565_s3_q & and_4588;
-      and_4595_s4_q <= equal_565_s3_q & (equal_4381_s3_q & (not_4581 & or_4592));
-      and_4599_s4_q <= and_4599;
-      and_4607_s4_q <= equal_565_s3_q & (equal_4381_s3_q & (cfg_prove_i & and_4604));
-      and_4612_s4_q <= equal_565_s3_q & (equal_4381_s3_q & select_4610);
-      and_4615_s4_q <= and_4615;
-      and_4619_s4_q <= and_4619;
-      select_4621_s4_q <= equal_565_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
-      select_4638_s4_q <= equal_565_s3_q ? (x_s3_q[6] ? select_4636 : 32'h0) : 32'h0;
+      and_4545_s4_q <= said_q;
+      or_4569_s4_q <= not_2810 | select_4565;
+      and_4570_s4_q <= cfg_prove_i & select_4568;
+      and_4578_s4_q <= equal_565_s3_q & (equal_4383_s3_q & (cfg_prove_i & or_4575));
+      and_4581_s4_q <= equal_565_s3_q & (equal_4383_s3_q & (cfg_prove_i & or_4364));
+      and_4587_s4_q <= and_4587;
+      and_4591_s4_q <= equal_565_s3_q & and_4590;
+      and_4597_s4_q <= equal_565_s3_q & (equal_4383_s3_q & (not_4583 & or_4594));
+      and_4601_s4_q <= and_4601;
+      and_4609_s4_q <= equal_565_s3_q & (equal_4383_s3_q & (cfg_prove_i & and_4606));
+      and_4614_s4_q <= equal_565_s3_q & (equal_4383_s3_q & select_4612);
+      and_4617_s4_q <= and_4617;
+      and_4621_s4_q <= and_4621;
+      select_4623_s4_q <= equal_565_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
+      select_4640_s4_q <= equal_565_s3_q ? (x_s3_q[6] ? select_4638 : 32'h0) : 32'h0;
     end
   end
 
@@ -7892,21 +7893,21 @@ module horopter_agreement (
   assign mask_o = mask_s4_q;
   assign marks_first_o = marks_first_s4_q;
   assign marks_last_o = marks_last_s4_q;
-  assign marks_seen_o = or_4567_s4_q;
-  assign marks_nearer_o = and_4568_s4_q;
-  assign verdict_valid_o = and_4543_s4_q;
-  assign verdict_unproven_yet_o = and_4576_s4_q;
-  assign verdict_untextured_o = and_4579_s4_q;
-  assign verdict_disagree_o = and_4585_s4_q;
-  assign verdict_moved_o = and_4589_s4_q;
-  assign verdict_unsharp_left_o = and_4595_s4_q;
-  assign verdict_unsharp_right_o = and_4599_s4_q;
-  assign verdict_hidden_o = and_4607_s4_q;
-  assign verdict_overlooked_o = and_4612_s4_q;
-  assign verdict_out_of_step_o = and_4615_s4_q;
-  assign frame_valid_o = and_4619_s4_q;
-  assign frame_index_o = select_4621_s4_q;
-  assign frame_word_o = select_4638_s4_q;
+  assign marks_seen_o = or_4569_s4_q;
+  assign marks_nearer_o = and_4570_s4_q;
+  assign verdict_valid_o = and_4545_s4_q;
+  assign verdict_unproven_yet_o = and_4578_s4_q;
+  assign verdict_untextured_o = and_4581_s4_q;
+  assign verdict_disagree_o = and_4587_s4_q;
+  assign verdict_moved_o = and_4591_s4_q;
+  assign verdict_unsharp_left_o = and_4597_s4_q;
+  assign verdict_unsharp_right_o = and_4601_s4_q;
+  assign verdict_hidden_o = and_4609_s4_q;
+  assign verdict_overlooked_o = and_4614_s4_q;
+  assign verdict_out_of_step_o = and_4617_s4_q;
+  assign frame_valid_o = and_4621_s4_q;
+  assign frame_index_o = select_4623_s4_q;
+  assign frame_word_o = select_4640_s4_q;
   assign valid_o = valid_s4_q;
 
   always_ff @(posedge clk_i) begin
@@ -7925,6 +7926,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_4277[4:0], sum_4243[1:0], sum_4198[1:0], product_4089[4:0], sum_3182[0], difference_3123[1:0], detail_4[1:0], detail_3[1:0], sum_2741[4:0], sum_2179[0], sum_2175[0], sum_722[4:0], cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], product_4279[4:0], sum_4245[1:0], sum_4200[1:0], product_4091[4:0], sum_3184[0], difference_3125[1:0], detail_4[1:0], detail_3[1:0], sum_2743[4:0], sum_2179[0], sum_2175[0], sum_722[4:0], cfg_width_i[2:0]};
 
 endmodule
