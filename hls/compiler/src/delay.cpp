@@ -36,6 +36,7 @@ DelayModel make_delay_model(Target target) {
       m.memory_read_ns = 5.30;   // 5.7 without its output register, less the margin it does not need (delay.hpp)
       m.memory_route_ns = 1.80;  // block RAMs lie in few rows; of hd's, routed, half are further away than this
       m.memory_setup_ns = 2.80;
+      m.bank_ns = 0.45;
       m.multiplier_ns = 4.60;
       m.multiplier_bits = 18;
       break;
@@ -53,6 +54,17 @@ std::uint32_t variable_bits(const Bits& bits) {
 }
 
 }  // namespace
+
+bool is_distributed(const Ram& ram) {
+  constexpr std::size_t few_words = 64, few_bits = 256;
+  return ram.depth <= few_words || std::size_t{ram.depth} * ram.width <= few_bits;
+}
+
+double DelayModel::read_address_ns(const Ram& ram) const {
+  constexpr double bank_words = 16;
+  return memory_setup_ns +
+         (is_distributed(ram) && ram.depth > bank_words ? bank_ns * std::log2(ram.depth / bank_words) : 0);
+}
 
 double DelayModel::node_ns(const Graph& graph, const Node& node) const {
   const auto variable = [&](std::size_t i) { return variable_bits(node.operands[i]); };

@@ -742,9 +742,7 @@ class Emitter {
       out << "  // So no address is read and written in one clock, and synthesis needs no bypass.\n  (* no_rw_check "
              "*)\n";
     }
-    // A block memory of an FPGA would be nearly empty, and there are few of them.
-    constexpr std::size_t kFewWords = 64;
-    if (ram.depth <= kFewWords) out << "  (* ram_style = \"distributed\" *)\n";
+    if (is_distributed(ram)) out << "  (* ram_style = \"distributed\" *)\n";
     out << "  logic " << range(stored) << name << "_mem [0:" << ram.depth - 1 << "];\n"
         << "`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop\n"
         << "  initial for (int i = 0; i < " << ram.depth << "; i++) " << name

@@ -157,7 +157,7 @@ class Scheduler {
     if (!registered_outputs(o_)) delay_[end_] = std::max(0.0, limit() - o_.output_ns);
     for (std::size_t r = 0; r < g_.rams.size(); ++r) {
       if (!ram_live_[r]) continue;
-      delay_[ram_address_[r]] = o_.delays.memory_setup_ns;
+      delay_[ram_address_[r]] = o_.delays.read_address_ns(g_.rams[r]);
       if (ram_write_[r] != kNone) delay_[ram_write_[r]] = o_.delays.memory_setup_ns;
     }
     for (Item a : rom_address_) {

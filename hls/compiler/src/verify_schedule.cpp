@@ -121,7 +121,7 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
         if (!all_usable(ram.read_address, read) || !usable(ram.read_enable, read)) {
           problem("RAM '" + ram.name + "': read address too late");
         }
-        in_time(latest(ram.read_address, read) + delays.memory_setup_ns, "read address of RAM '" + ram.name + "'",
+        in_time(latest(ram.read_address, read) + delays.read_address_ns(ram), "read address of RAM '" + ram.name + "'",
                 false);
         if (write == kDead) {
           if (ram.write_enable != kZero) problem("RAM '" + ram.name + "': its write is missing");

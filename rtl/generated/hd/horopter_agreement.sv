@@ -3,7 +3,7 @@
 //
 // Latency 24 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 3116 bits, pipeline 8709 bits, memories 157167 bits.
+// State 3116 bits, pipeline 8712 bits, memories 157167 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -3922,6 +3922,7 @@ module horopter_agreement (
   logic and_1571_s12_q;
   logic and_1573_s12_q;
   logic or_1581_s12_q;
+  logic and_1590_s12_q;
   logic right_2_s12_q;
   logic and_1684_s12_q;
   logic and_1697_s12_q;
@@ -4059,6 +4060,7 @@ module horopter_agreement (
       and_1571_s12_q <= and_1571;
       and_1573_s12_q <= and_1573;
       or_1581_s12_q <= or_1581_s11_q;
+      and_1590_s12_q <= or_578_s11_q & (slot_s11_q[2] & not_582_s11_q);
       right_2_s12_q <= right_2_s11_q;
       and_1684_s12_q <= and_1684_s11_q;
       and_1697_s12_q <= not_574 & and_1696_s11_q;
@@ -4167,9 +4169,6 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:788
   logic [6:0] select_1577;
   assign select_1577 = so_s12_q ? x_s12_q[6:0] : (or_578_s12_q ? (less_581_s12_q ? 7'h0 : select_625_s12_q) : 7'h0);
-  // hls/stages/agreement.hpp:149
-  logic and_1590;
-  assign and_1590 = or_578_s12_q & (slot_s12_q[2] & not_582_s12_q);
   // hls/stages/registration.hpp:214
   logic [10:0] sum_1708;
   assign sum_1708 = {{3{sum_1704_s12_q[7]}}, sum_1704_s12_q} + {sum_1707_s12_q[8], sum_1707_s12_q, select_1705_s12_q};
@@ -4249,6 +4248,7 @@ module horopter_agreement (
   // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1377; read in stage 12, written in stage 15: 12 < 15 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [1:0] shown_right_mem [0:119];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 120; i++) shown_right_mem[i] = 2'h0;
@@ -4267,6 +4267,7 @@ module horopter_agreement (
   // Memory left_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1378; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [1:0] left_turns_mem [0:119];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 120; i++) left_turns_mem[i] = 2'h0;
@@ -4275,7 +4276,7 @@ module horopter_agreement (
   assign left_turns_raddr = x_s12_q[6:0];
 `ifndef SYNTHESIS
   logic left_turns_re;
-  assign left_turns_re = s12_en & and_1590;
+  assign left_turns_re = s12_en & and_1590_s12_q;
 `endif
   logic [1:0] left_turns_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4285,6 +4286,7 @@ module horopter_agreement (
   // Memory right_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1378; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic [1:0] right_turns_mem [0:119];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 120; i++) right_turns_mem[i] = 2'h0;
@@ -4293,7 +4295,7 @@ module horopter_agreement (
   assign right_turns_raddr = select_625_s12_q;
 `ifndef SYNTHESIS
   logic right_turns_re;
-  assign right_turns_re = s12_en & and_1590;
+  assign right_turns_re = s12_en & and_1590_s12_q;
 `endif
   logic [1:0] right_turns_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4696,6 +4698,9 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:813
   logic less_1549;
   assign less_1549 = best_left_rdata_s13_q[39:33] < of_near;
+  // hls/stages/agreement.hpp:1128
+  logic equal_1606;
+  assign equal_1606 = x_s13_q[6:4] == 3'h7;
   // hls/stages/registration.hpp:147
   logic all;
   assign all = x_s13_q[5:3] == 3'h4;
@@ -4749,9 +4754,15 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:1050
   logic or_1983;
   assign or_1983 = select_1980[7] | (~({select_1980[5], select_1980[3], select_1980[1]} == 3'h0));
+  // hls/stages/agreement.hpp:1128
+  logic not_1991;
+  assign not_1991 = ~equal_1606;
   // hls/stages/agreement.hpp:1058
   logic or_1995;
   assign or_1995 = (~sum_1993_s13_q) | equal_1776_s13_q;
+  // hls/stages/agreement.hpp:788
+  logic and_1998;
+  assign and_1998 = so_s13_q & (ends_cell_s13_q & (inside_v_s13_q & or_1995));
   // hls/stages/agreement.hpp:262
   logic textured;
   assign textured = inside_v_s13_q & (or_578_s13_q & (not_582_s13_q & and_607_s13_q));
@@ -5083,9 +5094,11 @@ module horopter_agreement (
   logic or_1983_s14_q;
   logic or_1986_s14_q;
   logic or_1989_s14_q;
-  logic and_1998_s14_q;
+  logic not_1991_s14_q;
+  logic select_1999_s14_q;
   logic textured_s14_q;
   logic and_2014_s14_q;
+  logic and_2023_s14_q;
   logic [12:0] seen_columns_rdata_s14_q;
   logic and_2064_s14_q;
   logic and_2066_s14_q;
@@ -5206,7 +5219,7 @@ module horopter_agreement (
       left_turns_rdata_s14_q <= left_turns_rdata_q;
       and_1599_s14_q <= and_1599_s13_q;
       right_turns_rdata_s14_q <= right_turns_rdata_q;
-      equal_1606_s14_q <= x_s13_q[6:4] == 3'h7;
+      equal_1606_s14_q <= equal_1606;
       all_s14_q <= all;
       equal_1620_s14_q <= equal_1620;
       equal_1622_s14_q <= equal_1622;
@@ -5254,9 +5267,11 @@ module horopter_agreement (
       or_1983_s14_q <= or_1983;
       or_1986_s14_q <= select_1980[7] | (~({select_1980[6], select_1980[3:2]} == 3'h0));
       or_1989_s14_q <= select_1980[7] | (~(select_1980[6:4] == 3'h0));
-      and_1998_s14_q <= so_s13_q & (ends_cell_s13_q & (inside_v_s13_q & or_1995));
+      not_1991_s14_q <= not_1991;
+      select_1999_s14_q <= equal_573_s13_q ? (x_s13_q[6] & not_1991) : and_1998;
       textured_s14_q <= textured;
       and_2014_s14_q <= and_2014_s13_q;
+      and_2023_s14_q <= not_574_s13_q & and_1998;
       seen_columns_rdata_s14_q <= {seen_columns_rdata_s13_q[13:7], seen_columns_rdata_s13_q[5:0]};
       and_2064_s14_q <= seen_columns_rdata_s13_q[14] & inside_v_s13_q;
       and_2066_s14_q <= seen_columns_rdata_s13_q[5] & inside_v_s13_q;
@@ -5436,9 +5451,6 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:788
   logic [5:0] select_1990;
   assign select_1990 = equal_573_s14_q ? x_s14_q[5:0] : {region_row_q, or_1989_s14_q, or_1986_s14_q, or_1983_s14_q};
-  // hls/stages/agreement.hpp:1128
-  logic not_1991;
-  assign not_1991 = ~equal_1606_s14_q;
   // hls/stages/agreement.hpp:149
   logic and_2016;
   assign and_2016 = or_578_s14_q & (not_582_s14_q & and_2014_s14_q);
@@ -5631,7 +5643,7 @@ module horopter_agreement (
   assign regions_raddr = select_1990;
 `ifndef SYNTHESIS
   logic regions_re;
-  assign regions_re = s14_en & (equal_573_s14_q ? (x_s14_q[6] & not_1991) : and_1998_s14_q);
+  assign regions_re = s14_en & select_1999_s14_q;
 `endif
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -6093,10 +6105,10 @@ module horopter_agreement (
       or_1983_s15_q <= or_1983_s14_q;
       or_1986_s15_q <= or_1986_s14_q;
       or_1989_s15_q <= or_1989_s14_q;
-      not_1991_s15_q <= not_1991;
+      not_1991_s15_q <= not_1991_s14_q;
       textured_s15_q <= textured_s14_q;
       and_2016_s15_q <= and_2016;
-      and_2023_s15_q <= not_574_s14_q & and_1998_s14_q;
+      and_2023_s15_q <= and_2023_s14_q;
       seen_columns_rdata_s15_q <= seen_columns_rdata_s14_q;
       shown_s15_q <= shown;
       near_s15_q <= near;

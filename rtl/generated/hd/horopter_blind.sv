@@ -3,7 +3,7 @@
 //
 // Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 91 bits, pipeline 325 bits, memories 131896 bits.
+// State 91 bits, pipeline 327 bits, memories 131896 bits.
 module horopter_blind (
   input  logic clk_i,
   input  logic rst_ni,
@@ -508,7 +508,9 @@ module horopter_blind (
   logic [1:0] taught_high_low_rdata_s5_q;
   logic and_103_s5_q;
   logic and_115_s5_q;
+  logic not_117_s5_q;
   logic equal_119_s5_q;
+  logic and_120_s5_q;
   logic last_s5_q;
   logic and_180_s5_q;
   logic and_182_s5_q;
@@ -531,7 +533,9 @@ module horopter_blind (
       taught_high_low_rdata_s5_q <= taught_high_low_rdata_q;
       and_103_s5_q <= and_103_s4_q;
       and_115_s5_q <= and_115;
+      not_117_s5_q <= ~(and_115 ^ equal_53_s4_q);
       equal_119_s5_q <= equal_119;
+      and_120_s5_q <= or_37_s4_q & equal_119;
       last_s5_q <= last_s4_q;
       and_180_s5_q <= or_37_s4_q & (and_165 & equal_178_s4_q);
       and_182_s5_q <= and_182_s4_q;
@@ -551,24 +555,20 @@ module horopter_blind (
   assign select_95 = has_taught_q ? {taught_high_high_high_rdata_s5_q[0], taught_high_high_low_rdata_s5_q, taught_high_low_rdata_s5_q, taught_low_rdata_s5_q} : 7'h0;
   logic [6:0] known;
   assign known = parity_81 ? 7'h0 : select_95;
-  // hls/stages/blind.hpp:157
-  logic not_117;
-  assign not_117 = ~(and_115_s5_q ^ equal_53_s5_q);
-  logic and_120;
-  assign and_120 = or_37_s5_q & equal_119_s5_q;
 
   // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:197; read in stage 5, written in stage 7: 5 < 7 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic blind_mem [0:255];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 256; i++) blind_mem[i] = 1'b0;
 `endif
   logic [7:0] blind_raddr;
-  assign blind_raddr = {block_s5_q, not_117};
+  assign blind_raddr = {block_s5_q, not_117_s5_q};
 `ifndef SYNTHESIS
   logic blind_re;
-  assign blind_re = s5_en & and_120;
+  assign blind_re = s5_en & and_120_s5_q;
 `endif
   logic blind_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -614,7 +614,7 @@ module horopter_blind (
       and_103_s6_q <= and_103_s5_q;
       and_115_s6_q <= and_115_s5_q;
       equal_119_s6_q <= equal_119_s5_q;
-      and_120_s6_q <= and_120;
+      and_120_s6_q <= and_120_s5_q;
       select_123_s6_q <= watches_q;
       last_s6_q <= last_s5_q;
       and_180_s6_q <= and_180_s5_q;

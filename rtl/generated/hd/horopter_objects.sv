@@ -3,7 +3,7 @@
 //
 // Latency 14 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 772 bits, pipeline 2264 bits, memories 12736 bits.
+// State 772 bits, pipeline 2265 bits, memories 12736 bits.
 module horopter_objects (
   input  logic clk_i,
   input  logic rst_ni,
@@ -321,6 +321,7 @@ module horopter_objects (
   logic equal_274_s4_q;
   logic equal_275_s4_q;
   logic not_276_s4_q;
+  logic and_278_s4_q;
   logic select_285_s4_q;
   logic and_293_s4_q;
   logic and_302_s4_q;
@@ -346,6 +347,7 @@ module horopter_objects (
       equal_274_s4_q <= equal_274;
       equal_275_s4_q <= equal_275;
       not_276_s4_q <= not_276;
+      and_278_s4_q <= not_273_s3_q & (equal_274 & not_276);
       select_285_s4_q <= select_285_s3_q;
       and_293_s4_q <= before_v_q;
       and_302_s4_q <= and_302;
@@ -382,7 +384,7 @@ module horopter_objects (
   assign queue_raddr = read_s4_q;
 `ifndef SYNTHESIS
   logic queue_re;
-  assign queue_re = s4_en & (not_273_s4_q & (equal_274_s4_q & not_276_s4_q));
+  assign queue_re = s4_en & and_278_s4_q;
 `endif
   logic [77:0] queue_rdata_q;
   always_ff @(posedge clk_i) begin

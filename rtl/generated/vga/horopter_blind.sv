@@ -225,6 +225,7 @@ module horopter_blind (
   // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:197; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
+  (* ram_style = "distributed" *)
   logic blind_mem [0:255];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
   initial for (int i = 0; i < 256; i++) blind_mem[i] = 1'b0;

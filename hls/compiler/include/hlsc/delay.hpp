@@ -27,16 +27,23 @@ struct DelayModel {
   double memory_read_ns = 0;          ///< clock to output of a block RAM, routing to the next operation excluded
   double memory_route_ns = 0;         ///< what the way from its output (register) is longer than any other's
   double memory_setup_ns = 0;         ///< routing to and set-up of a block RAM's address, data and enable
+  double bank_ns = 0;                 ///< each doubling of a distributed memory's banks of 16 words
   double multiplier_ns = 0;           ///< a hard multiplier; 0: there is none, multipliers are made of adders
   std::uint32_t multiplier_bits = 0;  ///< widest operand of a hard multiplier
 
   /// A table of at least so many bits is read synchronously from a block RAM where the schedule permits.
   std::uint32_t synchronous_rom_bits = 1024;
 
+  /// From a memory's read address to the register of its data.
+  double read_address_ns(const Ram& ram) const;
   /// From the latest operand to the result; for sources beyond `launch_ns`.
   double node_ns(const Graph& graph, const Node& node) const;
 };
 
 DelayModel make_delay_model(Target target);
+
+/// Memories of few words or bits are made of look-up tables: a block memory of an FPGA would be nearly empty, and there are
+/// few of them.
+bool is_distributed(const Ram& ram);
 
 }  // namespace hlsc
