@@ -165,8 +165,8 @@ module horopter_csr #(
     write_group_q[8] <= write_addr_i[11:5] == 7'h0C;
     write_group_q[9] <= write_addr_i[11:5] == 7'h0D;
     write_group_q[10] <= write_addr_i[11:5] == 7'h0E;
-    write_error_o <= refused;
   end
+  assign write_error_o = !write_q;  // one register for both: no upset of it stores what was refused, or the reverse
   assign refused = !(free || (lockable && !locked_i) || (whole && write_strb_i == 4'hF));
   assign free = (write_group_q[0] && (write_word_q & 8'hC1) != 8'd0)
       || (write_group_q[1] && (write_word_q & 8'h03) != 8'd0)

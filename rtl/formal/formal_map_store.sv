@@ -235,7 +235,7 @@ module formal_map_store (
       end
       if (\dut.state_q == WALK && \dut.step_q >= 7'd1) assert (!\dut.odd_q );
       if (\dut.state_q > WALK && stays) assert (apart);
-      if (\dut.replaces_q ) assert (\dut.state_q == FACTS || \dut.start_q );
+      if (\dut.replaces_q ) assert (\dut.state_q == FACTS || \dut.state_q == DATA || \dut.start_q );
 
       // --- properties ---
       if (\dut.store_entry ) assert (\dut.data == past_data);  // u_entry: STEADY

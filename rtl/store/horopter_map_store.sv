@@ -202,7 +202,7 @@ module horopter_map_store #(
   end
   assign replaces = !start_q && state_q == WALK && walked_q && in_use_stays && !overlap_in_use_q;
   always_ff @(posedge clk_i) begin
-    replaces_q <= rst_ni && replaces;
+    replaces_q <= rst_ni && !start_q && (replaces || state_q == FACTS);  // as long as the facts come, should an upset take it back
     for (int unsigned i = 0; i < 16; i++) begin
       valid_q[i] <= rst_ni && ((valid_q[i] && !(replaces_q && overlap_q[i]) && !(start_q && !slot_in_use_q && start_mask_q[i]))
           || (store_entry && !start_q && upload_mask_q[i]));
