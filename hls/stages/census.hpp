@@ -241,7 +241,7 @@ class CellAverager {
   std::array<Kept<u<mean_bits + 2>>, 2> total_{};
   std::array<Kept<u<mean_bits + 5>>, 2> detail_{};
   Place place_{0};
-  bool inside_ = true;  // the place is in the memory; it is no longer compared where it is used
+  bool inside_ = true;  // the place is in the memory; kept, as comparing it would take long
   bool running_mask_ = false, running_of_skin_ = false;
   bool mask_ = false, of_skin_ = false;
 };
