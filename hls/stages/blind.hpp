@@ -10,7 +10,7 @@
 //
 // In      the pixels of the result in raster order: first, last of a row. After the frame: beats with `idle`, not pixels,
 //         until `done`. A frame in which no idle beat follows has taught nothing for good.
-// Config  width, height: of the frame. width, teach, watch: taken with its first pixel. The first frame with `teach` after one
+// Config  width, height: of the frame; they, teach, watch: taken with its first pixel. The first frame with `teach` after one
 //         without it forgets what was taught. blind_margin: in 1/64 of a block's pixels. Never taught is taught that
 //         everything can be decided, and so is a block of which the number kept is damaged. forget: with the first pixel,
 //         too; the frame before this one taught, but had a fault or an alarm: what was taught is not true.
@@ -141,7 +141,8 @@ class BlindBlocks {
     teaches_ = config.teach;
     watches_ = config.watch && !config.teach;
     ended_ = false;
-    row_ = Row(0);
+    rows_expected_ = config.height;
+    last_row_ = false;
     inner_row_ = u<inner_bits>(0);
     odd_ = first_above_ = false;
     new_block_ = true;
@@ -169,14 +170,16 @@ class BlindBlocks {
     const Count above = counts_.read(block);
     const Count count((inner_row_ == 0 ? Count(0) : above) + in_row_);
     counts_.write(block, count);
-    if (inner_row_ != SIDE - 1 && row_ + lit<1>() != config.height) return;
+    if (inner_row_ != SIDE - 1 && !last_row_) return;
     const Place place(place_ + block);
     const Word word = taught_.read(place);
-    const Count known(odd(word) || !has_taught_ ? u<count_bits>(0)
-                                                : shl<coarse>(word.template bits<word_bits - 2, 0>()));
+    const bool unknown = odd(word) || !has_taught_;
+    const auto value = word.template bits<word_bits - 2, 0>();
+    const Count known(unknown ? u<count_bits>(0) : shl<coarse>(value));
     const auto stored = shr<coarse>((known < count ? count : known) + lit<(1 << coarse) - 1>());
     if (teaches_) taught_.write(place, even(u<word_bits - 1>(stored)));
-    const auto limit = known + shl<coarse>(config.blind_margin);
+    const auto raised = value + config.blind_margin;
+    const auto limit = shl<coarse>(unknown ? decltype(raised)(config.blind_margin) : raised);
     blind_.write(cat(block, u<1>(odd_)), u<1>(watches_ && count > limit));
   }
 
@@ -188,7 +191,8 @@ class BlindBlocks {
       place_ = Place(place_ + lit<blocks_across>());
     }
     inner_row_ += lit<1>();
-    row_ += lit<1>();
+    last_row_ = rows_expected_ == 2;
+    rows_expected_ = Row(rows_expected_ - lit<1>());
   }
 
   ColumnMemory<States, WIDTH> states_;
@@ -197,7 +201,8 @@ class BlindBlocks {
   RAM<u<1>, 2 << bits_for(blocks_across - 1), min_row_beats> blind_;  // of two rows of blocks in turn
   Column x_{0};                                                       // of the next pixel, unless a row begins
   Column before_{0}, before_end_{WIDTH - 2};                          // the last row's last column but one
-  Row row_{0};
+  Row rows_expected_{0};                                              // this one and those below
+  bool last_row_ = false;                                             // of them
   u<inner_bits> inner_row_{0};
   Block last_block_{0};  // of a row
   bool odd_ = false;     // row of blocks

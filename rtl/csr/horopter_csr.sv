@@ -198,7 +198,7 @@ module horopter_csr #(
       && !(map_data_valid_o && !map_data_ready_i);
 
   // What is written is stored a clock later. One-hot: which register.
-  logic [40:0] store_q;
+  logic [43:0] store_q;
   logic [31:0] data_q;
   logic [3:0] strb_q;
   always_ff @(posedge clk_i) begin
@@ -243,6 +243,9 @@ module horopter_csr #(
     store_q[38] <= taken_q && write_q && write_group_q[9] && write_word_q[0];
     store_q[39] <= taken_q && write_q && write_group_q[9] && write_word_q[4];
     store_q[40] <= taken_q && write_q && write_group_q[10] && write_word_q[0];
+    store_q[41] <= taken_q && write_q && write_group_q[1] && write_word_q[1];
+    store_q[42] <= taken_q && write_q && write_group_q[5] && write_word_q[0];
+    store_q[43] <= taken_q && write_q && write_group_q[5] && write_word_q[1];
     if (!rst_ni) store_q <= '0;
     data_q <= write_data_i;
     strb_q <= write_strb_i;
@@ -1034,8 +1037,8 @@ module horopter_csr #(
   logic [ 1:0] irq_status_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) irq_status_q <= 2'd0;
-    else if (taken_q && write_q && write_group_q[1] && write_word_q[1])
-      irq_status_q <= (irq_status_q & ~(write_data_i[1:0] & {{2{write_strb_i[0]}}})) | irq_status_set_i;
+    else if (store_q[41])
+      irq_status_q <= (irq_status_q & ~(data_q[1:0] & {{2{strb_q[0]}}})) | irq_status_set_i;
     else irq_status_q <= irq_status_q | irq_status_set_i;
   end
   assign irq_status_o = irq_status_q;
@@ -1044,8 +1047,8 @@ module horopter_csr #(
   logic [27:0] faults_cameras_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) faults_cameras_q <= 28'd0;
-    else if (taken_q && write_q && write_group_q[5] && write_word_q[0])
-      faults_cameras_q <= (faults_cameras_q & ~({write_data_i[29:16], write_data_i[13:0]} & {{6{write_strb_i[3]}}, {8{write_strb_i[2]}}, {6{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_cameras_set_i;
+    else if (store_q[42])
+      faults_cameras_q <= (faults_cameras_q & ~({data_q[29:16], data_q[13:0]} & {{6{strb_q[3]}}, {8{strb_q[2]}}, {6{strb_q[1]}}, {8{strb_q[0]}}})) | faults_cameras_set_i;
     else faults_cameras_q <= faults_cameras_q | faults_cameras_set_i;
   end
   assign faults_cameras_o = faults_cameras_q;
@@ -1054,8 +1057,8 @@ module horopter_csr #(
   logic [21:0] faults_machine_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) faults_machine_q <= 22'd0;
-    else if (taken_q && write_q && write_group_q[5] && write_word_q[1])
-      faults_machine_q <= (faults_machine_q & ~(write_data_i[21:0] & {{6{write_strb_i[2]}}, {8{write_strb_i[1]}}, {8{write_strb_i[0]}}})) | faults_machine_set_i;
+    else if (store_q[43])
+      faults_machine_q <= (faults_machine_q & ~(data_q[21:0] & {{6{strb_q[2]}}, {8{strb_q[1]}}, {8{strb_q[0]}}})) | faults_machine_set_i;
     else faults_machine_q <= faults_machine_q | faults_machine_set_i;
   end
   assign faults_machine_o = faults_machine_q;

@@ -55,13 +55,13 @@ module horopter_areas #(
 
   // --- copy ---
   logic [4:1] begin_q;
-  logic reading_q, write_q, copy_error_q;
+  logic reading_q, more_q, write_q, copy_error_q;  // more_q: words are still to be read
   logic [WORD_BITS-1:0] read_word_q, copied_q, write_addr_q;
-  logic [11:0] areas_q, left_q;  // words of areas: all, and that are still to be read
+  logic [11:0] areas_q, left_q;  // words of areas: all, and how many are still to be read
   logic [ADDR_BITS-1:0] addr_q;
   logic [READ:1] valid_q;
   logic [31:0] word_q;
-  assign read_o = reading_q && left_q != 12'd0;
+  assign read_o = reading_q && more_q;
   assign addr_o = addr_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -82,12 +82,14 @@ module horopter_areas #(
       read_word_q <= '0;
       copied_q <= '0;
       left_q <= areas_q;
+      more_q <= areas_q != 12'd0;
       addr_q <= base_i - ADDR_BITS'((13'(areas_i) + 13'd1) >> 1);
     end else begin
       if (read_o) begin
         read_word_q <= read_word_q + 1'b1;
         addr_q <= addr_q + ADDR_BITS'(read_word_q[0]);
         left_q <= left_q - 12'd1;
+        more_q <= left_q != 12'd1;
       end
       if (valid_q[READ]) copied_q <= copied_q + 1'b1;
     end

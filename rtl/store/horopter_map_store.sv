@@ -154,8 +154,7 @@ module horopter_map_store #(
   logic checked_q, right_q;  // the last word was taken in the clock before, and was the CRC
   logic overlap_in_use_q;  // what the walk found
   logic walked_q;  // as of the clock before, like overlap_in_use_q
-  logic [8:0] in_use_q;  // what it was decided for
-  logic in_use_stays;
+  logic in_use_stays_q;  // that it was decided for
   logic first_bad_q, count_bad_q;  // as the first word, as that with the number of facts it is not possible
   logic data_ready_q;  // of the clock before: later than need be, never too early
   assign data_ready_o = data_ready_q;
@@ -200,7 +199,7 @@ module horopter_map_store #(
     start_mask_q <= 16'd1 << slot_i;
     upload_mask_q <= 16'd1 << slot_q;
   end
-  assign replaces = !start_q && state_q == WALK && walked_q && in_use_stays && !overlap_in_use_q;
+  assign replaces = !start_q && state_q == WALK && walked_q && in_use_stays_q && !overlap_in_use_q;
   always_ff @(posedge clk_i) begin
     replaces_q <= rst_ni && !start_q && (replaces || state_q == FACTS);  // as long as the facts come, should an upset take it back
     for (int unsigned i = 0; i < 16; i++) begin
@@ -239,9 +238,8 @@ module horopter_map_store #(
   end
 
   // Decided when the walk is over, for what is in use then: the selection may change during it.
-  assign in_use_stays = in_use_q == {running_q, selected_q, active_q};
   always_ff @(posedge clk_i) begin
-    in_use_q <= {running_q, selected_q, active_q};
+    in_use_stays_q <= {running_i, selected_slot_i, active_slot_i} == {running_q, selected_q, active_q};
     overlap_in_use_q <= running_q && (overlap_q[selected_q] || overlap_q[active_q]);
     walked_q <= state_q == WALK && step_q[6];
   end
@@ -305,7 +303,7 @@ module horopter_map_store #(
         end
 
         WALK:
-        if (walked_q && in_use_stays) begin
+        if (walked_q && in_use_stays_q) begin
           if (overlap_in_use_q) begin
             state_q <= IDLE;
             error_o <= IN_USE;

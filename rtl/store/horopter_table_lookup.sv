@@ -22,10 +22,13 @@ module horopter_table_lookup #(
     output logic [         11:0] columns_o,
     output logic                 spans_o
 );
+  logic valid_q, fits_q;
+  assign ok_o = valid_q && fits_q;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) ok_o <= 1'b0;
-    else if (take_i) ok_o <= valid_i && fits_i;
+    if (!rst_ni) valid_q <= 1'b0;
+    else if (take_i) valid_q <= valid_i;
     if (take_i) begin
+      fits_q <= fits_i;
       base_o <= base_i;
       nx_o <= nx_i;
       ny_o <= ny_i;

@@ -443,6 +443,35 @@ std::set<std::string> faults_of_scenes() {
   return bench.raised;
 }
 
+/// Changes the lowest bit of a register in the first clock in which another one, or it itself, is 1.
+template <class Build>
+class Upset final : public Endpoint {
+ public:
+  Upset(typename Build::Model& model, std::string_view name, std::string_view when)
+      : model_{model}, signal_{find(name)}, when_{find(when)} {}
+  void arm() { armed_ = true; }
+  bool has_been() const { return !armed_; }
+  void drive() override {
+    if (!armed_ || !when_.get(0)) return;
+    armed_ = false;
+    signal_.flip(0);
+    Build::settle(model_);
+  }
+  void sample() override {}
+
+ private:
+  upset::Signal find(std::string_view name) {
+    for (const upset::Signal& signal : Build::signals(model_)) {
+      if (signal.name == name) return signal;
+    }
+    FAIL("no register " << name);
+    return {};
+  }
+  typename Build::Model& model_;
+  upset::Signal signal_, when_;
+  bool armed_ = false;
+};
+
 /// A scene before the skin: what it hides counts as undecidable against 19/16 of the limit, to the pixel.
 template <class Build>
 void check_that_little_is_decided() {
@@ -477,6 +506,20 @@ void check_that_little_is_decided() {
     CAPTURE(p.fault_names());
     CHECK(static_cast<int>(p.undecidable) == undecidable);
     CHECK(p.fault_names().contains("too_undecidable") == (limit < enough));
+    if (limit == enough) {  // an upset makes the count jump over it
+      machine.send(nearer);
+      const std::size_t some = std::size_t{machine.options().width} * machine.options().height / 4;
+      machine.simulation().run_until([&] { return machine.states().beats().size() > some; }, 1'000'000, "some states");
+      int flipped = 0;
+      for (const upset::Signal& signal : Build::signals(machine.model())) {
+        if (std::string_view(signal.name) != "undecidable_pixels") continue;
+        signal.flip(signal.bits - 1);
+        ++flipped;
+      }
+      CHECK(flipped == 1);
+      Build::settle(machine.model());
+      CHECK(machine.receive().fault_names().contains("too_undecidable"));
+    }
     machine.select(0);
     result();
   }
@@ -624,6 +667,42 @@ TEMPLATE_TEST_CASE(
     bench.restart();
     bench.until_safe();
   }
+}
+
+TEMPLATE_TEST_CASE("a write is stored when it is answered as done, and only then, whatever an upset makes of it",
+                   "[faults][every]", FieldThesis, VgaThesis, HdThesis) {
+  Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  Upset<TestType> upset{machine.model(), "u_csr.write_q", "u_csr.taken_q"};
+  machine.simulation().attach(upset);
+  for (const auto& [address, locked] : {std::pair{reg::alarm_limit::kAddress, false}, {reg::width::kAddress, true}}) {
+    for (const bool disturbed : {false, true}) {
+      CAPTURE(TestType::kProfile, address, disturbed);
+      const std::uint32_t value = machine.read(address) ^ 1U;
+      if (disturbed) upset.arm();
+      const bool done = machine.try_write(address, value);
+      CHECK(upset.has_been());
+      CHECK(done == (locked == disturbed));
+      machine.settle(10);
+      CHECK((machine.read(address) == value) == done);
+    }
+  }
+}
+
+TEMPLATE_TEST_CASE("an upset does not make a table valid again of which an upload has overwritten a part",
+                   "[faults][every]", FieldThesis, VgaThesis, HdThesis) {
+  Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  const auto base = static_cast<unsigned>(bench.table.size());
+  machine.upload(2, base, bench.table);
+  machine.select(2);
+  bench.until_safe();
+  Upset<TestType> upset{machine.model(), "u_map_store.replaces_q", "u_map_store.replaces_q"};
+  machine.simulation().attach(upset);
+  upset.arm();
+  machine.upload_part(1, 0, bench.table, 0, bench.table.size() - 1);
+  CHECK(upset.has_been());
+  CHECK(machine.read(reg::map_valid::kAddress) == 1U << 2);
 }
 
 /// Both images in one stream.

@@ -183,6 +183,23 @@ TEST_CASE("a button that is stuck is a fault until it is let go", "[interlock]")
   CHECK(guarded.last.fault_names().empty());
 }
 
+TEST_CASE("the frame that ends lateness is good, and does not make safe", "[interlock]") {
+  const bool by_itself = GENERATE(true, false);
+  Guarded guarded(by_itself ? reg::interlock::kByItself.put(1) : kByPin);
+  guarded.frames(kFrames);
+  if (!by_itself) guarded.press(1);
+  CHECK(guarded.frames(1));
+  guarded.machine.settle(2 * 40'000);
+  CHECK(guarded.machine.model().safe_o == 0);
+  CHECK_FALSE(guarded.frames(1));
+  CHECK(guarded.last.safe());  // the frame itself
+  CHECK(guarded.frames(1) == by_itself);
+  CHECK(guarded.frames(kFrames) == by_itself);
+  if (by_itself) return;
+  guarded.press(1);
+  CHECK(guarded.frames(1));
+}
+
 TEST_CASE("the key restarts where it is allowed, and nothing else does", "[interlock]") {
   const bool allowed = GENERATE(false, true);
   Guarded guarded(allowed ? kByRegister : kByPin);

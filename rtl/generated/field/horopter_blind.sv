@@ -3,7 +3,7 @@
 //
 // Latency 2 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 79 bits, pipeline 41 bits, memories 20797 bits.
+// State 80 bits, pipeline 41 bits, memories 20797 bits.
 module horopter_blind (
   input  logic clk_i,
   input  logic rst_ni,
@@ -36,18 +36,19 @@ module horopter_blind (
   assign s1_en = en_i & valid_s1_q;
 
   // Of the configuration alone: not pipelined.
+  logic not_83;
+  assign not_83 = ~cfg_forget_i;
   logic not_84;
-  assign not_84 = ~cfg_forget_i;
-  logic not_85;
-  assign not_85 = ~cfg_teach_i;
-  logic [5:0] select_135;
-  assign select_135 = (cfg_width_i[8:4] == 5'h0) ? 6'h1 : ((2'h2 < cfg_width_i[8:7]) ? 6'h2e : (cfg_width_i[8:3] + 6'h3f));
+  assign not_84 = ~cfg_teach_i;
+  logic [5:0] select_139;
+  assign select_139 = (cfg_width_i[8:4] == 5'h0) ? 6'h1 : ((2'h2 < cfg_width_i[8:7]) ? 6'h2e : (cfg_width_i[8:3] + 6'h3f));
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [8:0] x_q;
   logic [8:0] before_v_q;
   logic [8:0] before_end_q;
-  logic [8:0] row_q;
+  logic [8:0] rows_expected_q;
+  logic last_row_q;
   logic [2:0] inner_row_q;
   logic [5:0] last_block_q;
   logic odd_q;
@@ -65,110 +66,104 @@ module horopter_blind (
   logic session_q;
   logic has_taught_q;
   // hls/stages/blind.hpp:65
-  logic not_32;
-  assign not_32 = ~idle_i;
-  logic and_33;
-  assign and_33 = first_i & not_32;
+  logic not_33;
+  assign not_33 = ~idle_i;
+  logic and_34;
+  assign and_34 = first_i & not_33;
   // hls/stages/blind.hpp:67
   logic [8:0] x;
-  assign x = (row_ended_q | and_33) ? 9'h0 : x_q;
+  assign x = (row_ended_q | and_34) ? 9'h0 : x_q;
   // hls/stages/blind.hpp:65
-  logic and_36;
-  assign and_36 = idle_i & more_q;
+  logic and_37;
+  assign and_37 = idle_i & more_q;
   // hls/stages/blind.hpp:78
-  logic or_37;
-  assign or_37 = not_32 | and_36;
+  logic or_38;
+  assign or_38 = not_33 | and_37;
   // hls/stages/blind.hpp:77
   logic [5:0] block;
   assign block = (last_block_q < x[8:3]) ? last_block_q : x[8:3];
-  // hls/stages/blind.hpp:165
+  // hls/stages/blind.hpp:166
   logic ends;
   assign ends = last_i | ((~(last_block_q == block)) & (x[2:0] == 3'h7));
-  // hls/stages/blind.hpp:169
-  logic and_46;
-  assign and_46 = not_32 & ends;
+  // hls/stages/blind.hpp:170
+  logic and_47;
+  assign and_47 = not_33 & ends;
   // hls/stages/blind.hpp:69
-  logic or_48;
-  assign or_48 = new_block_q | and_33;
-  logic [2:0] select_52;
-  assign select_52 = and_33 ? 3'h0 : inner_row_q;
-  // hls/stages/blind.hpp:157
-  logic equal_53;
-  assign equal_53 = select_52 == 3'h0;
+  logic or_49;
+  assign or_49 = new_block_q | and_34;
+  logic [2:0] select_53;
+  assign select_53 = and_34 ? 3'h0 : inner_row_q;
+  // hls/stages/blind.hpp:158
+  logic equal_54;
+  assign equal_54 = select_53 == 3'h0;
   // hls/stages/blind.hpp:69
-  logic [10:0] select_56;
-  assign select_56 = and_33 ? 11'h0 : place_q;
-  // hls/stages/blind.hpp:173
+  logic [10:0] select_57;
+  assign select_57 = and_34 ? 11'h0 : place_q;
+  // hls/stages/blind.hpp:174
   logic [10:0] place;
-  assign place = select_56 + {5'h0, block};
-  // hls/stages/blind.hpp:172
-  logic equal_58;
-  assign equal_58 = select_52 == 3'h7;
+  assign place = select_57 + {5'h0, block};
+  // hls/stages/blind.hpp:65
+  logic not_59;
+  assign not_59 = ~and_34;
   // hls/stages/blind.hpp:69
-  logic [8:0] select_59;
-  assign select_59 = and_33 ? 9'h0 : row_q;
-  // hls/stages/blind.hpp:172
-  logic [9:0] sum_60;
-  assign sum_60 = {1'b0, select_59} + 10'h1;
+  logic and_60;
+  assign and_60 = last_row_q & not_59;
+  // hls/stages/blind.hpp:173
   logic equal_61;
-  assign equal_61 = {sum_60[9], cfg_height_i} == {1'b0, sum_60[8:0]};
+  assign equal_61 = select_53 == 3'h7;
   // hls/stages/blind.hpp:80
   logic and_64;
-  assign and_64 = not_32 & (ends & (equal_58 | equal_61));
-  // hls/stages/blind.hpp:65
-  logic not_79;
-  assign not_79 = ~and_33;
+  assign and_64 = not_33 & (ends & (and_60 | equal_61));
   // hls/stages/blind.hpp:69
-  logic and_80;
-  assign and_80 = ended_q & not_79;
-  logic and_82;
-  assign and_82 = idle_i & (~and_80);
-  logic select_83;
-  assign select_83 = and_33 ? cfg_teach_i : teaches_q;
-  logic select_89;
-  assign select_89 = and_33 ? (has_taught_q & (not_84 & (session_q | not_85))) : has_taught_q;
-  // hls/stages/blind.hpp:80
-  logic and_110;
-  assign and_110 = not_32 & (ends & (equal_58 ? select_83 : (select_83 & equal_61)));
-  // hls/stages/blind.hpp:69
+  logic and_79;
+  assign and_79 = ended_q & not_59;
+  logic and_81;
+  assign and_81 = idle_i & (~and_79);
+  logic select_82;
+  assign select_82 = and_34 ? cfg_teach_i : teaches_q;
+  logic select_88;
+  assign select_88 = and_34 ? (has_taught_q & (not_83 & (session_q | not_84))) : has_taught_q;
   logic and_111;
-  assign and_111 = odd_q & not_79;
-  // hls/stages/blind.hpp:157
+  assign and_111 = odd_q & not_59;
+  // hls/stages/blind.hpp:158
   logic not_113;
-  assign not_113 = ~(and_111 ^ equal_53);
+  assign not_113 = ~(and_111 ^ equal_54);
   // hls/stages/blind.hpp:69
   logic [3:0] select_114;
-  assign select_114 = and_33 ? 4'h0 : above_q;
-  // hls/stages/blind.hpp:158
+  assign select_114 = and_34 ? 4'h0 : above_q;
+  // hls/stages/blind.hpp:159
   logic equal_115;
   assign equal_115 = select_114 == 4'h9;
-  // hls/stages/blind.hpp:157
+  // hls/stages/blind.hpp:158
   logic and_116;
-  assign and_116 = or_37 & equal_115;
+  assign and_116 = or_38 & equal_115;
   // hls/stages/blind.hpp:66
   logic last;
   assign last = idle_i ? at_end_q : last_i;
   // hls/stages/blind.hpp:84
   logic [8:0] select_126;
-  assign select_126 = (not_32 & last) ? before_v_q : before_end_q;
+  assign select_126 = (not_33 & last) ? before_v_q : before_end_q;
   // hls/stages/blind.hpp:82
   logic and_127;
-  assign and_127 = last & or_37;
-  // hls/stages/blind.hpp:83
-  logic [10:0] select_141;
-  assign select_141 = and_127 ? (equal_58 ? (select_56 + 11'h2f) : select_56) : select_56;
-  logic [3:0] select_146;
-  assign select_146 = and_127 ? (equal_115 ? select_114 : (select_114 + 4'h1)) : select_114;
-  // hls/stages/blind.hpp:89
-  logic or_148;
-  assign or_148 = and_33 | (and_36 & last);
+  assign and_127 = last & or_38;
   // hls/stages/blind.hpp:69
-  logic and_161;
-  assign and_161 = first_above_q & not_79;
-  logic select_166;
-  assign select_166 = and_33 ? (session_q & (cfg_teach_i & not_84)) : session_q;
+  logic [8:0] select_128;
+  assign select_128 = and_34 ? cfg_height_i : rows_expected_q;
+  // hls/stages/blind.hpp:83
+  logic [10:0] select_145;
+  assign select_145 = and_127 ? (equal_61 ? (select_57 + 11'h2f) : select_57) : select_57;
+  logic [3:0] select_150;
+  assign select_150 = and_127 ? (equal_115 ? select_114 : (select_114 + 4'h1)) : select_114;
+  // hls/stages/blind.hpp:89
+  logic or_152;
+  assign or_152 = and_34 | (and_37 & last);
+  // hls/stages/blind.hpp:69
+  logic and_165;
+  assign and_165 = first_above_q & not_59;
+  logic select_170;
+  assign select_170 = and_34 ? (session_q & (cfg_teach_i & not_83)) : session_q;
 
-  // Memory states, 378 x 18, DISTANCE 16, hls/stages/blind.hpp:194; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory states, 378 x 18, DISTANCE 16, hls/stages/blind.hpp:198; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] states_mem [0:377];
@@ -179,14 +174,14 @@ module horopter_blind (
   assign states_raddr = x;
 `ifndef SYNTHESIS
   logic states_re;
-  assign states_re = s0_en & or_37;
+  assign states_re = s0_en & or_38;
 `endif
   logic [17:0] states_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) states_rdata_q <= states_mem[states_raddr];
   end
 
-  // Memory counts, 47 x 7, DISTANCE 16, hls/stages/blind.hpp:195; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory counts, 47 x 7, DISTANCE 16, hls/stages/blind.hpp:199; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -198,14 +193,14 @@ module horopter_blind (
   assign counts_raddr = block;
 `ifndef SYNTHESIS
   logic counts_re;
-  assign counts_re = s0_en & and_46;
+  assign counts_re = s0_en & and_47;
 `endif
   logic [6:0] counts_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) counts_rdata_q <= counts_mem[counts_raddr];
   end
 
-  // Memory taught, 1692 x 8, DISTANCE 16, hls/stages/blind.hpp:196; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory taught, 1692 x 8, DISTANCE 16, hls/stages/blind.hpp:200; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] taught_mem [0:1691];
@@ -223,7 +218,7 @@ module horopter_blind (
     if (en_i) taught_rdata_q <= taught_mem[taught_raddr];
   end
 
-  // Memory blind, 128 x 1, DISTANCE 16, hls/stages/blind.hpp:197; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory blind, 128 x 1, DISTANCE 16, hls/stages/blind.hpp:201; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -247,7 +242,8 @@ module horopter_blind (
       x_q <= 9'h0;
       before_v_q <= 9'h0;
       before_end_q <= 9'h178;
-      row_q <= 9'h0;
+      rows_expected_q <= 9'h0;
+      last_row_q <= 1'b0;
       inner_row_q <= 3'h0;
       last_block_q <= 6'h0;
       odd_q <= 1'b0;
@@ -268,92 +264,93 @@ module horopter_blind (
       x_q <= x + 9'h1;
       before_v_q <= x;
       before_end_q <= select_126;
-      row_q <= and_127 ? sum_60[8:0] : select_59;
-      inner_row_q <= and_127 ? (select_52 + 3'h1) : select_52;
-      last_block_q <= and_33 ? select_135 : last_block_q;
-      odd_q <= and_127 ? (and_111 ^ equal_58) : and_111;
-      place_q <= select_141;
-      new_block_q <= idle_i ? or_48 : ends;
-      above_q <= select_146;
-      rows_left_q <= or_148 ? (and_33 ? 4'h9 : (rows_left_q + 4'hf)) : rows_left_q;
-      more_q <= or_148 ? (and_33 | (~(rows_left_q == 4'h1))) : more_q;
+      rows_expected_q <= and_127 ? (select_128 + 9'h1ff) : select_128;
+      last_row_q <= and_127 ? (select_128 == 9'h2) : and_60;
+      inner_row_q <= and_127 ? (select_53 + 3'h1) : select_53;
+      last_block_q <= and_34 ? select_139 : last_block_q;
+      odd_q <= and_127 ? (and_111 ^ equal_61) : and_111;
+      place_q <= select_145;
+      new_block_q <= idle_i ? or_49 : ends;
+      above_q <= select_150;
+      rows_left_q <= or_152 ? (and_34 ? 4'h9 : (rows_left_q + 4'hf)) : rows_left_q;
+      more_q <= or_152 ? (and_34 | (~(rows_left_q == 4'h1))) : more_q;
       row_ended_q <= last;
       at_end_q <= (~(x < select_126)) & (~last);
-      first_above_q <= and_127 ? (select_114 == 4'h8) : and_161;
-      ended_q <= and_80 | and_82;
-      teaches_q <= select_83;
-      watches_q <= and_33 ? (cfg_watch_i & not_85) : watches_q;
-      session_q <= and_82 ? (select_83 | select_166) : select_166;
-      has_taught_q <= and_82 ? (select_83 | select_89) : select_89;
+      first_above_q <= and_127 ? (select_114 == 4'h8) : and_165;
+      ended_q <= and_79 | and_81;
+      teaches_q <= select_82;
+      watches_q <= and_34 ? (cfg_watch_i & not_84) : watches_q;
+      session_q <= and_81 ? (select_82 | select_170) : select_170;
+      has_taught_q <= and_81 ? (select_82 | select_88) : select_88;
     end
   end
 
   logic [1:0] state_s1_q;
   logic idle_s1_q;
-  logic or_37_s1_q;
+  logic or_38_s1_q;
   logic [5:0] block_s1_q;
-  logic and_46_s1_q;
-  logic or_48_s1_q;
-  logic equal_53_s1_q;
+  logic and_47_s1_q;
+  logic or_49_s1_q;
+  logic equal_54_s1_q;
   logic [10:0] place_s1_q;
   logic and_64_s1_q;
   logic and_110_s1_q;
   logic and_111_s1_q;
   logic equal_115_s1_q;
   logic and_116_s1_q;
-  logic and_176_s1_q;
-  logic and_178_s1_q;
+  logic and_180_s1_q;
+  logic and_182_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       state_s1_q <= state_i;
       idle_s1_q <= idle_i;
-      or_37_s1_q <= or_37;
+      or_38_s1_q <= or_38;
       block_s1_q <= block;
-      and_46_s1_q <= and_46;
-      or_48_s1_q <= or_48;
-      equal_53_s1_q <= equal_53;
+      and_47_s1_q <= and_47;
+      or_49_s1_q <= or_49;
+      equal_54_s1_q <= equal_54;
       place_s1_q <= place;
       and_64_s1_q <= and_64;
-      and_110_s1_q <= and_110;
+      and_110_s1_q <= not_33 & (ends & (equal_61 ? select_82 : (and_60 & select_82)));
       and_111_s1_q <= and_111;
       equal_115_s1_q <= equal_115;
       and_116_s1_q <= and_116;
-      and_176_s1_q <= or_37 & (and_161 & (x == 9'h0));
-      and_178_s1_q <= idle_i & (~more_q);
+      and_180_s1_q <= or_38 & (and_165 & (x == 9'h0));
+      and_182_s1_q <= idle_i & (~more_q);
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [3:0] in_row_q;
-  // hls/stages/blind.hpp:166
-  logic equal_50;
-  assign equal_50 = state_s1_q == 2'h2;
-  logic [3:0] sum_51;
-  assign sum_51 = (or_48_s1_q ? 4'h0 : in_row_q) + {3'h0, equal_50};
-  // hls/stages/blind.hpp:170
-  logic [6:0] sum_55;
-  assign sum_55 = {3'h0, sum_51} + (equal_53_s1_q ? 7'h0 : counts_rdata_q);
-  // hls/stages/blind.hpp:79
+  // hls/stages/blind.hpp:167
+  logic equal_51;
+  assign equal_51 = state_s1_q == 2'h2;
+  logic [3:0] sum_52;
+  assign sum_52 = (or_49_s1_q ? 4'h0 : in_row_q) + {3'h0, equal_51};
+  // hls/stages/blind.hpp:171
+  logic [6:0] sum_56;
+  assign sum_56 = {3'h0, sum_52} + (equal_54_s1_q ? 7'h0 : counts_rdata_q);
+  // hls/stages/blind.hpp:178
   logic [6:0] known;
-  assign known = (^taught_rdata_q) ? 7'h0 : (has_taught_q ? taught_rdata_q[6:0] : 7'h0);
-  // hls/stages/blind.hpp:177
+  assign known = ((^taught_rdata_q) | (~has_taught_q)) ? 7'h0 : taught_rdata_q[6:0];
+  // hls/stages/blind.hpp:179
   logic [6:0] stored;
-  assign stored = (known < sum_55) ? sum_55 : known;
+  assign stored = (known < sum_56) ? sum_56 : known;
   // hls/stages/blind.hpp:127
   logic parity_106;
   assign parity_106 = ^stored;
-  // hls/stages/blind.hpp:180
+  // hls/stages/blind.hpp:183
   logic and_122;
-  assign and_122 = watches_q & (({1'b0, cfg_blind_margin_i} + {2'h0, known}) < {2'h0, sum_55});
-  // hls/stages/blind.hpp:161
-  logic and_172;
-  assign and_172 = equal_115_s1_q & (blind_rdata_q & (states_rdata_q[17:16] == 2'h2));
+  assign and_122 = watches_q & (({1'b0, cfg_blind_margin_i} + {2'h0, known}) < {2'h0, sum_56});
+  // hls/stages/blind.hpp:162
+  logic and_176;
+  assign and_176 = equal_115_s1_q & (blind_rdata_q & (states_rdata_q[17:16] == 2'h2));
 
   // Memory states, write
   logic [8:0] states_waddr;
   assign states_waddr = before_v_q;
   logic states_we;
-  assign states_we = s1_en & or_37_s1_q;
+  assign states_we = s1_en & or_38_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (states_we) states_mem[states_waddr] <= {states_rdata_q[15:0], state_s1_q};
   end
@@ -373,9 +370,9 @@ module horopter_blind (
   logic [5:0] counts_waddr;
   assign counts_waddr = block_s1_q;
   logic counts_we;
-  assign counts_we = s1_en & and_46_s1_q;
+  assign counts_we = s1_en & and_47_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (counts_we) counts_mem[counts_waddr] <= sum_55;
+    if (counts_we) counts_mem[counts_waddr] <= sum_56;
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -431,37 +428,37 @@ module horopter_blind (
     if (!rst_ni) begin
       in_row_q <= 4'h0;
     end else if (s1_en) begin
-      in_row_q <= idle_s1_q ? in_row_q : sum_51;
+      in_row_q <= idle_s1_q ? in_row_q : sum_52;
     end
   end
 
-  logic select_91_s2_q;
+  logic select_90_s2_q;
   logic and_116_s2_q;
   logic last_s2_q;
-  logic [1:0] select_169_s2_q;
-  logic and_173_s2_q;
-  logic and_176_s2_q;
-  logic and_178_s2_q;
+  logic [1:0] select_173_s2_q;
+  logic and_177_s2_q;
+  logic and_180_s2_q;
+  logic and_182_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
-      select_91_s2_q <= has_taught_q;
+      select_90_s2_q <= has_taught_q;
       and_116_s2_q <= and_116_s1_q;
       last_s2_q <= row_ended_q;
-      select_169_s2_q <= or_37_s1_q ? states_rdata_q[17:16] : 2'h0;
-      and_173_s2_q <= or_37_s1_q & and_172;
-      and_176_s2_q <= and_176_s1_q;
-      and_178_s2_q <= and_178_s1_q;
+      select_173_s2_q <= or_38_s1_q ? states_rdata_q[17:16] : 2'h0;
+      and_177_s2_q <= or_38_s1_q & and_176;
+      and_180_s2_q <= and_180_s1_q;
+      and_182_s2_q <= and_182_s1_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign there_o = and_116_s2_q;
-  assign state_o = select_169_s2_q;
-  assign blind_o = and_173_s2_q;
-  assign first_o = and_176_s2_q;
+  assign state_o = select_173_s2_q;
+  assign blind_o = and_177_s2_q;
+  assign first_o = and_180_s2_q;
   assign last_o = last_s2_q;
-  assign done_o = and_178_s2_q;
-  assign taught_o = select_91_s2_q;
+  assign done_o = and_182_s2_q;
+  assign taught_o = select_90_s2_q;
   assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin

@@ -3,7 +3,7 @@
 //
 // Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 91 bits, pipeline 327 bits, memories 131896 bits.
+// State 92 bits, pipeline 316 bits, memories 131896 bits.
 module horopter_blind (
   input  logic clk_i,
   input  logic rst_ni,
@@ -42,12 +42,12 @@ module horopter_blind (
   assign s8_en = en_i & valid_s8_q;
 
   // Of the configuration alone: not pipelined.
+  logic not_86;
+  assign not_86 = ~cfg_forget_i;
   logic not_87;
-  assign not_87 = ~cfg_forget_i;
-  logic not_88;
-  assign not_88 = ~cfg_teach_i;
-  logic [6:0] select_138;
-  assign select_138 = (7'h78 < cfg_width_i[10:4]) ? 7'h77 : (cfg_width_i[10:4] + 7'h7f);
+  assign not_87 = ~cfg_teach_i;
+  logic [6:0] select_142;
+  assign select_142 = (7'h78 < cfg_width_i[10:4]) ? 7'h77 : (cfg_width_i[10:4] + 7'h7f);
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
 
@@ -68,48 +68,39 @@ module horopter_blind (
   logic [10:0] x_q;
   logic [10:0] before_v_q;
   logic [10:0] before_end_q;
-  logic [10:0] row_q;
   logic [6:0] last_block_q;
   logic [4:0] rows_left_q;
   logic more_q;
   logic row_ended_q;
   logic at_end_q;
   // hls/stages/blind.hpp:65
-  logic not_32;
-  assign not_32 = ~idle_s1_q;
-  logic and_33;
-  assign and_33 = first_s1_q & not_32;
+  logic not_33;
+  assign not_33 = ~idle_s1_q;
+  logic and_34;
+  assign and_34 = first_s1_q & not_33;
   // hls/stages/blind.hpp:67
   logic [10:0] x;
-  assign x = (row_ended_q | and_33) ? 11'h0 : x_q;
+  assign x = (row_ended_q | and_34) ? 11'h0 : x_q;
   // hls/stages/blind.hpp:65
-  logic and_36;
-  assign and_36 = idle_s1_q & more_q;
+  logic and_37;
+  assign and_37 = idle_s1_q & more_q;
   // hls/stages/blind.hpp:78
-  logic or_37;
-  assign or_37 = not_32 | and_36;
-  // hls/stages/blind.hpp:69
-  logic [10:0] select_59;
-  assign select_59 = and_33 ? 11'h0 : row_q;
-  // hls/stages/blind.hpp:172
-  logic [11:0] sum_60;
-  assign sum_60 = {1'b0, select_59} + 12'h1;
+  logic or_38;
+  assign or_38 = not_33 | and_37;
   // hls/stages/blind.hpp:66
   logic last;
   assign last = idle_s1_q ? at_end_q : last_s1_q;
   // hls/stages/blind.hpp:84
   logic [10:0] select_130;
-  assign select_130 = (not_32 & last) ? before_v_q : before_end_q;
+  assign select_130 = (not_33 & last) ? before_v_q : before_end_q;
   // hls/stages/blind.hpp:82
-  logic and_131;
-  assign and_131 = last & or_37;
-  logic [6:0] select_140;
-  assign select_140 = and_33 ? ((cfg_width_i[10:5] == 6'h0) ? 7'h1 : select_138) : last_block_q;
+  logic [6:0] select_144;
+  assign select_144 = and_34 ? ((cfg_width_i[10:5] == 6'h0) ? 7'h1 : select_142) : last_block_q;
   // hls/stages/blind.hpp:89
-  logic or_152;
-  assign or_152 = and_33 | (and_36 & last);
+  logic or_156;
+  assign or_156 = and_34 | (and_37 & last);
 
-  // Memory states, 1920 x 34, DISTANCE 16, hls/stages/blind.hpp:194; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
+  // Memory states, 1920 x 34, DISTANCE 16, hls/stages/blind.hpp:198; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [33:0] states_mem [0:1919];
@@ -120,7 +111,7 @@ module horopter_blind (
   assign states_raddr = x;
 `ifndef SYNTHESIS
   logic states_re;
-  assign states_re = s1_en & or_37;
+  assign states_re = s1_en & or_38;
 `endif
   logic [33:0] states_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -132,7 +123,6 @@ module horopter_blind (
       x_q <= 11'h0;
       before_v_q <= 11'h0;
       before_end_q <= 11'h77e;
-      row_q <= 11'h0;
       last_block_q <= 7'h0;
       rows_left_q <= 5'h0;
       more_q <= 1'b0;
@@ -142,10 +132,9 @@ module horopter_blind (
       x_q <= x + 11'h1;
       before_v_q <= x;
       before_end_q <= select_130;
-      row_q <= and_131 ? sum_60[10:0] : select_59;
-      last_block_q <= select_140;
-      rows_left_q <= or_152 ? (and_33 ? 5'h11 : (rows_left_q + 5'h1f)) : rows_left_q;
-      more_q <= or_152 ? (and_33 | (~(rows_left_q == 5'h1))) : more_q;
+      last_block_q <= select_144;
+      rows_left_q <= or_156 ? (and_34 ? 5'h11 : (rows_left_q + 5'h1f)) : rows_left_q;
+      more_q <= or_156 ? (and_34 | (~(rows_left_q == 5'h1))) : more_q;
       row_ended_q <= last;
       at_end_q <= (~(x < select_130)) & (~last);
     end
@@ -155,117 +144,162 @@ module horopter_blind (
   logic last_s2_q;
   logic idle_s2_q;
   logic [6:0] last_block_s2_q;
-  logic not_32_s2_q;
-  logic and_33_s2_q;
-  logic or_37_s2_q;
-  logic less_39_s2_q;
-  logic [11:0] sum_60_s2_q;
-  logic and_131_s2_q;
-  logic and_182_s2_q;
+  logic not_33_s2_q;
+  logic and_34_s2_q;
+  logic or_38_s2_q;
+  logic less_40_s2_q;
+  logic and_186_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       state_s2_q <= state_s1_q;
       last_s2_q <= last_s1_q;
       idle_s2_q <= idle_s1_q;
       last_block_s2_q <= last_block_q;
-      not_32_s2_q <= not_32;
-      and_33_s2_q <= and_33;
-      or_37_s2_q <= or_37;
-      less_39_s2_q <= last_block_q < x[10:4];
-      sum_60_s2_q <= sum_60;
-      and_131_s2_q <= and_131;
-      and_182_s2_q <= idle_s1_q & (~more_q);
+      not_33_s2_q <= not_33;
+      and_34_s2_q <= and_34;
+      or_38_s2_q <= or_38;
+      less_40_s2_q <= last_block_q < x[10:4];
+      and_186_s2_q <= idle_s1_q & (~more_q);
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
+  logic [10:0] rows_expected_q;
+  logic last_row_q;
   logic [3:0] inner_row_q;
   logic [9:0] place_q;
+  logic teaches_q;
   // hls/stages/blind.hpp:77
   logic [6:0] block;
-  assign block = less_39_s2_q ? last_block_s2_q : before_v_q[10:4];
-  // hls/stages/blind.hpp:165
+  assign block = less_40_s2_q ? last_block_s2_q : before_v_q[10:4];
+  // hls/stages/blind.hpp:166
   logic ends;
   assign ends = last_s2_q | ((~(last_block_s2_q == block)) & (before_v_q[3:0] == 4'hf));
   // hls/stages/blind.hpp:69
-  logic [3:0] select_52;
-  assign select_52 = and_33_s2_q ? 4'h0 : inner_row_q;
-  logic [9:0] select_56;
-  assign select_56 = and_33_s2_q ? 10'h0 : place_q;
-  // hls/stages/blind.hpp:172
-  logic equal_58;
-  assign equal_58 = select_52 == 4'hf;
+  logic [3:0] select_53;
+  assign select_53 = and_34_s2_q ? 4'h0 : inner_row_q;
+  logic [9:0] select_57;
+  assign select_57 = and_34_s2_q ? 10'h0 : place_q;
+  // hls/stages/blind.hpp:65
+  logic not_59;
+  assign not_59 = ~and_34_s2_q;
+  // hls/stages/blind.hpp:69
+  logic and_60;
+  assign and_60 = last_row_q & not_59;
+  // hls/stages/blind.hpp:173
+  logic equal_61;
+  assign equal_61 = select_53 == 4'hf;
+  // hls/stages/blind.hpp:82
+  logic and_131;
+  assign and_131 = row_ended_q & or_38_s2_q;
+  // hls/stages/blind.hpp:69
+  logic [10:0] select_132;
+  assign select_132 = and_34_s2_q ? cfg_height_i : rows_expected_q;
   // hls/stages/blind.hpp:83
-  logic [9:0] select_145;
-  assign select_145 = and_131_s2_q ? (equal_58 ? (select_56 + 10'hf) : select_56) : select_56;
+  logic [9:0] select_149;
+  assign select_149 = and_131 ? (equal_61 ? (select_57 + 10'hf) : select_57) : select_57;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      rows_expected_q <= 11'h0;
+      last_row_q <= 1'b0;
       inner_row_q <= 4'h0;
       place_q <= 10'h0;
+      teaches_q <= 1'b0;
     end else if (s2_en) begin
-      inner_row_q <= and_131_s2_q ? (select_52 + 4'h1) : select_52;
-      place_q <= select_145;
+      rows_expected_q <= and_131 ? (select_132 + 11'h7ff) : select_132;
+      last_row_q <= and_131 ? (select_132 == 11'h2) : and_60;
+      inner_row_q <= and_131 ? (select_53 + 4'h1) : select_53;
+      place_q <= select_149;
+      teaches_q <= and_34_s2_q ? cfg_teach_i : teaches_q;
     end
   end
 
   logic [1:0] state_s3_q;
   logic idle_s3_q;
-  logic not_32_s3_q;
-  logic and_33_s3_q;
+  logic not_33_s3_q;
+  logic and_34_s3_q;
   logic [10:0] x_s3_q;
-  logic or_37_s3_q;
+  logic or_38_s3_q;
   logic [33:0] states_rdata_s3_q;
   logic [6:0] block_s3_q;
   logic ends_s3_q;
-  logic equal_53_s3_q;
-  logic [9:0] sum_57_s3_q;
-  logic equal_58_s3_q;
+  logic equal_54_s3_q;
+  logic [9:0] sum_58_s3_q;
+  logic not_59_s3_q;
+  logic and_60_s3_q;
   logic equal_61_s3_q;
   logic last_s3_q;
   logic and_131_s3_q;
-  logic and_182_s3_q;
+  logic and_186_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       state_s3_q <= state_s2_q;
       idle_s3_q <= idle_s2_q;
-      not_32_s3_q <= not_32_s2_q;
-      and_33_s3_q <= and_33_s2_q;
+      not_33_s3_q <= not_33_s2_q;
+      and_34_s3_q <= and_34_s2_q;
       x_s3_q <= before_v_q;
-      or_37_s3_q <= or_37_s2_q;
+      or_38_s3_q <= or_38_s2_q;
       states_rdata_s3_q <= states_rdata_q;
       block_s3_q <= block;
       ends_s3_q <= ends;
-      equal_53_s3_q <= select_52 == 4'h0;
-      sum_57_s3_q <= select_56 + {6'h0, block[6:3]};
-      equal_58_s3_q <= equal_58;
-      equal_61_s3_q <= {sum_60_s2_q[11], cfg_height_i} == {1'b0, sum_60_s2_q[10:0]};
+      equal_54_s3_q <= select_53 == 4'h0;
+      sum_58_s3_q <= select_57 + {6'h0, block[6:3]};
+      not_59_s3_q <= not_59;
+      and_60_s3_q <= and_60;
+      equal_61_s3_q <= equal_61;
       last_s3_q <= row_ended_q;
-      and_131_s3_q <= and_131_s2_q;
-      and_182_s3_q <= and_182_s2_q;
+      and_131_s3_q <= and_131;
+      and_186_s3_q <= and_186_s2_q;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
+  logic odd_q;
   logic new_block_q;
-  logic teaches_q;
-  // hls/stages/blind.hpp:169
-  logic and_46;
-  assign and_46 = not_32_s3_q & ends_s3_q;
+  logic [4:0] above_q;
+  logic first_above_q;
+  logic ended_q;
+  logic watches_q;
+  logic session_q;
+  logic has_taught_q;
+  // hls/stages/blind.hpp:170
+  logic and_47;
+  assign and_47 = not_33_s3_q & ends_s3_q;
   // hls/stages/blind.hpp:69
-  logic or_48;
-  assign or_48 = new_block_q | and_33_s3_q;
+  logic or_49;
+  assign or_49 = new_block_q | and_34_s3_q;
   // hls/stages/blind.hpp:80
   logic and_64;
-  assign and_64 = not_32_s3_q & (ends_s3_q & (equal_58_s3_q | equal_61_s3_q));
+  assign and_64 = not_33_s3_q & (ends_s3_q & (and_60_s3_q | equal_61_s3_q));
   // hls/stages/blind.hpp:69
-  logic select_86;
-  assign select_86 = and_33_s3_q ? cfg_teach_i : teaches_q;
+  logic and_82;
+  assign and_82 = ended_q & not_59_s3_q;
+  logic and_84;
+  assign and_84 = idle_s3_q & (~and_82);
+  logic select_91;
+  assign select_91 = and_34_s3_q ? (has_taught_q & (not_86 & (session_q | not_87))) : has_taught_q;
   // hls/stages/blind.hpp:80
   logic and_102;
-  assign and_102 = ends_s3_q & (equal_58_s3_q ? select_86 : (select_86 & equal_61_s3_q));
+  assign and_102 = ends_s3_q & (equal_61_s3_q ? teaches_q : (and_60_s3_q & teaches_q));
+  // hls/stages/blind.hpp:69
+  logic and_115;
+  assign and_115 = odd_q & not_59_s3_q;
+  logic [4:0] select_118;
+  assign select_118 = and_34_s3_q ? 5'h0 : above_q;
+  // hls/stages/blind.hpp:159
+  logic equal_119;
+  assign equal_119 = select_118 == 5'h11;
+  // hls/stages/blind.hpp:83
+  logic [4:0] select_154;
+  assign select_154 = and_131_s3_q ? (equal_119 ? select_118 : (select_118 + 5'h1)) : select_118;
+  // hls/stages/blind.hpp:69
+  logic and_169;
+  assign and_169 = first_above_q & not_59_s3_q;
+  logic select_174;
+  assign select_174 = and_34_s3_q ? (session_q & (cfg_teach_i & not_86)) : session_q;
 
-  // Memory counts, 120 x 9, DISTANCE 16, hls/stages/blind.hpp:195; read in stage 3, written in stage 6: 3 < 6 < 3 + DISTANCE.
+  // Memory counts, 120 x 9, DISTANCE 16, hls/stages/blind.hpp:199; read in stage 3, written in stage 6: 3 < 6 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] counts_mem [0:119];
@@ -276,7 +310,7 @@ module horopter_blind (
   assign counts_raddr = block_s3_q;
 `ifndef SYNTHESIS
   logic counts_re;
-  assign counts_re = s3_en & and_46;
+  assign counts_re = s3_en & and_47;
 `endif
   logic [8:0] counts_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -291,7 +325,7 @@ module horopter_blind (
   initial for (int i = 0; i < 8160; i++) taught_low_mem[i] = 2'h0;
 `endif
   logic [12:0] taught_low_raddr;
-  assign taught_low_raddr = {sum_57_s3_q, block_s3_q[2:0]};
+  assign taught_low_raddr = {sum_58_s3_q, block_s3_q[2:0]};
 `ifndef SYNTHESIS
   logic taught_low_re;
   assign taught_low_re = s3_en & and_64;
@@ -309,7 +343,7 @@ module horopter_blind (
   initial for (int i = 0; i < 8160; i++) taught_high_low_mem[i] = 2'h0;
 `endif
   logic [12:0] taught_high_low_raddr;
-  assign taught_high_low_raddr = {sum_57_s3_q, block_s3_q[2:0]};
+  assign taught_high_low_raddr = {sum_58_s3_q, block_s3_q[2:0]};
 `ifndef SYNTHESIS
   logic taught_high_low_re;
   assign taught_high_low_re = s3_en & and_64;
@@ -327,7 +361,7 @@ module horopter_blind (
   initial for (int i = 0; i < 8160; i++) taught_high_high_low_mem[i] = 2'h0;
 `endif
   logic [12:0] taught_high_high_low_raddr;
-  assign taught_high_high_low_raddr = {sum_57_s3_q, block_s3_q[2:0]};
+  assign taught_high_high_low_raddr = {sum_58_s3_q, block_s3_q[2:0]};
 `ifndef SYNTHESIS
   logic taught_high_high_low_re;
   assign taught_high_high_low_re = s3_en & and_64;
@@ -345,7 +379,7 @@ module horopter_blind (
   initial for (int i = 0; i < 8160; i++) taught_high_high_high_mem[i] = 2'h0;
 `endif
   logic [12:0] taught_high_high_high_raddr;
-  assign taught_high_high_high_raddr = {sum_57_s3_q, block_s3_q[2:0]};
+  assign taught_high_high_high_raddr = {sum_58_s3_q, block_s3_q[2:0]};
 `ifndef SYNTHESIS
   logic taught_high_high_high_re;
   assign taught_high_high_high_re = s3_en & and_64;
@@ -359,7 +393,7 @@ module horopter_blind (
   logic [10:0] states_waddr;
   assign states_waddr = x_s3_q;
   logic states_we;
-  assign states_we = s3_en & or_37_s3_q;
+  assign states_we = s3_en & or_38_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (states_we) states_mem[states_waddr] <= {states_rdata_s3_q[31:0], state_s3_q};
   end
@@ -390,173 +424,70 @@ module horopter_blind (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      new_block_q <= 1'b1;
-      teaches_q <= 1'b0;
-    end else if (s3_en) begin
-      new_block_q <= idle_s3_q ? or_48 : ends_s3_q;
-      teaches_q <= select_86;
-    end
-  end
-
-  logic idle_s4_q;
-  logic and_33_s4_q;
-  logic or_37_s4_q;
-  logic [1:0] states_rdata_s4_q;
-  logic [6:0] block_s4_q;
-  logic and_46_s4_q;
-  logic or_48_s4_q;
-  logic equal_50_s4_q;
-  logic equal_53_s4_q;
-  logic [9:0] sum_57_s4_q;
-  logic equal_58_s4_q;
-  logic and_64_s4_q;
-  logic and_103_s4_q;
-  logic last_s4_q;
-  logic and_131_s4_q;
-  logic equal_178_s4_q;
-  logic and_182_s4_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) begin
-      idle_s4_q <= idle_s3_q;
-      and_33_s4_q <= and_33_s3_q;
-      or_37_s4_q <= or_37_s3_q;
-      states_rdata_s4_q <= states_rdata_s3_q[33:32];
-      block_s4_q <= block_s3_q;
-      and_46_s4_q <= and_46;
-      or_48_s4_q <= or_48;
-      equal_50_s4_q <= state_s3_q == 2'h2;
-      equal_53_s4_q <= equal_53_s3_q;
-      sum_57_s4_q <= sum_57_s3_q;
-      equal_58_s4_q <= equal_58_s3_q;
-      and_64_s4_q <= and_64;
-      and_103_s4_q <= not_32_s3_q & and_102;
-      last_s4_q <= last_s3_q;
-      and_131_s4_q <= and_131_s3_q;
-      equal_178_s4_q <= x_s3_q == 11'h0;
-      and_182_s4_q <= and_182_s3_q;
-    end
-  end
-
-  // Stage 4 -----------------------------------------------------------------------------------------------------------
-  logic odd_q;
-  logic [4:0] above_q;
-  logic first_above_q;
-  logic ended_q;
-  logic watches_q;
-  logic session_q;
-  logic has_taught_q;
-  // hls/stages/blind.hpp:65
-  logic not_82;
-  assign not_82 = ~and_33_s4_q;
-  // hls/stages/blind.hpp:69
-  logic and_83;
-  assign and_83 = ended_q & not_82;
-  logic and_85;
-  assign and_85 = idle_s4_q & (~and_83);
-  logic select_92;
-  assign select_92 = and_33_s4_q ? (has_taught_q & (not_87 & (session_q | not_88))) : has_taught_q;
-  logic and_115;
-  assign and_115 = odd_q & not_82;
-  logic [4:0] select_118;
-  assign select_118 = and_33_s4_q ? 5'h0 : above_q;
-  // hls/stages/blind.hpp:158
-  logic equal_119;
-  assign equal_119 = select_118 == 5'h11;
-  // hls/stages/blind.hpp:83
-  logic [4:0] select_150;
-  assign select_150 = and_131_s4_q ? (equal_119 ? select_118 : (select_118 + 5'h1)) : select_118;
-  // hls/stages/blind.hpp:69
-  logic and_165;
-  assign and_165 = first_above_q & not_82;
-  logic select_170;
-  assign select_170 = and_33_s4_q ? (session_q & (cfg_teach_i & not_87)) : session_q;
-
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
       odd_q <= 1'b0;
+      new_block_q <= 1'b1;
       above_q <= 5'h0;
       first_above_q <= 1'b0;
       ended_q <= 1'b1;
       watches_q <= 1'b0;
       session_q <= 1'b0;
       has_taught_q <= 1'b0;
-    end else if (s4_en) begin
-      odd_q <= and_131_s4_q ? (and_115 ^ equal_58_s4_q) : and_115;
-      above_q <= select_150;
-      first_above_q <= and_131_s4_q ? (select_118 == 5'h10) : and_165;
-      ended_q <= and_83 | and_85;
-      watches_q <= and_33_s4_q ? (cfg_watch_i & not_88) : watches_q;
-      session_q <= and_85 ? (teaches_q | select_170) : select_170;
-      has_taught_q <= and_85 ? (teaches_q | select_92) : select_92;
+    end else if (s3_en) begin
+      odd_q <= and_131_s3_q ? (and_115 ^ equal_61_s3_q) : and_115;
+      new_block_q <= idle_s3_q ? or_49 : ends_s3_q;
+      above_q <= select_154;
+      first_above_q <= and_131_s3_q ? (select_118 == 5'h10) : and_169;
+      ended_q <= and_82 | and_84;
+      watches_q <= and_34_s3_q ? (cfg_watch_i & not_87) : watches_q;
+      session_q <= and_84 ? (teaches_q | select_174) : select_174;
+      has_taught_q <= and_84 ? (teaches_q | select_91) : select_91;
     end
   end
 
-  logic idle_s5_q;
-  logic or_37_s5_q;
-  logic [1:0] states_rdata_s5_q;
-  logic [6:0] block_s5_q;
-  logic and_46_s5_q;
-  logic [8:0] counts_rdata_s5_q;
-  logic or_48_s5_q;
-  logic equal_50_s5_q;
-  logic equal_53_s5_q;
-  logic [9:0] sum_57_s5_q;
-  logic and_64_s5_q;
-  logic [1:0] taught_low_rdata_s5_q;
-  logic [1:0] taught_high_high_high_rdata_s5_q;
-  logic [1:0] taught_high_high_low_rdata_s5_q;
-  logic [1:0] taught_high_low_rdata_s5_q;
-  logic and_103_s5_q;
-  logic and_115_s5_q;
-  logic not_117_s5_q;
-  logic equal_119_s5_q;
-  logic and_120_s5_q;
-  logic last_s5_q;
-  logic and_180_s5_q;
-  logic and_182_s5_q;
+  logic idle_s4_q;
+  logic or_38_s4_q;
+  logic [1:0] states_rdata_s4_q;
+  logic [6:0] block_s4_q;
+  logic and_47_s4_q;
+  logic or_49_s4_q;
+  logic equal_51_s4_q;
+  logic equal_54_s4_q;
+  logic [9:0] sum_58_s4_q;
+  logic and_64_s4_q;
+  logic and_103_s4_q;
+  logic and_115_s4_q;
+  logic not_117_s4_q;
+  logic equal_119_s4_q;
+  logic and_120_s4_q;
+  logic last_s4_q;
+  logic and_184_s4_q;
+  logic and_186_s4_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      idle_s5_q <= idle_s4_q;
-      or_37_s5_q <= or_37_s4_q;
-      states_rdata_s5_q <= states_rdata_s4_q;
-      block_s5_q <= block_s4_q;
-      and_46_s5_q <= and_46_s4_q;
-      counts_rdata_s5_q <= counts_rdata_q;
-      or_48_s5_q <= or_48_s4_q;
-      equal_50_s5_q <= equal_50_s4_q;
-      equal_53_s5_q <= equal_53_s4_q;
-      sum_57_s5_q <= sum_57_s4_q;
-      and_64_s5_q <= and_64_s4_q;
-      taught_low_rdata_s5_q <= taught_low_rdata_q;
-      taught_high_high_high_rdata_s5_q <= taught_high_high_high_rdata_q;
-      taught_high_high_low_rdata_s5_q <= taught_high_high_low_rdata_q;
-      taught_high_low_rdata_s5_q <= taught_high_low_rdata_q;
-      and_103_s5_q <= and_103_s4_q;
-      and_115_s5_q <= and_115;
-      not_117_s5_q <= ~(and_115 ^ equal_53_s4_q);
-      equal_119_s5_q <= equal_119;
-      and_120_s5_q <= or_37_s4_q & equal_119;
-      last_s5_q <= last_s4_q;
-      and_180_s5_q <= or_37_s4_q & (and_165 & equal_178_s4_q);
-      and_182_s5_q <= and_182_s4_q;
+      idle_s4_q <= idle_s3_q;
+      or_38_s4_q <= or_38_s3_q;
+      states_rdata_s4_q <= states_rdata_s3_q[33:32];
+      block_s4_q <= block_s3_q;
+      and_47_s4_q <= and_47;
+      or_49_s4_q <= or_49;
+      equal_51_s4_q <= state_s3_q == 2'h2;
+      equal_54_s4_q <= equal_54_s3_q;
+      sum_58_s4_q <= sum_58_s3_q;
+      and_64_s4_q <= and_64;
+      and_103_s4_q <= not_33_s3_q & and_102;
+      and_115_s4_q <= and_115;
+      not_117_s4_q <= ~(and_115 ^ equal_54_s3_q);
+      equal_119_s4_q <= equal_119;
+      and_120_s4_q <= or_38_s3_q & equal_119;
+      last_s4_q <= last_s3_q;
+      and_184_s4_q <= or_38_s3_q & (and_169 & (x_s3_q == 11'h0));
+      and_186_s4_q <= and_186_s3_q;
     end
   end
 
-  // Stage 5 -----------------------------------------------------------------------------------------------------------
-  logic [4:0] in_row_q;
-  // hls/stages/blind.hpp:166
-  logic [4:0] sum_51;
-  assign sum_51 = (or_48_s5_q ? 5'h0 : in_row_q) + {4'h0, equal_50_s5_q};
-  // hls/stages/blind.hpp:127
-  logic parity_81;
-  assign parity_81 = ^{taught_high_low_rdata_s5_q, taught_high_high_low_rdata_s5_q, taught_high_high_high_rdata_s5_q, taught_low_rdata_s5_q};
-  // hls/stages/blind.hpp:79
-  logic [6:0] select_95;
-  assign select_95 = has_taught_q ? {taught_high_high_high_rdata_s5_q[0], taught_high_high_low_rdata_s5_q, taught_high_low_rdata_s5_q, taught_low_rdata_s5_q} : 7'h0;
-  logic [6:0] known;
-  assign known = parity_81 ? 7'h0 : select_95;
+  // Stage 4 -----------------------------------------------------------------------------------------------------------
 
-  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:197; read in stage 5, written in stage 7: 5 < 7 < 5 + DISTANCE.
+  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:201; read in stage 4, written in stage 7: 4 < 7 < 4 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -565,78 +496,148 @@ module horopter_blind (
   initial for (int i = 0; i < 256; i++) blind_mem[i] = 1'b0;
 `endif
   logic [7:0] blind_raddr;
-  assign blind_raddr = {block_s5_q, not_117_s5_q};
+  assign blind_raddr = {block_s4_q, not_117_s4_q};
 `ifndef SYNTHESIS
   logic blind_re;
-  assign blind_re = s5_en & and_120_s5_q;
+  assign blind_re = s4_en & and_120_s4_q;
 `endif
   logic blind_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) blind_rdata_q <= blind_mem[blind_raddr];
   end
 
+  logic idle_s5_q;
+  logic or_38_s5_q;
+  logic [1:0] states_rdata_s5_q;
+  logic [6:0] block_s5_q;
+  logic and_47_s5_q;
+  logic [8:0] counts_rdata_s5_q;
+  logic or_49_s5_q;
+  logic equal_51_s5_q;
+  logic equal_54_s5_q;
+  logic [9:0] sum_58_s5_q;
+  logic and_64_s5_q;
+  logic [1:0] taught_low_rdata_s5_q;
+  logic [1:0] taught_high_high_high_rdata_s5_q;
+  logic [1:0] taught_high_high_low_rdata_s5_q;
+  logic [1:0] taught_high_low_rdata_s5_q;
+  logic select_93_s5_q;
+  logic and_103_s5_q;
+  logic and_115_s5_q;
+  logic equal_119_s5_q;
+  logic and_120_s5_q;
+  logic select_123_s5_q;
+  logic last_s5_q;
+  logic and_184_s5_q;
+  logic and_186_s5_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) begin
+      idle_s5_q <= idle_s4_q;
+      or_38_s5_q <= or_38_s4_q;
+      states_rdata_s5_q <= states_rdata_s4_q;
+      block_s5_q <= block_s4_q;
+      and_47_s5_q <= and_47_s4_q;
+      counts_rdata_s5_q <= counts_rdata_q;
+      or_49_s5_q <= or_49_s4_q;
+      equal_51_s5_q <= equal_51_s4_q;
+      equal_54_s5_q <= equal_54_s4_q;
+      sum_58_s5_q <= sum_58_s4_q;
+      and_64_s5_q <= and_64_s4_q;
+      taught_low_rdata_s5_q <= taught_low_rdata_q;
+      taught_high_high_high_rdata_s5_q <= taught_high_high_high_rdata_q;
+      taught_high_high_low_rdata_s5_q <= taught_high_high_low_rdata_q;
+      taught_high_low_rdata_s5_q <= taught_high_low_rdata_q;
+      select_93_s5_q <= has_taught_q;
+      and_103_s5_q <= and_103_s4_q;
+      and_115_s5_q <= and_115_s4_q;
+      equal_119_s5_q <= equal_119_s4_q;
+      and_120_s5_q <= and_120_s4_q;
+      select_123_s5_q <= watches_q;
+      last_s5_q <= last_s4_q;
+      and_184_s5_q <= and_184_s4_q;
+      and_186_s5_q <= and_186_s4_q;
+    end
+  end
+
+  // Stage 5 -----------------------------------------------------------------------------------------------------------
+  logic [4:0] in_row_q;
+  // hls/stages/blind.hpp:167
+  logic [4:0] sum_52;
+  assign sum_52 = (or_49_s5_q ? 5'h0 : in_row_q) + {4'h0, equal_51_s5_q};
+  // hls/stages/blind.hpp:127
+  logic parity_81;
+  assign parity_81 = ^{taught_high_low_rdata_s5_q, taught_high_high_low_rdata_s5_q, taught_high_high_high_rdata_s5_q, taught_low_rdata_s5_q};
+  // hls/stages/blind.hpp:178
+  logic [6:0] known;
+  assign known = (parity_81 | (~select_93_s5_q)) ? 7'h0 : {taught_high_high_high_rdata_s5_q[0], taught_high_high_low_rdata_s5_q, taught_high_low_rdata_s5_q, taught_low_rdata_s5_q};
+
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       in_row_q <= 5'h0;
     end else if (s5_en) begin
-      in_row_q <= idle_s5_q ? in_row_q : sum_51;
+      in_row_q <= idle_s5_q ? in_row_q : sum_52;
     end
   end
 
-  logic or_37_s6_q;
+  logic or_38_s6_q;
   logic [1:0] states_rdata_s6_q;
   logic [6:0] block_s6_q;
-  logic and_46_s6_q;
-  logic [8:0] sum_55_s6_q;
-  logic [9:0] sum_57_s6_q;
+  logic and_47_s6_q;
+  logic [8:0] sum_56_s6_q;
+  logic [9:0] sum_58_s6_q;
   logic and_64_s6_q;
-  logic select_94_s6_q;
+  logic select_93_s6_q;
   logic [6:0] known_s6_q;
   logic and_103_s6_q;
   logic and_115_s6_q;
   logic equal_119_s6_q;
   logic and_120_s6_q;
+  logic blind_rdata_s6_q;
   logic select_123_s6_q;
   logic last_s6_q;
-  logic and_180_s6_q;
-  logic and_182_s6_q;
+  logic and_184_s6_q;
+  logic and_186_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      or_37_s6_q <= or_37_s5_q;
+      or_38_s6_q <= or_38_s5_q;
       states_rdata_s6_q <= states_rdata_s5_q;
       block_s6_q <= block_s5_q;
-      and_46_s6_q <= and_46_s5_q;
-      sum_55_s6_q <= {4'h0, sum_51} + (equal_53_s5_q ? 9'h0 : counts_rdata_s5_q);
-      sum_57_s6_q <= sum_57_s5_q;
+      and_47_s6_q <= and_47_s5_q;
+      sum_56_s6_q <= {4'h0, sum_52} + (equal_54_s5_q ? 9'h0 : counts_rdata_s5_q);
+      sum_58_s6_q <= sum_58_s5_q;
       and_64_s6_q <= and_64_s5_q;
-      select_94_s6_q <= has_taught_q;
+      select_93_s6_q <= select_93_s5_q;
       known_s6_q <= known;
       and_103_s6_q <= and_103_s5_q;
       and_115_s6_q <= and_115_s5_q;
       equal_119_s6_q <= equal_119_s5_q;
       and_120_s6_q <= and_120_s5_q;
-      select_123_s6_q <= watches_q;
+      blind_rdata_s6_q <= blind_rdata_q;
+      select_123_s6_q <= select_123_s5_q;
       last_s6_q <= last_s5_q;
-      and_180_s6_q <= and_180_s5_q;
-      and_182_s6_q <= and_182_s5_q;
+      and_184_s6_q <= and_184_s5_q;
+      and_186_s6_q <= and_186_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/blind.hpp:177
-  logic [8:0] select_98;
-  assign select_98 = ({known_s6_q, 2'h0} < sum_55_s6_q) ? sum_55_s6_q : {known_s6_q, 2'h0};
   // hls/stages/blind.hpp:179
-  logic [8:0] limit;
-  assign limit = {1'b0, cfg_blind_margin_i} + {2'h0, known_s6_q};
+  logic [8:0] select_98;
+  assign select_98 = ({known_s6_q, 2'h0} < sum_56_s6_q) ? sum_56_s6_q : {known_s6_q, 2'h0};
+  // hls/stages/blind.hpp:182
+  logic [8:0] sum_124;
+  assign sum_124 = {1'b0, cfg_blind_margin_i} + {2'h0, known_s6_q};
+  // hls/stages/blind.hpp:162
+  logic and_180;
+  assign and_180 = equal_119_s6_q & (blind_rdata_s6_q & (states_rdata_s6_q == 2'h2));
 
   // Memory counts, write
   logic [6:0] counts_waddr;
   assign counts_waddr = block_s6_q;
   logic counts_we;
-  assign counts_we = s6_en & and_46_s6_q;
+  assign counts_we = s6_en & and_47_s6_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (counts_we) counts_mem[counts_waddr] <= sum_55_s6_q;
+    if (counts_we) counts_mem[counts_waddr] <= sum_56_s6_q;
   end
 `ifndef SYNTHESIS
   logic [6:0] counts_raddr_s4_sim;
@@ -671,52 +672,45 @@ module horopter_blind (
   end
 `endif
 
-  logic or_37_s7_q;
-  logic [1:0] states_rdata_s7_q;
   logic [6:0] block_s7_q;
-  logic [9:0] sum_57_s7_q;
+  logic [9:0] sum_58_s7_q;
   logic and_64_s7_q;
-  logic select_94_s7_q;
+  logic select_93_s7_q;
   logic [8:0] select_98_s7_q;
   logic and_103_s7_q;
   logic and_115_s7_q;
-  logic equal_119_s7_q;
   logic and_120_s7_q;
-  logic blind_rdata_s7_q;
   logic select_123_s7_q;
   logic less_125_s7_q;
   logic last_s7_q;
-  logic and_180_s7_q;
-  logic and_182_s7_q;
+  logic [1:0] select_177_s7_q;
+  logic and_181_s7_q;
+  logic and_184_s7_q;
+  logic and_186_s7_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      or_37_s7_q <= or_37_s6_q;
-      states_rdata_s7_q <= states_rdata_s6_q;
       block_s7_q <= block_s6_q;
-      sum_57_s7_q <= sum_57_s6_q;
+      sum_58_s7_q <= sum_58_s6_q;
       and_64_s7_q <= and_64_s6_q;
-      select_94_s7_q <= select_94_s6_q;
+      select_93_s7_q <= select_93_s6_q;
       select_98_s7_q <= select_98;
       and_103_s7_q <= and_103_s6_q;
       and_115_s7_q <= and_115_s6_q;
-      equal_119_s7_q <= equal_119_s6_q;
       and_120_s7_q <= and_120_s6_q;
-      blind_rdata_s7_q <= blind_rdata_q;
       select_123_s7_q <= select_123_s6_q;
-      less_125_s7_q <= {limit, 2'h0} < {2'h0, sum_55_s6_q};
+      less_125_s7_q <= {sum_124, 2'h0} < {2'h0, sum_56_s6_q};
       last_s7_q <= last_s6_q;
-      and_180_s7_q <= and_180_s6_q;
-      and_182_s7_q <= and_182_s6_q;
+      select_177_s7_q <= or_38_s6_q ? states_rdata_s6_q : 2'h0;
+      and_181_s7_q <= or_38_s6_q & and_180;
+      and_184_s7_q <= and_184_s6_q;
+      and_186_s7_q <= and_186_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/blind.hpp:177
+  // hls/stages/blind.hpp:179
   logic [8:0] sum_99;
   assign sum_99 = select_98_s7_q + 9'h3;
-  // hls/stages/blind.hpp:161
-  logic and_176;
-  assign and_176 = equal_119_s7_q & (blind_rdata_s7_q & (states_rdata_s7_q == 2'h2));
 
   // Memory blind, write
   logic [7:0] blind_waddr;
@@ -727,19 +721,27 @@ module horopter_blind (
     if (blind_we) blind_mem[blind_waddr] <= select_123_s7_q & less_125_s7_q;
   end
 `ifndef SYNTHESIS
+  logic [7:0] blind_raddr_s5_sim;
+  logic blind_re_s5_sim;
   logic [7:0] blind_raddr_s6_sim;
   logic blind_re_s6_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      blind_re_s5_sim <= 1'b0;
       blind_re_s6_sim <= 1'b0;
     end else if (en_i) begin
-      blind_re_s6_sim <= blind_re;
-      blind_raddr_s6_sim <= blind_raddr;
+      blind_re_s5_sim <= blind_re;
+      blind_raddr_s5_sim <= blind_raddr;
+      blind_re_s6_sim <= blind_re_s5_sim;
+      blind_raddr_s6_sim <= blind_raddr_s5_sim;
     end
   end
   always_ff @(posedge clk_i) begin
     if (rst_ni && blind_we) begin
       if (blind_re && blind_raddr == blind_waddr) begin
+        $error("blind: address %0d is read less than DISTANCE steps after its write", blind_waddr);
+      end
+      if (blind_re_s5_sim && blind_raddr_s5_sim == blind_waddr) begin
         $error("blind: address %0d is read less than DISTANCE steps after its write", blind_waddr);
       end
       if (blind_re_s6_sim && blind_raddr_s6_sim == blind_waddr) begin
@@ -750,29 +752,29 @@ module horopter_blind (
 `endif
 
   logic [2:0] block_s8_q;
-  logic [9:0] sum_57_s8_q;
-  logic select_94_s8_q;
+  logic [9:0] sum_58_s8_q;
+  logic select_93_s8_q;
   logic [6:0] sum_99_s8_q;
   logic and_103_s8_q;
   logic and_120_s8_q;
   logic last_s8_q;
-  logic [1:0] select_173_s8_q;
-  logic and_177_s8_q;
-  logic and_180_s8_q;
-  logic and_182_s8_q;
+  logic [1:0] select_177_s8_q;
+  logic and_181_s8_q;
+  logic and_184_s8_q;
+  logic and_186_s8_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       block_s8_q <= block_s7_q[2:0];
-      sum_57_s8_q <= sum_57_s7_q;
-      select_94_s8_q <= select_94_s7_q;
+      sum_58_s8_q <= sum_58_s7_q;
+      select_93_s8_q <= select_93_s7_q;
       sum_99_s8_q <= sum_99[8:2];
       and_103_s8_q <= and_103_s7_q;
       and_120_s8_q <= and_120_s7_q;
       last_s8_q <= last_s7_q;
-      select_173_s8_q <= or_37_s7_q ? states_rdata_s7_q : 2'h0;
-      and_177_s8_q <= or_37_s7_q & and_176;
-      and_180_s8_q <= and_180_s7_q;
-      and_182_s8_q <= and_182_s7_q;
+      select_177_s8_q <= select_177_s7_q;
+      and_181_s8_q <= and_181_s7_q;
+      and_184_s8_q <= and_184_s7_q;
+      and_186_s8_q <= and_186_s7_q;
     end
   end
 
@@ -783,7 +785,7 @@ module horopter_blind (
 
   // Memory taught_low, write
   logic [12:0] taught_low_waddr;
-  assign taught_low_waddr = {sum_57_s8_q, block_s8_q};
+  assign taught_low_waddr = {sum_58_s8_q, block_s8_q};
   logic taught_low_we;
   assign taught_low_we = s8_en & and_103_s8_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -840,7 +842,7 @@ module horopter_blind (
 
   // Memory taught_high_low, write
   logic [12:0] taught_high_low_waddr;
-  assign taught_high_low_waddr = {sum_57_s8_q, block_s8_q};
+  assign taught_high_low_waddr = {sum_58_s8_q, block_s8_q};
   logic taught_high_low_we;
   assign taught_high_low_we = s8_en & and_103_s8_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -897,7 +899,7 @@ module horopter_blind (
 
   // Memory taught_high_high_low, write
   logic [12:0] taught_high_high_low_waddr;
-  assign taught_high_high_low_waddr = {sum_57_s8_q, block_s8_q};
+  assign taught_high_high_low_waddr = {sum_58_s8_q, block_s8_q};
   logic taught_high_high_low_we;
   assign taught_high_high_low_we = s8_en & and_103_s8_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -954,7 +956,7 @@ module horopter_blind (
 
   // Memory taught_high_high_high, write
   logic [12:0] taught_high_high_high_waddr;
-  assign taught_high_high_high_waddr = {sum_57_s8_q, block_s8_q};
+  assign taught_high_high_high_waddr = {sum_58_s8_q, block_s8_q};
   logic taught_high_high_high_we;
   assign taught_high_high_high_we = s8_en & and_103_s8_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -1009,33 +1011,33 @@ module horopter_blind (
   end
 `endif
 
-  logic select_94_s9_q;
+  logic select_93_s9_q;
   logic and_120_s9_q;
   logic last_s9_q;
-  logic [1:0] select_173_s9_q;
-  logic and_177_s9_q;
-  logic and_180_s9_q;
-  logic and_182_s9_q;
+  logic [1:0] select_177_s9_q;
+  logic and_181_s9_q;
+  logic and_184_s9_q;
+  logic and_186_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
-      select_94_s9_q <= select_94_s8_q;
+      select_93_s9_q <= select_93_s8_q;
       and_120_s9_q <= and_120_s8_q;
       last_s9_q <= last_s8_q;
-      select_173_s9_q <= select_173_s8_q;
-      and_177_s9_q <= and_177_s8_q;
-      and_180_s9_q <= and_180_s8_q;
-      and_182_s9_q <= and_182_s8_q;
+      select_177_s9_q <= select_177_s8_q;
+      and_181_s9_q <= and_181_s8_q;
+      and_184_s9_q <= and_184_s8_q;
+      and_186_s9_q <= and_186_s8_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign there_o = and_120_s9_q;
-  assign state_o = select_173_s9_q;
-  assign blind_o = and_177_s9_q;
-  assign first_o = and_180_s9_q;
+  assign state_o = select_177_s9_q;
+  assign blind_o = and_181_s9_q;
+  assign first_o = and_184_s9_q;
   assign last_o = last_s9_q;
-  assign done_o = and_182_s9_q;
-  assign taught_o = select_94_s9_q;
+  assign done_o = and_186_s9_q;
+  assign taught_o = select_93_s9_q;
   assign valid_o = valid_s9_q;
 
   always_ff @(posedge clk_i) begin
