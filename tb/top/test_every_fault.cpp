@@ -54,6 +54,18 @@ constexpr unsigned kWidth = 64, kHeight = 32, kLookahead = 16;
 constexpr unsigned kTimeout = 15'000;
 constexpr int kShift = -5;
 
+/// The only register or memory of that name, whatever instances are before it.
+template <class Build>
+upset::Signal find(typename Build::Model& model, const std::string& name) {
+  std::vector<upset::Signal> found;
+  for (const upset::Signal& signal : Build::signals(model)) {
+    if (("." + std::string(signal.name)).ends_with("." + name)) found.push_back(signal);
+  }
+  CAPTURE(name);
+  REQUIRE(found.size() == 1);
+  return found.front();
+}
+
 template <class Build>
 class Bench {
  public:
@@ -302,18 +314,14 @@ std::set<std::string> faults_of_small_frames() {
   bench.raise("restart", [&] {  // held for as many frames as count; that they do: test_interlock.cpp
     machine.model().restart_i = 1;
     machine.settle(10);
-    for (const upset::Signal& signal : Build::signals(machine.model())) {
-      if (std::string_view(signal.name) != "u_status.u_frame_control.u_interlock.held_frames_q") continue;
-      for (unsigned bit = 0; bit < signal.bits; ++bit) signal.flip(bit);
-    }
+    const upset::Signal held = find<Build>(machine.model(), "u_interlock.held_frames_q");
+    for (unsigned bit = 0; bit < held.bits; ++bit) held.flip(bit);
     Build::settle(machine.model());
     bench.send_scene();
   });
   machine.model().restart_i = 0;
   bench.raise("settings", [&] {
-    for (const upset::Signal& signal : Build::signals(machine.model())) {
-      if (std::string_view(signal.name) == "u_csr.alarm_limit_pixels_q") signal.flip(20);
-    }
+    find<Build>(machine.model(), "u_csr.alarm_limit_pixels_q").flip(20);
     Build::settle(machine.model());
     bench.send_scene();
   });
@@ -427,13 +435,7 @@ std::set<std::string> faults_of_scenes() {
   // That rounds say so: tests/unit/agreement.cpp. Images so small have few places for it, and no round is complete soon
   // after a start.
   const auto flip_overlooked = [&] {
-    int flipped = 0;
-    for (const upset::Signal& signal : Build::signals(machine.model())) {
-      if (!std::string_view(signal.name).ends_with("u_agreement.patches_overlooked_q")) continue;
-      signal.flip(0);
-      ++flipped;
-    }
-    CHECK(flipped == 1);
+    find<Build>(machine.model(), "u_agreement.patches_overlooked_q").flip(0);
     Build::settle(machine.model());
   };
   bench.raise("overlooked", [&] {
@@ -447,8 +449,8 @@ std::set<std::string> faults_of_scenes() {
 template <class Build>
 class Upset final : public Endpoint {
  public:
-  Upset(typename Build::Model& model, std::string_view name, std::string_view when)
-      : model_{model}, signal_{find(name)}, when_{find(when)} {}
+  Upset(typename Build::Model& model, const std::string& name, const std::string& when)
+      : model_{model}, signal_{find<Build>(model, name)}, when_{find<Build>(model, when)} {}
   void arm() { armed_ = true; }
   bool has_been() const { return !armed_; }
   void drive() override {
@@ -460,13 +462,6 @@ class Upset final : public Endpoint {
   void sample() override {}
 
  private:
-  upset::Signal find(std::string_view name) {
-    for (const upset::Signal& signal : Build::signals(model_)) {
-      if (signal.name == name) return signal;
-    }
-    FAIL("no register " << name);
-    return {};
-  }
   typename Build::Model& model_;
   upset::Signal signal_, when_;
   bool armed_ = false;
@@ -510,13 +505,8 @@ void check_that_little_is_decided() {
       machine.send(nearer);
       const std::size_t some = std::size_t{machine.options().width} * machine.options().height / 4;
       machine.simulation().run_until([&] { return machine.states().beats().size() > some; }, 1'000'000, "some states");
-      int flipped = 0;
-      for (const upset::Signal& signal : Build::signals(machine.model())) {
-        if (std::string_view(signal.name) != "undecidable_pixels") continue;
-        signal.flip(signal.bits - 1);
-        ++flipped;
-      }
-      CHECK(flipped == 1);
+      const upset::Signal count = find<Build>(machine.model(), "undecidable_pixels");
+      count.flip(count.bits - 1);
       Build::settle(machine.model());
       CHECK(machine.receive().fault_names().contains("too_undecidable"));
     }
