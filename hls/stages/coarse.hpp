@@ -68,11 +68,9 @@ class CoarseCheck {
 
     // Of the row's second cell there is no determinant.
     const bool counts = !first_ && !second_;
-    if (counts) {
-      determinants_ += g_ * h - h_ * g;
-      products_ += g * h;
-      texture_ += abs(g);
-    }
+    determinants_ = Sum((ended_ ? Sum(0) : determinants_) + (counts ? Sum(g_ * h - h_ * g) : Sum(0)));
+    products_ = Sum((ended_ ? Sum(0) : products_) + (counts ? Sum(g * h) : Sum(0)));
+    if (counts) texture_ += abs(g);
     const bool complete = column_ == segment_cells - 1;
     const bool textured = complete && texture_ >= least_texture;
     const auto determinants = shl<5>(determinants_);
@@ -81,11 +79,8 @@ class CoarseCheck {
     const s<3> change = !textured ? s<3>(0) : same ? s<3>(1) : s<3>(-4);
     segments_missing_ = in.first ? s<12>(config.one_camera_segments) : s<12>(segments_missing_ - u<1>(textured));
     score_ = in.first ? Score(0) : Score(score_ + change);
-    if (complete || in.start) {
-      determinants_ = Sum(0);
-      products_ = Sum(0);
-      texture_ = u<12>(0);
-    }
+    ended_ = complete || in.start;
+    if (ended_) texture_ = u<12>(0);
 
     second_ = first_;
     first_ = false;
@@ -180,6 +175,7 @@ class CoarseCheck {
   u<3> column_{0};
   bool first_ = false;   // the row's first cell
   bool second_ = false;  // its second
+  bool ended_ = false;   // the cell before ended a segment
   Sum determinants_{0};
   Sum products_{0};
   u<12> texture_{0};

@@ -167,6 +167,7 @@ class Patches {
     const Word word = word_of_right();
     size_ = Bits((work_ == Work::code_right ? Bits(0) : size_) + set_);
     set_ = 0;
+    bool weighed = false;
     switch (work_) {
       case Work::code_right:
       case Work::code_left:
@@ -176,7 +177,7 @@ class Patches {
         match(word);
         break;
       case Work::weigh:
-        weigh(config);
+        weighed = weigh();
         break;
       case Work::idle:
         break;
@@ -185,6 +186,8 @@ class Patches {
     const bool better = summed.first || summed.row.differing < best_.differing;
     best_ = better ? summed.row : best_;
     if (summed.last) rows_.write(summed.down_by, best_);
+    vote_ = vote_of(peak_, second_, config);  // in every beat: nothing waits for whether it is one
+    vote_.counts = vote_.counts && weighed;
     advance();
     tally(config);
   }
@@ -528,10 +531,9 @@ class Patches {
     summed_ = {{sum, along_}, new_row, along_ends_ && match_row_ends_, down_by_};
   }
 
-  /// Steps 32 on: the row that fits best. 64 on: those beside it, and the best of those that lie further away. 96: what it
-  /// says.
-  template <class Config>
-  void weigh(const Config& config) {
+  /// Steps 32 on: the row that fits best. 64 on: those beside it, and the best of those that lie further away. 96: true,
+  /// it is known.
+  [[nodiscard]] bool weigh() {
     const u<5> at = step_.template bits<4, 0>();
     const auto pass = step_.template bits<6, 5>();
     // What the beat before has read, flat, so that the way from register to register is short.
@@ -554,10 +556,8 @@ class Patches {
       read_.below = pass == 2 && away == 1;
       read_.far = pass == 2 && (away > 2 || away < -2) ? read_.row.differing : Bits::max();
     }
-    if (pass == 3) {
-      peak_.size = size_;
-      count(peak_, second_, config);
-    }
+    if (pass == 3) peak_.size = size_;
+    return pass == 3;
   }
 
   /// Of a beat of weigh().
@@ -587,8 +587,14 @@ class Patches {
     return up ? s<8>(whole - fraction) : s<8>(whole + fraction);
   }
 
+  /// What a place says, if it counts.
+  struct Vote {
+    bool counts = false, right = false, up = false, down = false, on_skin = false;
+    s<6> across;
+  };
+
   template <class Config>
-  void count(const Peak& peak, bool second, const Config& config) {
+  [[nodiscard]] Vote vote_of(const Peak& peak, bool second, const Config& config) const {
     const Choice& choice = place_[second ? 1 : 0];
     const bool textured = peak.size >= least_bits;
     const bool fits = shl<1>(peak.best.differing) <= peak.size;
@@ -597,19 +603,22 @@ class Patches {
     const s<11> along(s<10>(shl<bits_for(CELL - 1)>(choice.shift)) + s<6>(peak.best.column - lit<reach>()));
     const s<14> expected(s<14>(shr<5>(s<19>(along * choice.slope))));
     const s<15> residual(across(peak) - expected);
-    if (!valid_[second ? 1 : 0] || !textured || !fits || !alone || !between) return;
     const s<7> limit(u<6>(config.patch_limit));
-    vote_.counts = true;
-    vote_.right = second;
-    vote_.down = residual >= limit;
-    vote_.up = residual <= -limit;
-    vote_.on_skin = along >= lit<-1>() && along <= lit<1>();
-    vote_.across = residual > 16 ? s<6>(16) : (residual < -16 ? s<6>(-16) : s<6>(residual));
+    Vote vote;
+    vote.counts = valid_[second ? 1 : 0] && textured && fits && alone && between;
+    vote.right = second;
+    vote.down = residual >= limit;
+    vote.up = residual <= -limit;
+    vote.on_skin = along >= lit<-1>() && along <= lit<1>();
+    vote.across = residual > 16 ? s<6>(16) : (residual < -16 ? s<6>(-16) : s<6>(residual));
+    return vote;
   }
 
   /// What a place says, and a step of the decision. Flat, so that the way from register to register is short.
   template <class Config>
   void tally(const Config& config) {
+    const u<5> on_skin_limit = on_skin_limit_;  // beside the multiplier
+    on_skin_limit_ = config.on_skin_limit;
 #ifndef __HLSC__
     if (!vote_.counts && !decision_.is && !frame_ends_ && !frame_ended_) return;  // nothing changes
 #endif
@@ -651,7 +660,7 @@ class Patches {
     partly_ = shl<4>(sum.up) > clear_limit_ || shl<4>(sum.down) > clear_limit_;
     clear_limit_ = u<11>(shl<2>(sum.places) + sum.places);
     const bool says = config.on_skin_limit != lit<on_skin_limit_never>();
-    const u<13> on_skin_most(places_ * config.on_skin_limit);  // 1/32 place
+    const u<13> on_skin_most(places_ * on_skin_limit);  // 1/32 place
     large_ = says && on_skin_ >= lit<least_on_skin>() && shl<5>(on_skin_) > on_skin_most;
 
     for (std::size_t q = 0; q < 4; ++q) {
@@ -678,10 +687,10 @@ class Patches {
     const int before = beats_left_;
     beats_left_ = std::max(0, beats_left_ - beats);
     if (before > patch_beats + 1 && beats_left_ <= patch_beats + 1) {
-      count(peaks_[0], false, config);
+      vote_ = vote_of(peaks_[0], false, config);
       tally(config);
     }
-    if (before > 1 && beats_left_ <= 1) count(peaks_[1], true, config);
+    if (before > 1 && beats_left_ <= 1) vote_ = vote_of(peaks_[1], true, config);
   }
 
   using Codes = std::array<std::array<std::uint64_t, 2>, right_codes>;  // of a row: four bits a pixel
@@ -816,11 +825,6 @@ class Patches {
 
   // What is known.
   std::array<Quarter, 4> quarters_{};  // top left, top right, bottom left, bottom right
-  /// Of this beat.
-  struct Vote {
-    bool counts = false, right = false, up = false, down = false, on_skin = false;
-    s<6> across;
-  };
   struct Decision {
     bool is = false;
     bool all = false;                   // quarters go the same way
@@ -829,7 +833,8 @@ class Patches {
     bool begins = false, adds = false;  // what was taken a beat before
     bool ends = false;
   };
-  Vote vote_;
+  Vote vote_;  // of this beat
+  u<5> on_skin_limit_{0};
   Decision decision_;
   Quarter word_, sum_;
   s<12> across_{0};

@@ -2,8 +2,9 @@
 // horopter_map_store's switch, by induction: a table in use stays as it was uploaded.
 //
 // One arbitrary (constant, unknown) slot is followed, with the region that its last successful upload filled. While it
-// is valid, nothing writes into that region or, while it is in use, its limit; while it is valid and in use, it stays valid. What is looked up is in use
-// and was valid. Taken for granted: the directory's memory reads what was written (as horopter_ram does).
+// is valid, nothing writes into that region or, while it is in use, its limit; while it is valid and in use, it stays
+// valid. What is looked up is in use and was valid. The error changes only while the store is busy. Taken for granted: the
+// directory's memory reads what was written (as horopter_ram does).
 module formal_map_store (
     input logic        clk_i,
     input logic        rst_ni,
@@ -85,11 +86,13 @@ module formal_map_store (
   (* hierconn *) wire [4:0] \dut.write_addr_q ;
   (* hierconn *) wire \dut.odd_q ;
   (* hierconn *) wire [6:0] \dut.step_q ;
+  (* hierconn *) wire \dut.adds_areas_q ;
+  (* hierconn *) wire \dut.adds_spans_q ;
+  (* hierconn *) wire \dut.adds_size_q ;
   (* hierconn *) wire \dut.sized_q ;
   (* hierconn *) wire \dut.writes_q ;
   (* hierconn *) wire \dut.running_q ;
   (* hierconn *) wire \dut.last_fact_q ;
-  (* hierconn *) wire \dut.misread_q ;
   (* hierconn *) wire \dut.begins_before_q ;
   (* hierconn *) wire \dut.ends_behind_q ;
   (* hierconn *) wire \dut.overlaps_q ;
@@ -103,6 +106,7 @@ module formal_map_store (
   (* hierconn *) wire \dut.take ;
   (* hierconn *) wire [31:0] \dut.data ;
   (* hierconn *) wire [15:0] \dut.start_mask_q ;
+  (* hierconn *) wire \dut.no_slot_q ;
   (* hierconn *) wire [15:0] \dut.upload_mask_q ;
   (* hierconn *) wire [3:0] \dut.selected_q ;
   (* hierconn *) wire [3:0] \dut.active_q ;
@@ -125,6 +129,8 @@ module formal_map_store (
   logic [3:0] past_slot, past_selected, past_active;
   logic [31:0] past_data;
   logic past_take = 1'b0, past_stored = 1'b0;  // of the watched slot
+  logic past_idle = 1'b0;
+  logic [2:0] past_error;
   // A clock ago, which is what the device works with; two clocks ago.
   logic past_running = 1'b0, before_running = 1'b0;
   logic [3:0] before_selected;
@@ -142,6 +148,8 @@ module formal_map_store (
     past_data <= \dut.data ;
     past_stored <= rst_ni && \dut.store_entry && \dut.slot_q == watched;
     past_take <= rst_ni && \dut.take ;
+    past_idle <= rst_ni && !busy;
+    past_error <= error;
     past_selected <= selected_slot;
     past_active <= active_slot;
     past_running <= running;
@@ -179,7 +187,7 @@ module formal_map_store (
       assert (!\dut.valid_q [15]);
       if (\dut.look_q ) assert (\dut.look_slot_q == past_selected);
       assert (\dut.selected_q == past_selected && \dut.active_q == past_active);
-      if (\dut.start_q ) assert (\dut.start_mask_q == 16'd1 << slot);
+      if (\dut.start_q ) assert (\dut.start_mask_q == 16'd1 << slot && \dut.no_slot_q == (slot == 4'd15));
       if (\dut.checked_q ) assert (\dut.upload_mask_q == 16'd1 << \dut.slot_q );
       assert (\dut.running_q == past_running);
       assert (!(\dut.waiting_q && \dut.take ));
@@ -192,6 +200,7 @@ module formal_map_store (
       if (\dut.checked_q ) assert (\dut.state_q == CHECK && !\dut.waiting_q && !\dut.take );
       if (\dut.state_q == SIZE) begin
         assert (\dut.step_q <= 7'd13);
+        assert (\dut.adds_areas_q == (\dut.step_q == 7'd1) && \dut.adds_spans_q == (\dut.step_q == 7'd2) && \dut.adds_size_q == (\dut.step_q == 7'd11));
         if (\dut.step_q < 7'd12) begin
           assert (32'(\dut.size_q ) + 32'd4095 <= 32'd4095 << \dut.step_q );
           assert (\dut.end_q == (\dut.step_q <= 7'd1 ? 24'(\dut.base_q ) : \dut.step_q == 7'd2 ? behind_spans - spans_words : behind_spans));
@@ -208,7 +217,7 @@ module formal_map_store (
       if (\dut.state_q != IDLE) assert (\dut.slot_q != 4'd15 && !valid[\dut.slot_q ]);
       if (\dut.state_q == WALK && valid[watched]) begin
         assert (\dut.overlap_q [watched] == (\dut.step_q > {1'b0, watched, 2'b11} && !apart));
-        if (\dut.step_q == {1'b0, watched, 2'b10}) assert ((\dut.misread_q || (\dut.begins_before_q && \dut.ends_behind_q )) == !apart);
+        if (\dut.step_q == {1'b0, watched, 2'b10}) assert ((\dut.begins_before_q && \dut.ends_behind_q ) == !apart);
         if (\dut.step_q == {1'b0, watched, 2'b11}) assert (\dut.overlaps_q == !apart);
       end
       if (\dut.state_q == DATA) begin
@@ -243,6 +252,7 @@ module formal_map_store (
         assert (\dut.write_addr_q < 5'(first) || \dut.write_addr_q >= behind);
       if (past_in_use) assert (stays || !rst_ni);
       if (past_in_use && \dut.store_limit ) assert (slot != watched);
+      if (past_idle) assert (error == past_error);
       // An entry is not read while it is written.
       if (\dut.lookup_q && looked_up_valid && \dut.lookup_slot_q == watched) assert (!past_stored);
       if (before_running && \dut.lookup_q && looked_up_valid && \dut.lookup_slot_q == watched) assert (stays);

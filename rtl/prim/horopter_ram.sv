@@ -6,7 +6,8 @@
 // Reading an address in the clock in which it is written gives an undefined word, so that no bypass logic is needed.
 // PARITY = 1 stores even parity beside each word (the ninth bit of block memories); parity_error_o comes with the data.
 // Contents are zero at power-up (with correct parity) and survive reset: there is none.
-// STEADY = 1 without FAST: what is written stands a clock before it is, so that its parity comes from a register.
+// STEADY = 1 without FAST, for wide words: what is written stands a clock before it is, so that its parity comes from a
+// register, and parity_error_o comes a clock behind the data.
 // FAST = 1 with OUTPUT_REGISTER: read latency 5, writes a clock later. Registers take the ways to and from the blocks,
 // which lie far apart. The parity is that of the word before the last of them. Banks are one block deep, each with its own
 // output register, a multiplexer in two steps behind them. Deep memories are laid out as far as they fill it in banks of
@@ -67,7 +68,19 @@ module horopter_ram #(
         .read_data_o(out_word)
     );
     assign read_data_o = out_word[WIDTH-1:0];
-    assign odd = ^out_word;
+    if (STEADY) begin : g_odd
+      localparam int unsigned PART_BITS = 16;
+      localparam int unsigned PARTS = (WORD_BITS + PART_BITS - 1) / PART_BITS;
+      logic [PARTS*PART_BITS-1:0] padded;
+      logic [PARTS-1:0] odd_parts_q;
+      assign padded = (PARTS * PART_BITS)'(out_word);
+      always_ff @(posedge clk_i) begin
+        for (int unsigned i = 0; i < PARTS; i++) odd_parts_q[i] <= ^padded[i*PART_BITS+:PART_BITS];
+      end
+      assign odd = ^odd_parts_q;
+    end else begin : g_odd_at_once
+      assign odd = ^out_word;
+    end
   end else begin : g_banks
     // The deep banks come first, so a bank's number follows from the upper bits of the address.
     function automatic [BANK_BITS-1:0] bank_of(input [ADDR_BITS-1:0] addr);

@@ -173,18 +173,12 @@ module horopter_left_store #(
       asked_q <= rst_ni && valid_i && live_i && present_q;
       last_q <= last_i;
       end_of_row_q <= rst_ni && valid_i && live_i && last_i;
-      if (!rst_ni) begin
-        block_row_q <= '0;
-        x_q <= '0;
-        present_q <= 1'b0;
-        row_starts_q <= 1'b0;
-      end else begin
-        present_q <= 12'(row_q) < rows_i;
-        row_starts_q <= begin_i || (read && last);  // then slot_q has moved on, and nothing is read
-        block_row_q <= (row_starts_q ? ROW_ADDR_BITS'(slot_q) : block_row_q) + (read && &x_q ? ROW_ADDR_BITS'(ROWS) : '0);
-        if (end_of_row || begin_i) x_q <= '0;
-        else if (read) x_q <= x_q + 1'b1;
-      end
+      present_q <= rst_ni && 12'(row_q) < rows_i;
+      row_starts_q <= rst_ni && (begin_i || (read && last));  // then slot_q has moved on, and nothing is read
+      // No frame is read that did not begin, which sets them.
+      block_row_q <= (row_starts_q ? ROW_ADDR_BITS'(slot_q) : block_row_q) + (read && &x_q ? ROW_ADDR_BITS'(ROWS) : '0);
+      if (end_of_row || begin_i) x_q <= '0;
+      else if (read) x_q <= x_q + 1'b1;
     end
     assign read_addr = {block_row_q, x_q};
 

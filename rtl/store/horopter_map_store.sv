@@ -190,15 +190,17 @@ module horopter_map_store #(
 
   logic store_limit;
   assign store_entry = checked_q && right_q;
-  assign store_limit = start_q && slot_i != NONE && !slot_in_use_q;
 
-  // One-hot: the slots of a start and of an upload. As of the clock before: a start's is there then.
+  // One-hot: the slots of a start and of an upload; that a start has none. As of the clock before: a start's is there then.
   logic [15:0] start_mask_q, upload_mask_q;
+  logic no_slot_q;
   logic replaces, replaces_q;  // the walk ends, and what overlaps goes, a clock later
   always_ff @(posedge clk_i) begin
     start_mask_q <= 16'd1 << slot_i;
+    no_slot_q <= slot_i == NONE;
     upload_mask_q <= 16'd1 << slot_q;
   end
+  assign store_limit = start_q && !no_slot_q && !slot_in_use_q;
   assign replaces = !start_q && state_q == WALK && walked_q && in_use_stays_q && !overlap_in_use_q;
   always_ff @(posedge clk_i) begin
     replaces_q <= rst_ni && !start_q && (replaces || state_q == FACTS);  // as long as the facts come, should an upset take it back
@@ -227,14 +229,13 @@ module horopter_map_store #(
       .read_data_o(extent),
       .parity_error_o(extent_error)
   );
-  logic misread_q, begins_before_q, ends_behind_q, overlaps_q, slot_valid_q;
+  logic begins_before_q, ends_behind_q, overlaps_q, slot_valid_q;
   assign slot_extent_o = slot_valid_q ? {16'(extent[2*ADDR_BITS:ADDR_BITS]), 16'(extent[ADDR_BITS-1:0])} : 32'd0;
   assign walk_slot = step_q[5:2];
   always_ff @(posedge clk_i) begin
-    misread_q <= extent_error;
     begins_before_q <= {1'b0, extent[ADDR_BITS-1:0]} < end_addr;
     ends_behind_q <= extent[2*ADDR_BITS:ADDR_BITS] > {1'b0, base_q[ADDR_BITS-1:0]};
-    overlaps_q <= valid_q[walk_slot] && walk_slot != slot_q && (misread_q || (begins_before_q && ends_behind_q));
+    overlaps_q <= valid_q[walk_slot] && walk_slot != slot_q && (extent_error || (begins_before_q && ends_behind_q));
   end
 
   // Decided when the walk is over, for what is in use then: the selection may change during it.
@@ -244,24 +245,37 @@ module horopter_map_store #(
     walked_q <= state_q == WALK && step_q[6];
   end
 
+  // The error follows a clock behind the state: which one it would be, and whether it is.
+  logic decided_q;
+  logic [2:0] decision_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) error_o <= NO_ERROR;
+    else if (decided_q) error_o <= decision_q;
+    case (state_q)
+      HEAD0, HEAD3: decision_q <= BAD_HEADER;
+      SIZE: decision_q <= bad_size_q ? BAD_HEADER : TOO_LARGE;
+      WALK: decision_q <= IN_USE;
+      CHECK: decision_q <= WRONG_CRC;
+      default: decision_q <= NOT_STARTED;
+    endcase
+    if (start_q) decision_q <= no_slot_q ? NO_SLOT : slot_in_use_q ? IN_USE : NO_ERROR;
+  end
   always_ff @(posedge clk_i) begin
     bad_upload_o <= 1'b0;
     refused_o <= 1'b0;
+    decided_q <= 1'b0;
     if (!rst_ni) begin
       state_q <= IDLE;
-      error_o <= NO_ERROR;
     end else if (start_q) begin
-      if (slot_i == NONE) begin
+      decided_q <= 1'b1;
+      if (no_slot_q) begin
         state_q <= IDLE;
-        error_o <= NO_SLOT;
         bad_upload_o <= 1'b1;
       end else if (slot_in_use_q) begin
         state_q <= IDLE;
-        error_o <= IN_USE;
         refused_o <= 1'b1;
       end else begin
         state_q <= HEAD0;
-        error_o <= NO_ERROR;
       end
     end else begin
       case (state_q)
@@ -269,7 +283,7 @@ module horopter_map_store #(
         if (take) begin
           if (first_bad_q) begin
             state_q <= IDLE;
-            error_o <= BAD_HEADER;
+            decided_q <= 1'b1;
             bad_upload_o <= 1'b1;
           end else begin
             state_q <= HEAD1;
@@ -284,7 +298,7 @@ module horopter_map_store #(
         if (take) begin
           if (count_bad_q) begin
             state_q <= IDLE;
-            error_o <= BAD_HEADER;
+            decided_q <= 1'b1;
             bad_upload_o <= 1'b1;
           end else begin
             state_q <= SIZE;
@@ -295,7 +309,7 @@ module horopter_map_store #(
         if (step_q == 7'd13) begin
           if (bad_size_q || too_large_q) begin
             state_q <= IDLE;
-            error_o <= bad_size_q ? BAD_HEADER : TOO_LARGE;
+            decided_q <= 1'b1;
             bad_upload_o <= 1'b1;
           end else begin
             state_q <= WALK;
@@ -306,7 +320,7 @@ module horopter_map_store #(
         if (walked_q && in_use_stays_q) begin
           if (overlap_in_use_q) begin
             state_q <= IDLE;
-            error_o <= IN_USE;
+            decided_q <= 1'b1;
             refused_o <= 1'b1;
           end else begin
             state_q <= FACTS;
@@ -321,19 +335,20 @@ module horopter_map_store #(
         if (checked_q) begin
           state_q <= IDLE;
           if (!right_q) begin
-            error_o <= WRONG_CRC;
+            decided_q <= 1'b1;
             bad_upload_o <= 1'b1;
           end
         end
 
         default:  // IDLE
-        if (take && error_o == NO_ERROR) error_o <= NOT_STARTED;
+        if (take) decided_q <= error_o == NO_ERROR;
       endcase
     end
   end
 
   // What the states work with; none of it needs a reset, a start sets the state that sets it.
   logic halve_x_q, halve_y_q;  // this place of the shifts counts
+  logic adds_areas_q, adds_spans_q, adds_size_q;  // to the end
   logic sized_q;  // the image's size came in the clock before
   logic [6:0] next_step;
   assign next_step = state_q == SIZE ? step_q + 7'd1 : 7'd0;
@@ -344,6 +359,9 @@ module horopter_map_store #(
     end
     halve_x_q <= next_step < 7'(nx_q);
     halve_y_q <= next_step < 7'(ny_q);
+    adds_areas_q <= next_step == 7'd1;
+    adds_spans_q <= next_step == 7'd2;
+    adds_size_q <= next_step == 7'd11;
     // With c = (size - 1) >> n there are c + 1 cells, c + 2 control points; in pairs c / 2 + 1, and one more if c is odd.
     expected_columns_q <= cells_x_q + 12'd2;
     expected_pairs_q <= 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]);
@@ -395,9 +413,7 @@ module horopter_map_store #(
         end
         if (halve_x_q) cells_x_q <= {1'b0, cells_x_q[11:1]};
         if (halve_y_q) cells_y_q <= {1'b0, cells_y_q[11:1]};
-        if (step_q == 7'd1) end_q <= end_q + 24'(areas64_q);
-        if (step_q == 7'd2) end_q <= end_q + 24'(spans64_q);
-        if (step_q == 7'd11) end_q <= end_q + size_q;
+        end_q <= end_q + (adds_areas_q ? 24'(areas64_q) : adds_spans_q ? 24'(spans64_q) : adds_size_q ? size_q : 24'd0);
       end
 
       // Four clocks a slot: read, compare, judge, note.
@@ -434,7 +450,7 @@ module horopter_map_store #(
       end_q <= 24'(base_q);
     end
   end
-  assign busy_o = state_q != IDLE || start_q || waiting_q || take;
+  assign busy_o = state_q != IDLE || start_q || waiting_q || take || decided_q;
   assign valid_o = valid_q[14:0];
 
   // --- directory: read by a lookup, else of slot_i, what its CRC is ---
@@ -444,7 +460,7 @@ module horopter_map_store #(
   logic [11:0] entry_width, entry_height, entry_columns, entry_areas;
   logic [2:0] entry_ny, entry_nx;
   logic [ADDR_BITS-1:0] entry_base;
-  logic entry_spans, lookup_q, lookup_valid_q, slot_read_q;
+  logic entry_spans, lookup_q, looked_up_q, lookup_valid_q, slot_read_q;
   horopter_ram #(
       .WIDTH(ENTRY_BITS),
       .DEPTH(16),
@@ -528,11 +544,11 @@ module horopter_map_store #(
   );
 
   // From the directory into the outputs, and as long as they stay.
-  logic entry_error_q, looked_up_q;
+  logic entry_error_q;
   logic [1:0] guard_error;
   always_ff @(posedge clk_i) begin
     looked_up_q <= lookup_q;
-    if (lookup_q) entry_error_q <= entry_error;
+    if (looked_up_q) entry_error_q <= entry_error;
     table_error_o <= rst_ni && table_ok_o && !looked_up_q && (entry_error_q || limit_error || unsupervised_error || guard_error != 2'b00);
   end
   horopter_guard #(

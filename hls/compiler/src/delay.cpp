@@ -29,6 +29,7 @@ DelayModel make_delay_model(Target target) {
       break;
     case Target::kEcp5:  // speed grade 6
       m.launch_ns = 0.53;
+      m.config_route_ns = 1.00;
       m.setup_ns = 0.05;
       m.level_ns = 1.12;
       m.carry_base_ns = 1.75;
@@ -36,8 +37,10 @@ DelayModel make_delay_model(Target target) {
       m.memory_read_ns = 5.30;   // 5.7 without its output register, less the margin it does not need (delay.hpp)
       m.memory_route_ns = 1.80;  // block RAMs lie in few rows; of hd's, routed, half are further away than this
       m.memory_setup_ns = 2.80;
-      m.bank_ns = 0.45;
+      m.banks_ns = 0.40;
+      m.bank_ns = 0.35;
       m.multiplier_ns = 4.60;
+      m.multiplier_route_ns = 1.30;  // they lie in two rows
       m.multiplier_bits = 18;
       break;
   }
@@ -63,7 +66,17 @@ bool is_distributed(const Ram& ram) {
 double DelayModel::read_address_ns(const Ram& ram) const {
   constexpr double bank_words = 16;
   return memory_setup_ns +
-         (is_distributed(ram) && ram.depth > bank_words ? bank_ns * std::log2(ram.depth / bank_words) : 0);
+         (is_distributed(ram) && ram.depth > bank_words ? banks_ns + bank_ns * std::log2(ram.depth / bank_words) : 0);
+}
+
+bool DelayModel::is_hard_product(const Node& node) const {
+  return (node.op == Op::kMul || node.op == Op::kMulSigned) && multiplier_bits != 0 &&
+         std::max(variable_bits(node.operands[0]), variable_bits(node.operands[1])) <= multiplier_bits;
+}
+
+double DelayModel::route_ns(const Node& node, bool synchronous_rom) const {
+  if (node.op == Op::kRamRead || synchronous_rom) return memory_route_ns;
+  return is_hard_product(node) ? multiplier_route_ns : 0;
 }
 
 double DelayModel::node_ns(const Graph& graph, const Node& node) const {
@@ -109,8 +122,7 @@ double DelayModel::node_ns(const Graph& graph, const Node& node) const {
     }
     case Op::kMul:
     case Op::kMulSigned: {
-      const auto widest = std::max(variable(0), variable(1));
-      if (multiplier_bits != 0 && widest <= multiplier_bits) return multiplier_ns;
+      if (is_hard_product(node)) return multiplier_ns;
       const double rows = std::max(1U, std::min(variable(0), variable(1)));
       return level_ns + std::ceil(std::log2(rows + 1)) * (carry_base_ns + carry_bit_ns * node.width);
     }

@@ -150,7 +150,7 @@ class Scheduler {
       const Node& node = g_.nodes[n];
       delay_[n] =
           rom_address_[n] != kNone ? o_.delays.memory_read_ns - o_.delays.launch_ns : o_.delays.node_ns(g_, node);
-      if (rom_address_[n] == kNone && reads_memory(node)) start_[n] += o_.delays.memory_route_ns;
+      if (rom_address_[n] == kNone) start_[n] += longest_route_ns(node);
     }
     for (const NodeId n : inputs()) start_[n] = std::max(o_.delays.launch_ns, o_.input_ns);
     // What a clock has left after output_ns is for what the outputs go to.
@@ -165,11 +165,18 @@ class Scheduler {
     }
   }
 
-  bool reads_memory(const Node& node) const {
-    return std::ranges::any_of(node.operands, [&](const Bits& operand) {
-      return std::ranges::any_of(
-          operand, [&](Bit b) { return g_.nodes[b.node].op == Op::kRamRead || rom_address_[b.node] != kNone; });
-    });
+  /// To a node, from the registers of its operands.
+  double longest_route_ns(const Node& node) const {
+    double longest = 0;
+    for (const Bits& operand : node.operands) {
+      for (Bit b : operand) {
+        if (b.node == 0) continue;
+        longest =
+            std::max(longest, static_[b.node] ? o_.delays.config_route_ns
+                                              : o_.delays.route_ns(g_.nodes[b.node], rom_address_[b.node] != kNone));
+      }
+    }
+    return longest;
   }
 
   std::vector<NodeId> inputs() const {

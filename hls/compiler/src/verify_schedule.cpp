@@ -81,8 +81,9 @@ std::vector<std::string> verify_schedule(const Graph& graph, const Schedule& res
     for (Bit b : bits) {
       if (b.node == 0) continue;
       const int made = result.stage[b.node];
-      const bool memory = graph.nodes[b.node].op == Op::kRamRead || result.synchronous_rom[b.node];
-      const double launch = delays.launch_ns + (memory ? delays.memory_route_ns : 0.0);
+      const double route = made == kEveryStage ? delays.config_route_ns
+                                               : delays.route_ns(graph.nodes[b.node], result.synchronous_rom[b.node]);
+      const double launch = delays.launch_ns + route;
       at = std::max(at, made == stage ? arrival[b.node] : launch);
     }
     return at;

@@ -282,6 +282,34 @@ TEST_CASE("the sign of a factor may be constant", "[schedule]") {
   }
 }
 
+TEST_CASE("what lies far away leaves less of the clock", "[schedule]") {
+  const auto longer_by = [](const Graph& graph, double DelayModel::* route_ns) {
+    auto options = at(5.4, Target::kEcp5);
+    REQUIRE(options.delays.*route_ns > 0);
+    const Schedule far = schedule(graph, options);
+    CHECK(verify_schedule(graph, far).empty());
+    options.delays.*route_ns = 0;
+    Schedule near = schedule(graph, options);
+    CHECK(verify_schedule(graph, near).empty());
+    near.options = far.options;
+    CHECK_FALSE(verify_schedule(graph, near).empty());
+    return far.latency - near.latency;
+  };
+  SECTION("a hard multiplier") {
+    Builder b("scaled");
+    const Bits x = b.input("x", 8), y = b.input("y", 8), z = b.input("z", 16);
+    const Bits difference = b.op(Op::kSub, 16, {b.op(Op::kMul, 16, {x, y}), z});
+    b.output("less", b.op(Op::kUlt, 1, {difference, z}));
+    CHECK(longer_by(b.graph, &DelayModel::multiplier_route_ns) == 1);
+  }
+  SECTION("configuration") {
+    Builder b("compared");
+    const Bits x = b.input("x", 16), level = b.config("level", 16);
+    b.output("less", b.op(Op::kUlt, 1, {b.op(Op::kAdd, 16, {x, level}), x}));
+    CHECK(longer_by(b.graph, &DelayModel::config_route_ns) == 1);
+  }
+}
+
 TEST_CASE("a CRC bit by bit becomes parities and meets the clock", "[schedule]") {
   Builder b("crc");
   const Bits x = b.input("x", 8), first = b.input("first", 1);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Threshold<horopter::hls::profiles::field>, hls/stages/threshold.hpp. Do not edit.
 //
-// Latency 0 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// Latency 1 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
 // Outputs are logic: what they go to takes them with the clock if en_i = 1.
-// State 0 bits, pipeline 0 bits, memories 0 bits.
+// State 0 bits, pipeline 8 bits, memories 0 bits.
 module horopter_threshold (
   input  logic clk_i,
   input  logic rst_ni,
@@ -31,21 +31,47 @@ module horopter_threshold (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
+  logic valid_s1_q;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
 
-  // Outputs -----------------------------------------------------------------------------------------------------------
-  assign skin_o = ~(cfg_sum_limit_i < sum_0_i);
-  assign decidable_o = textured_i & (cfg_self_limit_i < sum_1_i);
-  assign mask_o = mask_i;
-  assign marks_first_o = marks_first_i;
-  assign marks_last_o = marks_last_i;
-  assign marks_seen_o = marks_seen_i;
-  assign marks_nearer_o = marks_nearer_i;
-  assign valid_o = valid_i;
+  logic mask_s1_q;
+  logic marks_first_s1_q;
+  logic marks_last_s1_q;
+  logic marks_seen_s1_q;
+  logic marks_nearer_s1_q;
+  logic not_12_s1_q;
+  logic and_14_s1_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) begin
+      mask_s1_q <= mask_i;
+      marks_first_s1_q <= marks_first_i;
+      marks_last_s1_q <= marks_last_i;
+      marks_seen_s1_q <= marks_seen_i;
+      marks_nearer_s1_q <= marks_nearer_i;
+      not_12_s1_q <= ~(cfg_sum_limit_i < sum_0_i);
+      and_14_s1_q <= textured_i & (cfg_self_limit_i < sum_1_i);
+    end
+  end
 
-  // Nothing depends on these bits.
-  logic unused_bits;
-  assign unused_bits = ^{clk_i, rst_ni, en_i};
+  // Stage 1 -----------------------------------------------------------------------------------------------------------
+
+  // Outputs -----------------------------------------------------------------------------------------------------------
+  assign skin_o = not_12_s1_q;
+  assign decidable_o = and_14_s1_q;
+  assign mask_o = mask_s1_q;
+  assign marks_first_o = marks_first_s1_q;
+  assign marks_last_o = marks_last_s1_q;
+  assign marks_seen_o = marks_seen_s1_q;
+  assign marks_nearer_o = marks_nearer_s1_q;
+  assign valid_o = valid_s1_q;
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      valid_s1_q <= 1'b0;
+    end else if (en_i) begin
+      valid_s1_q <= valid_i;
+    end
+  end
 
 endmodule

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::Ballot<horopter::hls::profiles::hd>, hls/stages/ballot.hpp. Do not edit.
 //
-// Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 14 bits, pipeline 681 bits, memories 288000 bits.
+// State 14 bits, pipeline 732 bits, memories 288000 bits.
 module horopter_ballot (
   input  logic clk_i,
   input  logic rst_ni,
@@ -32,12 +32,12 @@ module horopter_ballot (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q;
-  logic s0_en, s2_en, s3_en, s7_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
+  logic s0_en, s2_en, s3_en, s8_en;
   assign s0_en = en_i & valid_i;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
-  assign s7_en = en_i & valid_s7_q;
+  assign s8_en = en_i & valid_s8_q;
 
   // Of the configuration alone: not pipelined.
   logic [7:0] select_165;
@@ -461,10 +461,6 @@ module horopter_ballot (
   assign select_116 = ({3'h0, cfg_similar_i} < difference_4_s4_q) ? 8'h0 : select_43_s4_q;
   logic [7:0] select_123;
   assign select_123 = ({3'h0, cfg_similar_i} < difference_5_s4_q) ? 8'h0 : select_67_s4_q;
-  // hls/stages/ballot.hpp:71
-  logic [8:0] sum_124;
-  assign sum_124 = {select_61_s4_q[7], select_61_s4_q} + {select_123[7], select_123};
-  // hls/stages/ballot.hpp:68
   logic [7:0] select_129;
   assign select_129 = ({3'h0, cfg_similar_i} < difference_6_s4_q) ? 8'h0 : select_79_s4_q;
   logic [7:0] select_134;
@@ -478,13 +474,18 @@ module horopter_ballot (
   logic marks_last_s5_q;
   logic marks_seen_s5_q;
   logic marks_nearer_s5_q;
+  logic [7:0] select_61_s5_q;
   logic select_91_s5_q;
-  logic [8:0] sum_106_s5_q;
-  logic [8:0] sum_117_s5_q;
-  logic [8:0] sum_124_s5_q;
-  logic [8:0] sum_135_s5_q;
+  logic [7:0] select_100_s5_q;
+  logic [7:0] select_105_s5_q;
+  logic [7:0] select_111_s5_q;
+  logic [7:0] select_116_s5_q;
+  logic [7:0] select_123_s5_q;
+  logic [7:0] select_129_s5_q;
+  logic [7:0] select_134_s5_q;
   logic [7:0] select_142_s5_q;
-  logic [8:0] sum_159_s5_q;
+  logic [7:0] select_153_s5_q;
+  logic [7:0] select_158_s5_q;
   logic and_174_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
@@ -492,32 +493,44 @@ module horopter_ballot (
       marks_last_s5_q <= marks_last_s4_q;
       marks_seen_s5_q <= marks_seen_s4_q;
       marks_nearer_s5_q <= marks_nearer_s4_q;
+      select_61_s5_q <= select_61_s4_q;
       select_91_s5_q <= select_91_s4_q;
-      sum_106_s5_q <= {select_100[7], select_100} + {select_105[7], select_105};
-      sum_117_s5_q <= {select_111[7], select_111} + {select_116[7], select_116};
-      sum_124_s5_q <= sum_124;
-      sum_135_s5_q <= {select_129[7], select_129} + {select_134[7], select_134};
+      select_100_s5_q <= select_100;
+      select_105_s5_q <= select_105;
+      select_111_s5_q <= select_111;
+      select_116_s5_q <= select_116;
+      select_123_s5_q <= select_123;
+      select_129_s5_q <= select_129;
+      select_134_s5_q <= select_134;
       select_142_s5_q <= ({3'h0, cfg_similar_i} < difference_8_s4_q) ? 8'h0 : vote_s4_q;
-      sum_159_s5_q <= {select_153[7], select_153} + {select_158[7], select_158};
+      select_153_s5_q <= select_153;
+      select_158_s5_q <= select_158;
       and_174_s5_q <= and_174_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:71
-  logic [9:0] sum_118;
-  assign sum_118 = {sum_106_s5_q[8], sum_106_s5_q} + {sum_117_s5_q[8], sum_117_s5_q};
-  logic [9:0] sum_136;
-  assign sum_136 = {sum_124_s5_q[8], sum_124_s5_q} + {sum_135_s5_q[8], sum_135_s5_q};
+  logic [8:0] sum_106;
+  assign sum_106 = {select_100_s5_q[7], select_100_s5_q} + {select_105_s5_q[7], select_105_s5_q};
+  logic [8:0] sum_117;
+  assign sum_117 = {select_111_s5_q[7], select_111_s5_q} + {select_116_s5_q[7], select_116_s5_q};
+  logic [8:0] sum_124;
+  assign sum_124 = {select_61_s5_q[7], select_61_s5_q} + {select_123_s5_q[7], select_123_s5_q};
+  logic [8:0] sum_135;
+  assign sum_135 = {select_129_s5_q[7], select_129_s5_q} + {select_134_s5_q[7], select_134_s5_q};
+  logic [8:0] sum_159;
+  assign sum_159 = {select_153_s5_q[7], select_153_s5_q} + {select_158_s5_q[7], select_158_s5_q};
   logic [9:0] sum_160;
-  assign sum_160 = {{2{select_142_s5_q[7]}}, select_142_s5_q} + {sum_159_s5_q[8], sum_159_s5_q};
+  assign sum_160 = {{2{select_142_s5_q[7]}}, select_142_s5_q} + {sum_159[8], sum_159};
 
   logic marks_first_s6_q;
   logic marks_last_s6_q;
   logic marks_seen_s6_q;
   logic marks_nearer_s6_q;
   logic select_91_s6_q;
-  logic [10:0] sum_137_s6_q;
+  logic [9:0] sum_118_s6_q;
+  logic [9:0] sum_136_s6_q;
   logic [9:0] sum_160_s6_q;
   logic and_174_s6_q;
   always_ff @(posedge clk_i) begin
@@ -527,7 +540,8 @@ module horopter_ballot (
       marks_seen_s6_q <= marks_seen_s5_q;
       marks_nearer_s6_q <= marks_nearer_s5_q;
       select_91_s6_q <= select_91_s5_q;
-      sum_137_s6_q <= {sum_118[9], sum_118} + {sum_136[9], sum_136};
+      sum_118_s6_q <= {sum_106[8], sum_106} + {sum_117[8], sum_117};
+      sum_136_s6_q <= {sum_124[8], sum_124} + {sum_135[8], sum_135};
       sum_160_s6_q <= sum_160;
       and_174_s6_q <= and_174_s5_q;
     end
@@ -535,16 +549,15 @@ module horopter_ballot (
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:71
-  logic [11:0] sum_161;
-  assign sum_161 = {sum_137_s6_q[10], sum_137_s6_q} + {{2{sum_160_s6_q[9]}}, sum_160_s6_q};
+  logic [10:0] sum_137;
+  assign sum_137 = {sum_118_s6_q[9], sum_118_s6_q} + {sum_136_s6_q[9], sum_136_s6_q};
 
   logic marks_first_s7_q;
   logic marks_last_s7_q;
   logic marks_seen_s7_q;
   logic marks_nearer_s7_q;
-  logic not_163_s7_q;
-  logic [12:0] difference_164_s7_q;
-  logic and_170_s7_q;
+  logic select_91_s7_q;
+  logic [11:0] sum_161_s7_q;
   logic and_174_s7_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
@@ -552,9 +565,8 @@ module horopter_ballot (
       marks_last_s7_q <= marks_last_s6_q;
       marks_seen_s7_q <= marks_seen_s6_q;
       marks_nearer_s7_q <= marks_nearer_s6_q;
-      not_163_s7_q <= ~($signed(sum_161) < $signed({4'h0, cfg_quorum_i}));
-      difference_164_s7_q <= 13'h0 - {sum_161[11], sum_161};
-      and_170_s7_q <= select_91_s6_q & sum_161[11];
+      select_91_s7_q <= select_91_s6_q;
+      sum_161_s7_q <= {sum_137[10], sum_137} + {{2{sum_160_s6_q[9]}}, sum_160_s6_q};
       and_174_s7_q <= and_174_s6_q;
     end
   end
@@ -562,36 +574,59 @@ module horopter_ballot (
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:89
   logic less_168;
-  assign less_168 = $signed(difference_164_s7_q) < $signed({2'h0, sum_167, select_165[0]});
+  assign less_168 = $signed((13'h0 - {sum_161_s7_q[11], sum_161_s7_q})) < $signed({2'h0, sum_167, select_165[0]});
 
   logic marks_first_s8_q;
   logic marks_last_s8_q;
   logic marks_seen_s8_q;
   logic marks_nearer_s8_q;
   logic not_163_s8_q;
-  logic or_171_s8_q;
+  logic not_169_s8_q;
+  logic and_170_s8_q;
   logic and_174_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s7_en) begin
+    if (en_i) begin
       marks_first_s8_q <= marks_first_s7_q;
       marks_last_s8_q <= marks_last_s7_q;
       marks_seen_s8_q <= marks_seen_s7_q;
       marks_nearer_s8_q <= marks_nearer_s7_q;
-      not_163_s8_q <= not_163_s7_q;
-      or_171_s8_q <= (~less_168) | and_170_s7_q;
+      not_163_s8_q <= ~($signed(sum_161_s7_q) < $signed({4'h0, cfg_quorum_i}));
+      not_169_s8_q <= ~less_168;
+      and_170_s8_q <= select_91_s7_q & sum_161_s7_q[11];
       and_174_s8_q <= and_174_s7_q;
     end
   end
 
+  // Stage 8 -----------------------------------------------------------------------------------------------------------
+
+  logic marks_first_s9_q;
+  logic marks_last_s9_q;
+  logic marks_seen_s9_q;
+  logic marks_nearer_s9_q;
+  logic not_163_s9_q;
+  logic or_171_s9_q;
+  logic and_174_s9_q;
+  always_ff @(posedge clk_i) begin
+    if (s8_en) begin
+      marks_first_s9_q <= marks_first_s8_q;
+      marks_last_s9_q <= marks_last_s8_q;
+      marks_seen_s9_q <= marks_seen_s8_q;
+      marks_nearer_s9_q <= marks_nearer_s8_q;
+      not_163_s9_q <= not_163_s8_q;
+      or_171_s9_q <= not_169_s8_q | and_170_s8_q;
+      and_174_s9_q <= and_174_s8_q;
+    end
+  end
+
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign skin_o = not_163_s8_q;
-  assign clear_o = or_171_s8_q;
-  assign exists_o = and_174_s8_q;
-  assign marks_first_o = marks_first_s8_q;
-  assign marks_last_o = marks_last_s8_q;
-  assign marks_seen_o = marks_seen_s8_q;
-  assign marks_nearer_o = marks_nearer_s8_q;
-  assign valid_o = valid_s8_q;
+  assign skin_o = not_163_s9_q;
+  assign clear_o = or_171_s9_q;
+  assign exists_o = and_174_s9_q;
+  assign marks_first_o = marks_first_s9_q;
+  assign marks_last_o = marks_last_s9_q;
+  assign marks_seen_o = marks_seen_s9_q;
+  assign marks_nearer_o = marks_nearer_s9_q;
+  assign valid_o = valid_s9_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -603,6 +638,7 @@ module horopter_ballot (
       valid_s6_q <= 1'b0;
       valid_s7_q <= 1'b0;
       valid_s8_q <= 1'b0;
+      valid_s9_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -612,6 +648,7 @@ module horopter_ballot (
       valid_s6_q <= valid_s5_q;
       valid_s7_q <= valid_s6_q;
       valid_s8_q <= valid_s7_q;
+      valid_s9_q <= valid_s8_q;
     end
   end
 

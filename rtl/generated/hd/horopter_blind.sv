@@ -3,7 +3,7 @@
 //
 // Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 92 bits, pipeline 316 bits, memories 131896 bits.
+// State 92 bits, pipeline 342 bits, memories 131896 bits.
 module horopter_blind (
   input  logic clk_i,
   input  logic rst_ni,
@@ -31,14 +31,13 @@ module horopter_blind (
 
   // A beat is in stage k, k enabled clocks after it entered.
   logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
-  logic s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s7_en, s8_en;
+  logic s1_en, s2_en, s3_en, s4_en, s5_en, s6_en, s8_en;
   assign s1_en = en_i & valid_s1_q;
   assign s2_en = en_i & valid_s2_q;
   assign s3_en = en_i & valid_s3_q;
   assign s4_en = en_i & valid_s4_q;
   assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
-  assign s7_en = en_i & valid_s7_q;
   assign s8_en = en_i & valid_s8_q;
 
   // Of the configuration alone: not pipelined.
@@ -68,6 +67,7 @@ module horopter_blind (
   logic [10:0] x_q;
   logic [10:0] before_v_q;
   logic [10:0] before_end_q;
+  logic [10:0] rows_expected_q;
   logic [6:0] last_block_q;
   logic [4:0] rows_left_q;
   logic more_q;
@@ -93,6 +93,12 @@ module horopter_blind (
   // hls/stages/blind.hpp:84
   logic [10:0] select_130;
   assign select_130 = (not_33 & last) ? before_v_q : before_end_q;
+  // hls/stages/blind.hpp:82
+  logic and_131;
+  assign and_131 = last & or_38;
+  // hls/stages/blind.hpp:69
+  logic [10:0] select_132;
+  assign select_132 = and_34 ? cfg_height_i : rows_expected_q;
   // hls/stages/blind.hpp:82
   logic [6:0] select_144;
   assign select_144 = and_34 ? ((cfg_width_i[10:5] == 6'h0) ? 7'h1 : select_142) : last_block_q;
@@ -123,6 +129,7 @@ module horopter_blind (
       x_q <= 11'h0;
       before_v_q <= 11'h0;
       before_end_q <= 11'h77e;
+      rows_expected_q <= 11'h0;
       last_block_q <= 7'h0;
       rows_left_q <= 5'h0;
       more_q <= 1'b0;
@@ -132,6 +139,7 @@ module horopter_blind (
       x_q <= x + 11'h1;
       before_v_q <= x;
       before_end_q <= select_130;
+      rows_expected_q <= and_131 ? (select_132 + 11'h7ff) : select_132;
       last_block_q <= select_144;
       rows_left_q <= or_156 ? (and_34 ? 5'h11 : (rows_left_q + 5'h1f)) : rows_left_q;
       more_q <= or_156 ? (and_34 | (~(rows_left_q == 5'h1))) : more_q;
@@ -148,6 +156,8 @@ module horopter_blind (
   logic and_34_s2_q;
   logic or_38_s2_q;
   logic less_40_s2_q;
+  logic and_131_s2_q;
+  logic equal_135_s2_q;
   logic and_186_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
@@ -159,16 +169,16 @@ module horopter_blind (
       and_34_s2_q <= and_34;
       or_38_s2_q <= or_38;
       less_40_s2_q <= last_block_q < x[10:4];
+      and_131_s2_q <= and_131;
+      equal_135_s2_q <= select_132 == 11'h2;
       and_186_s2_q <= idle_s1_q & (~more_q);
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  logic [10:0] rows_expected_q;
   logic last_row_q;
   logic [3:0] inner_row_q;
   logic [9:0] place_q;
-  logic teaches_q;
   // hls/stages/blind.hpp:77
   logic [6:0] block;
   assign block = less_40_s2_q ? last_block_s2_q : before_v_q[10:4];
@@ -189,29 +199,19 @@ module horopter_blind (
   // hls/stages/blind.hpp:173
   logic equal_61;
   assign equal_61 = select_53 == 4'hf;
-  // hls/stages/blind.hpp:82
-  logic and_131;
-  assign and_131 = row_ended_q & or_38_s2_q;
-  // hls/stages/blind.hpp:69
-  logic [10:0] select_132;
-  assign select_132 = and_34_s2_q ? cfg_height_i : rows_expected_q;
   // hls/stages/blind.hpp:83
   logic [9:0] select_149;
-  assign select_149 = and_131 ? (equal_61 ? (select_57 + 10'hf) : select_57) : select_57;
+  assign select_149 = and_131_s2_q ? (equal_61 ? (select_57 + 10'hf) : select_57) : select_57;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      rows_expected_q <= 11'h0;
       last_row_q <= 1'b0;
       inner_row_q <= 4'h0;
       place_q <= 10'h0;
-      teaches_q <= 1'b0;
     end else if (s2_en) begin
-      rows_expected_q <= and_131 ? (select_132 + 11'h7ff) : select_132;
-      last_row_q <= and_131 ? (select_132 == 11'h2) : and_60;
-      inner_row_q <= and_131 ? (select_53 + 4'h1) : select_53;
+      last_row_q <= and_131_s2_q ? equal_135_s2_q : and_60;
+      inner_row_q <= and_131_s2_q ? (select_53 + 4'h1) : select_53;
       place_q <= select_149;
-      teaches_q <= and_34_s2_q ? cfg_teach_i : teaches_q;
     end
   end
 
@@ -249,7 +249,7 @@ module horopter_blind (
       and_60_s3_q <= and_60;
       equal_61_s3_q <= equal_61;
       last_s3_q <= row_ended_q;
-      and_131_s3_q <= and_131;
+      and_131_s3_q <= and_131_s2_q;
       and_186_s3_q <= and_186_s2_q;
     end
   end
@@ -260,9 +260,8 @@ module horopter_blind (
   logic [4:0] above_q;
   logic first_above_q;
   logic ended_q;
-  logic watches_q;
+  logic teaches_q;
   logic session_q;
-  logic has_taught_q;
   // hls/stages/blind.hpp:170
   logic and_47;
   assign and_47 = not_33_s3_q & ends_s3_q;
@@ -277,11 +276,11 @@ module horopter_blind (
   assign and_82 = ended_q & not_59_s3_q;
   logic and_84;
   assign and_84 = idle_s3_q & (~and_82);
-  logic select_91;
-  assign select_91 = and_34_s3_q ? (has_taught_q & (not_86 & (session_q | not_87))) : has_taught_q;
+  logic select_85;
+  assign select_85 = and_34_s3_q ? cfg_teach_i : teaches_q;
   // hls/stages/blind.hpp:80
   logic and_102;
-  assign and_102 = ends_s3_q & (equal_61_s3_q ? teaches_q : (and_60_s3_q & teaches_q));
+  assign and_102 = ends_s3_q & (equal_61_s3_q ? select_85 : (and_60_s3_q & select_85));
   // hls/stages/blind.hpp:69
   logic and_115;
   assign and_115 = odd_q & not_59_s3_q;
@@ -429,22 +428,21 @@ module horopter_blind (
       above_q <= 5'h0;
       first_above_q <= 1'b0;
       ended_q <= 1'b1;
-      watches_q <= 1'b0;
+      teaches_q <= 1'b0;
       session_q <= 1'b0;
-      has_taught_q <= 1'b0;
     end else if (s3_en) begin
       odd_q <= and_131_s3_q ? (and_115 ^ equal_61_s3_q) : and_115;
       new_block_q <= idle_s3_q ? or_49 : ends_s3_q;
       above_q <= select_154;
       first_above_q <= and_131_s3_q ? (select_118 == 5'h10) : and_169;
       ended_q <= and_82 | and_84;
-      watches_q <= and_34_s3_q ? (cfg_watch_i & not_87) : watches_q;
-      session_q <= and_84 ? (teaches_q | select_174) : select_174;
-      has_taught_q <= and_84 ? (teaches_q | select_91) : select_91;
+      teaches_q <= select_85;
+      session_q <= and_84 ? (select_85 | select_174) : select_174;
     end
   end
 
   logic idle_s4_q;
+  logic and_34_s4_q;
   logic or_38_s4_q;
   logic [1:0] states_rdata_s4_q;
   logic [6:0] block_s4_q;
@@ -454,6 +452,8 @@ module horopter_blind (
   logic equal_54_s4_q;
   logic [9:0] sum_58_s4_q;
   logic and_64_s4_q;
+  logic and_84_s4_q;
+  logic and_89_s4_q;
   logic and_103_s4_q;
   logic and_115_s4_q;
   logic not_117_s4_q;
@@ -465,6 +465,7 @@ module horopter_blind (
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       idle_s4_q <= idle_s3_q;
+      and_34_s4_q <= and_34_s3_q;
       or_38_s4_q <= or_38_s3_q;
       states_rdata_s4_q <= states_rdata_s3_q[33:32];
       block_s4_q <= block_s3_q;
@@ -474,6 +475,8 @@ module horopter_blind (
       equal_54_s4_q <= equal_54_s3_q;
       sum_58_s4_q <= sum_58_s3_q;
       and_64_s4_q <= and_64;
+      and_84_s4_q <= and_84;
+      and_89_s4_q <= not_86 & (session_q | not_87);
       and_103_s4_q <= not_33_s3_q & and_102;
       and_115_s4_q <= and_115;
       not_117_s4_q <= ~(and_115 ^ equal_54_s3_q);
@@ -486,8 +489,13 @@ module horopter_blind (
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
+  logic watches_q;
+  logic has_taught_q;
+  // hls/stages/blind.hpp:69
+  logic select_91;
+  assign select_91 = and_34_s4_q ? (has_taught_q & and_89_s4_q) : has_taught_q;
 
-  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:201; read in stage 4, written in stage 7: 4 < 7 < 4 + DISTANCE.
+  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:201; read in stage 4, written in stage 8: 4 < 8 < 4 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -506,6 +514,16 @@ module horopter_blind (
     if (en_i) blind_rdata_q <= blind_mem[blind_raddr];
   end
 
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      watches_q <= 1'b0;
+      has_taught_q <= 1'b0;
+    end else if (s4_en) begin
+      watches_q <= and_34_s4_q ? (cfg_watch_i & not_87) : watches_q;
+      has_taught_q <= and_84_s4_q ? (teaches_q | select_91) : select_91;
+    end
+  end
+
   logic idle_s5_q;
   logic or_38_s5_q;
   logic [1:0] states_rdata_s5_q;
@@ -521,12 +539,10 @@ module horopter_blind (
   logic [1:0] taught_high_high_high_rdata_s5_q;
   logic [1:0] taught_high_high_low_rdata_s5_q;
   logic [1:0] taught_high_low_rdata_s5_q;
-  logic select_93_s5_q;
   logic and_103_s5_q;
   logic and_115_s5_q;
   logic equal_119_s5_q;
   logic and_120_s5_q;
-  logic select_123_s5_q;
   logic last_s5_q;
   logic and_184_s5_q;
   logic and_186_s5_q;
@@ -547,12 +563,10 @@ module horopter_blind (
       taught_high_high_high_rdata_s5_q <= taught_high_high_high_rdata_q;
       taught_high_high_low_rdata_s5_q <= taught_high_high_low_rdata_q;
       taught_high_low_rdata_s5_q <= taught_high_low_rdata_q;
-      select_93_s5_q <= has_taught_q;
       and_103_s5_q <= and_103_s4_q;
       and_115_s5_q <= and_115_s4_q;
       equal_119_s5_q <= equal_119_s4_q;
       and_120_s5_q <= and_120_s4_q;
-      select_123_s5_q <= watches_q;
       last_s5_q <= last_s4_q;
       and_184_s5_q <= and_184_s4_q;
       and_186_s5_q <= and_186_s4_q;
@@ -569,7 +583,7 @@ module horopter_blind (
   assign parity_81 = ^{taught_high_low_rdata_s5_q, taught_high_high_low_rdata_s5_q, taught_high_high_high_rdata_s5_q, taught_low_rdata_s5_q};
   // hls/stages/blind.hpp:178
   logic [6:0] known;
-  assign known = (parity_81 | (~select_93_s5_q)) ? 7'h0 : {taught_high_high_high_rdata_s5_q[0], taught_high_high_low_rdata_s5_q, taught_high_low_rdata_s5_q, taught_low_rdata_s5_q};
+  assign known = (parity_81 | (~has_taught_q)) ? 7'h0 : {taught_high_high_high_rdata_s5_q[0], taught_high_high_low_rdata_s5_q, taught_high_low_rdata_s5_q, taught_low_rdata_s5_q};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -606,14 +620,14 @@ module horopter_blind (
       sum_56_s6_q <= {4'h0, sum_52} + (equal_54_s5_q ? 9'h0 : counts_rdata_s5_q);
       sum_58_s6_q <= sum_58_s5_q;
       and_64_s6_q <= and_64_s5_q;
-      select_93_s6_q <= select_93_s5_q;
+      select_93_s6_q <= has_taught_q;
       known_s6_q <= known;
       and_103_s6_q <= and_103_s5_q;
       and_115_s6_q <= and_115_s5_q;
       equal_119_s6_q <= equal_119_s5_q;
       and_120_s6_q <= and_120_s5_q;
       blind_rdata_s6_q <= blind_rdata_q;
-      select_123_s6_q <= select_123_s5_q;
+      select_123_s6_q <= watches_q;
       last_s6_q <= last_s5_q;
       and_184_s6_q <= and_184_s5_q;
       and_186_s6_q <= and_186_s5_q;
@@ -621,12 +635,6 @@ module horopter_blind (
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/blind.hpp:179
-  logic [8:0] select_98;
-  assign select_98 = ({known_s6_q, 2'h0} < sum_56_s6_q) ? sum_56_s6_q : {known_s6_q, 2'h0};
-  // hls/stages/blind.hpp:182
-  logic [8:0] sum_124;
-  assign sum_124 = {1'b0, cfg_blind_margin_i} + {2'h0, known_s6_q};
   // hls/stages/blind.hpp:162
   logic and_180;
   assign and_180 = equal_119_s6_q & (blind_rdata_s6_q & (states_rdata_s6_q == 2'h2));
@@ -673,15 +681,17 @@ module horopter_blind (
 `endif
 
   logic [6:0] block_s7_q;
+  logic [8:0] sum_56_s7_q;
   logic [9:0] sum_58_s7_q;
   logic and_64_s7_q;
   logic select_93_s7_q;
-  logic [8:0] select_98_s7_q;
+  logic [6:0] known_s7_q;
+  logic less_97_s7_q;
   logic and_103_s7_q;
   logic and_115_s7_q;
   logic and_120_s7_q;
   logic select_123_s7_q;
-  logic less_125_s7_q;
+  logic [8:0] sum_124_s7_q;
   logic last_s7_q;
   logic [1:0] select_177_s7_q;
   logic and_181_s7_q;
@@ -690,15 +700,17 @@ module horopter_blind (
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       block_s7_q <= block_s6_q;
+      sum_56_s7_q <= sum_56_s6_q;
       sum_58_s7_q <= sum_58_s6_q;
       and_64_s7_q <= and_64_s6_q;
       select_93_s7_q <= select_93_s6_q;
-      select_98_s7_q <= select_98;
+      known_s7_q <= known_s6_q;
+      less_97_s7_q <= {known_s6_q, 2'h0} < sum_56_s6_q;
       and_103_s7_q <= and_103_s6_q;
       and_115_s7_q <= and_115_s6_q;
       and_120_s7_q <= and_120_s6_q;
       select_123_s7_q <= select_123_s6_q;
-      less_125_s7_q <= {sum_124, 2'h0} < {2'h0, sum_56_s6_q};
+      sum_124_s7_q <= {1'b0, cfg_blind_margin_i} + {2'h0, known_s6_q};
       last_s7_q <= last_s6_q;
       select_177_s7_q <= or_38_s6_q ? states_rdata_s6_q : 2'h0;
       and_181_s7_q <= or_38_s6_q & and_180;
@@ -710,53 +722,17 @@ module horopter_blind (
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   // hls/stages/blind.hpp:179
   logic [8:0] sum_99;
-  assign sum_99 = select_98_s7_q + 9'h3;
+  assign sum_99 = (less_97_s7_q ? sum_56_s7_q : {known_s7_q, 2'h0}) + 9'h3;
 
-  // Memory blind, write
-  logic [7:0] blind_waddr;
-  assign blind_waddr = {block_s7_q, and_115_s7_q};
-  logic blind_we;
-  assign blind_we = s7_en & and_64_s7_q;
-  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (blind_we) blind_mem[blind_waddr] <= select_123_s7_q & less_125_s7_q;
-  end
-`ifndef SYNTHESIS
-  logic [7:0] blind_raddr_s5_sim;
-  logic blind_re_s5_sim;
-  logic [7:0] blind_raddr_s6_sim;
-  logic blind_re_s6_sim;
-  always_ff @(posedge clk_i) begin
-    if (!rst_ni) begin
-      blind_re_s5_sim <= 1'b0;
-      blind_re_s6_sim <= 1'b0;
-    end else if (en_i) begin
-      blind_re_s5_sim <= blind_re;
-      blind_raddr_s5_sim <= blind_raddr;
-      blind_re_s6_sim <= blind_re_s5_sim;
-      blind_raddr_s6_sim <= blind_raddr_s5_sim;
-    end
-  end
-  always_ff @(posedge clk_i) begin
-    if (rst_ni && blind_we) begin
-      if (blind_re && blind_raddr == blind_waddr) begin
-        $error("blind: address %0d is read less than DISTANCE steps after its write", blind_waddr);
-      end
-      if (blind_re_s5_sim && blind_raddr_s5_sim == blind_waddr) begin
-        $error("blind: address %0d is read less than DISTANCE steps after its write", blind_waddr);
-      end
-      if (blind_re_s6_sim && blind_raddr_s6_sim == blind_waddr) begin
-        $error("blind: address %0d is read less than DISTANCE steps after its write", blind_waddr);
-      end
-    end
-  end
-`endif
-
-  logic [2:0] block_s8_q;
+  logic [6:0] block_s8_q;
   logic [9:0] sum_58_s8_q;
+  logic and_64_s8_q;
   logic select_93_s8_q;
   logic [6:0] sum_99_s8_q;
   logic and_103_s8_q;
+  logic and_115_s8_q;
   logic and_120_s8_q;
+  logic and_126_s8_q;
   logic last_s8_q;
   logic [1:0] select_177_s8_q;
   logic and_181_s8_q;
@@ -764,12 +740,15 @@ module horopter_blind (
   logic and_186_s8_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      block_s8_q <= block_s7_q[2:0];
+      block_s8_q <= block_s7_q;
       sum_58_s8_q <= sum_58_s7_q;
+      and_64_s8_q <= and_64_s7_q;
       select_93_s8_q <= select_93_s7_q;
       sum_99_s8_q <= sum_99[8:2];
       and_103_s8_q <= and_103_s7_q;
+      and_115_s8_q <= and_115_s7_q;
       and_120_s8_q <= and_120_s7_q;
+      and_126_s8_q <= select_123_s7_q & ({sum_124_s7_q, 2'h0} < {2'h0, sum_56_s7_q});
       last_s8_q <= last_s7_q;
       select_177_s8_q <= select_177_s7_q;
       and_181_s8_q <= and_181_s7_q;
@@ -785,7 +764,7 @@ module horopter_blind (
 
   // Memory taught_low, write
   logic [12:0] taught_low_waddr;
-  assign taught_low_waddr = {sum_58_s8_q, block_s8_q};
+  assign taught_low_waddr = {sum_58_s8_q, block_s8_q[2:0]};
   logic taught_low_we;
   assign taught_low_we = s8_en & and_103_s8_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -842,7 +821,7 @@ module horopter_blind (
 
   // Memory taught_high_low, write
   logic [12:0] taught_high_low_waddr;
-  assign taught_high_low_waddr = {sum_58_s8_q, block_s8_q};
+  assign taught_high_low_waddr = {sum_58_s8_q, block_s8_q[2:0]};
   logic taught_high_low_we;
   assign taught_high_low_we = s8_en & and_103_s8_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -899,7 +878,7 @@ module horopter_blind (
 
   // Memory taught_high_high_low, write
   logic [12:0] taught_high_high_low_waddr;
-  assign taught_high_high_low_waddr = {sum_58_s8_q, block_s8_q};
+  assign taught_high_high_low_waddr = {sum_58_s8_q, block_s8_q[2:0]};
   logic taught_high_high_low_we;
   assign taught_high_high_low_we = s8_en & and_103_s8_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -956,7 +935,7 @@ module horopter_blind (
 
   // Memory taught_high_high_high, write
   logic [12:0] taught_high_high_high_waddr;
-  assign taught_high_high_high_waddr = {sum_58_s8_q, block_s8_q};
+  assign taught_high_high_high_waddr = {sum_58_s8_q, block_s8_q[2:0]};
   logic taught_high_high_high_we;
   assign taught_high_high_high_we = s8_en & and_103_s8_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -1008,6 +987,53 @@ module horopter_blind (
       if (taught_high_high_high_waddr >= 13'd8160) $error("taught_high_high_high: write outside, address %0d", taught_high_high_high_waddr);
     end
     if (rst_ni && taught_high_high_high_re && taught_high_high_high_raddr >= 13'd8160) $error("taught_high_high_high: read outside, address %0d", taught_high_high_high_raddr);
+  end
+`endif
+
+  // Memory blind, write
+  logic [7:0] blind_waddr;
+  assign blind_waddr = {block_s8_q, and_115_s8_q};
+  logic blind_we;
+  assign blind_we = s8_en & and_64_s8_q;
+  always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
+    if (blind_we) blind_mem[blind_waddr] <= and_126_s8_q;
+  end
+`ifndef SYNTHESIS
+  logic [7:0] blind_raddr_s5_sim;
+  logic blind_re_s5_sim;
+  logic [7:0] blind_raddr_s6_sim;
+  logic blind_re_s6_sim;
+  logic [7:0] blind_raddr_s7_sim;
+  logic blind_re_s7_sim;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      blind_re_s5_sim <= 1'b0;
+      blind_re_s6_sim <= 1'b0;
+      blind_re_s7_sim <= 1'b0;
+    end else if (en_i) begin
+      blind_re_s5_sim <= blind_re;
+      blind_raddr_s5_sim <= blind_raddr;
+      blind_re_s6_sim <= blind_re_s5_sim;
+      blind_raddr_s6_sim <= blind_raddr_s5_sim;
+      blind_re_s7_sim <= blind_re_s6_sim;
+      blind_raddr_s7_sim <= blind_raddr_s6_sim;
+    end
+  end
+  always_ff @(posedge clk_i) begin
+    if (rst_ni && blind_we) begin
+      if (blind_re && blind_raddr == blind_waddr) begin
+        $error("blind: address %0d is read less than DISTANCE steps after its write", blind_waddr);
+      end
+      if (blind_re_s5_sim && blind_raddr_s5_sim == blind_waddr) begin
+        $error("blind: address %0d is read less than DISTANCE steps after its write", blind_waddr);
+      end
+      if (blind_re_s6_sim && blind_raddr_s6_sim == blind_waddr) begin
+        $error("blind: address %0d is read less than DISTANCE steps after its write", blind_waddr);
+      end
+      if (blind_re_s7_sim && blind_raddr_s7_sim == blind_waddr) begin
+        $error("blind: address %0d is read less than DISTANCE steps after its write", blind_waddr);
+      end
+    end
   end
 `endif
 

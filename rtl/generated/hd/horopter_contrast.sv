@@ -3,7 +3,7 @@
 //
 // Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 211 bits, pipeline 486 bits, memories 0 bits.
+// State 211 bits, pipeline 487 bits, memories 0 bits.
 module horopter_contrast (
   input  logic clk_i,
   input  logic rst_ni,
@@ -472,48 +472,48 @@ module horopter_contrast (
   // hls/stages/contrast.hpp:48
   logic [7:0] magnitude_2;
   assign magnitude_2 = (product_81_s7_q[9:8] == 2'h0) ? product_81_s7_q[7:0] : 8'hff;
-  // hls/stages/contrast.hpp:45
-  logic [4:0] size_2;
-  assign size_2 = saturated_s7_q ? 5'h0 : ((magnitude_2[7:5] == 3'h0) ? magnitude_2[4:0] : 5'h1f);
-  // hls/stages/contrast.hpp:48
   logic [7:0] magnitude_4;
   assign magnitude_4 = (product_102_s7_q[9:8] == 2'h0) ? product_102_s7_q[7:0] : 8'hff;
-  // hls/stages/contrast.hpp:45
-  logic [3:0] size_4;
-  assign size_4 = saturated_s7_q ? 4'h0 : ((magnitude_4[7:4] == 4'h0) ? magnitude_4[3:0] : 4'hf);
 
   logic gx_1_s8_q;
   logic gy_1_s8_q;
   logic [7:0] grey_s8_q;
+  logic saturated_s8_q;
   logic mask_s8_q;
   logic marks_first_s8_q;
   logic marks_last_s8_q;
   logic marks_seen_s8_q;
   logic marks_nearer_s8_q;
   logic [5:0] select_80_s8_q;
-  logic [4:0] size_2_s8_q;
+  logic [4:0] select_85_s8_q;
   logic [4:0] select_97_s8_q;
-  logic [3:0] size_4_s8_q;
+  logic [3:0] select_106_s8_q;
   logic and_113_s8_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       gx_1_s8_q <= gx_1_s7_q;
       gy_1_s8_q <= gy_1_s7_q;
       grey_s8_q <= grey_s7_q;
+      saturated_s8_q <= saturated_s7_q;
       mask_s8_q <= mask_s7_q;
       marks_first_s8_q <= marks_first_s7_q;
       marks_last_s8_q <= marks_last_s7_q;
       marks_seen_s8_q <= marks_seen_s7_q;
       marks_nearer_s8_q <= marks_nearer_s7_q;
       select_80_s8_q <= select_80_s7_q;
-      size_2_s8_q <= size_2;
+      select_85_s8_q <= (magnitude_2[7:5] == 3'h0) ? magnitude_2[4:0] : 5'h1f;
       select_97_s8_q <= select_97_s7_q;
-      size_4_s8_q <= size_4;
+      select_106_s8_q <= (magnitude_4[7:4] == 4'h0) ? magnitude_4[3:0] : 4'hf;
       and_113_s8_q <= and_113_s7_q;
     end
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/contrast.hpp:45
+  logic [4:0] size_2;
+  assign size_2 = saturated_s8_q ? 5'h0 : select_85_s8_q;
+  logic [3:0] size_4;
+  assign size_4 = saturated_s8_q ? 4'h0 : select_106_s8_q;
 
   logic [7:0] grey_s9_q;
   logic mask_s9_q;
@@ -535,9 +535,9 @@ module horopter_contrast (
       marks_seen_s9_q <= marks_seen_s8_q;
       marks_nearer_s9_q <= marks_nearer_s8_q;
       select_80_s9_q <= select_80_s8_q;
-      select_88_s9_q <= gx_1_s8_q ? (6'h0 - {1'b0, size_2_s8_q}) : {1'b0, size_2_s8_q};
+      select_88_s9_q <= gx_1_s8_q ? (6'h0 - {1'b0, size_2}) : {1'b0, size_2};
       select_97_s9_q <= select_97_s8_q;
-      select_109_s9_q <= gy_1_s8_q ? (5'h0 - {1'b0, size_4_s8_q}) : {1'b0, size_4_s8_q};
+      select_109_s9_q <= gy_1_s8_q ? (5'h0 - {1'b0, size_4}) : {1'b0, size_4};
       and_113_s9_q <= and_113_s8_q;
     end
   end

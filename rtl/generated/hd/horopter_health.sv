@@ -393,8 +393,6 @@ module horopter_health (
   logic [31:0] signature_q;
   logic [7:0] darkest_q;
   logic [7:0] brightest_q;
-  logic [20:0] dark_q;
-  logic [20:0] bright_q;
   logic [21:0] turn_q;
   logic [21:0] level_q;
   logic [21:0] pair_q;
@@ -414,11 +412,6 @@ module horopter_health (
   // hls/stages/health.hpp:123
   logic [7:0] select_50;
   assign select_50 = first_s7_q ? pixel_s7_q : ((brightest_q < pixel_s7_q) ? pixel_s7_q : brightest_q);
-  logic not_52;
-  assign not_52 = ~(cfg_dark_level_i < pixel_s7_q);
-  // hls/stages/health.hpp:124
-  logic not_56;
-  assign not_56 = ~(pixel_s7_q < cfg_bright_level_i);
   // hls/stages/health.hpp:178
   logic or_87;
   assign or_87 = equal_85_s7_q | equal_86_s7_q;
@@ -446,8 +439,6 @@ module horopter_health (
       signature_q <= 32'h0;
       darkest_q <= 8'h0;
       brightest_q <= 8'h0;
-      dark_q <= 21'h0;
-      bright_q <= 21'h0;
       turn_q <= 22'h0;
       level_q <= 22'h0;
       pair_q <= 22'h0;
@@ -456,8 +447,6 @@ module horopter_health (
       signature_q <= {select_32[0], xor_33[12:11], select_32[29], xor_33[10:9], select_32[26], xor_33[8:7], select_32[23], xor_33[6:4], select_32[19:17], xor_33[3], select_32[15:11], xor_33[2:1], xor_34[7:6], parity_35, xor_34[4:0]};
       darkest_q <= select_47;
       brightest_q <= select_50;
-      dark_q <= {20'h0, not_52} + (first_s7_q ? 21'h0 : dark_q);
-      bright_q <= {20'h0, not_56} + (first_s7_q ? 21'h0 : bright_q);
       turn_q <= sum_88;
       level_q <= sum_122;
       pair_q <= sum_136;
@@ -467,24 +456,27 @@ module horopter_health (
 
   logic first_s8_q;
   logic end_v_s8_q;
+  logic not_52_s8_q;
+  logic not_56_s8_q;
   logic [8:0] sum_111_s8_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       first_s8_q <= first_s7_q;
       end_v_s8_q <= end_v_s7_q;
+      not_52_s8_q <= ~(cfg_dark_level_i < pixel_s7_q);
+      not_56_s8_q <= ~(pixel_s7_q < cfg_bright_level_i);
       sum_111_s8_q <= sum_111;
     end
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
   logic [31:0] previous_signature_q;
+  logic [20:0] dark_q;
+  logic [20:0] bright_q;
   logic [23:0] aside_q;
   // hls/stages/health.hpp:197
   logic [23:0] sum_112;
   assign sum_112 = (first_s8_q ? 24'h0 : aside_q) + {{15{sum_111_s8_q[8]}}, sum_111_s8_q};
-  // hls/stages/health.hpp:134
-  logic less_141;
-  assign less_141 = cfg_dark_limit_i < dark_q;
   // hls/stages/health.hpp:141
   logic [22:0] sum_155;
   assign sum_155 = {pair_q[21], pair_q} + {{2{pair_q[21]}}, pair_q[21:1]};
@@ -494,18 +486,20 @@ module horopter_health (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       previous_signature_q <= 32'h0;
+      dark_q <= 21'h0;
+      bright_q <= 21'h0;
       aside_q <= 24'h0;
     end else if (s8_en) begin
       previous_signature_q <= end_v_s8_q ? signature_q : previous_signature_q;
+      dark_q <= {20'h0, not_52_s8_q} + (first_s8_q ? 21'h0 : dark_q);
+      bright_q <= {20'h0, not_56_s8_q} + (first_s8_q ? 21'h0 : bright_q);
       aside_q <= sum_112;
     end
   end
 
   logic end_v_s9_q;
   logic equal_38_s9_q;
-  logic less_141_s9_q;
-  logic less_142_s9_q;
-  logic or_145_s9_q;
+  logic less_144_s9_q;
   logic less_150_s9_q;
   logic less_152_s9_q;
   logic less_154_s9_q;
@@ -515,9 +509,7 @@ module horopter_health (
     if (en_i) begin
       end_v_s9_q <= end_v_s8_q;
       equal_38_s9_q <= previous_signature_q == signature_q;
-      less_141_s9_q <= less_141;
-      less_142_s9_q <= cfg_bright_limit_i < bright_q;
-      or_145_s9_q <= less_141 | (cfg_contrast_limit_i < (brightest_q - darkest_q));
+      less_144_s9_q <= cfg_contrast_limit_i < (brightest_q - darkest_q);
       less_150_s9_q <= $signed(22'h300) < $signed(turn_q);
       less_152_s9_q <= $signed(22'h640) < $signed(level_q);
       less_154_s9_q <= $signed(22'h640) < $signed(pair_q);
@@ -534,6 +526,9 @@ module horopter_health (
   assign select_42 = equal_38_s9_q ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
   logic [7:0] select_43;
   assign select_43 = has_previous_q ? select_42 : 8'h0;
+  // hls/stages/health.hpp:134
+  logic less_141;
+  assign less_141 = cfg_dark_limit_i < dark_q;
   // hls/stages/health.hpp:141
   logic less_158;
   assign less_158 = $signed({{2{sum_155_s9_q[16]}}, sum_155_s9_q}) < $signed({1'b0, sum_157_s9_q});
@@ -556,27 +551,30 @@ module horopter_health (
   logic [7:0] select_43_s10_q;
   logic less_141_s10_q;
   logic less_142_s10_q;
-  logic not_147_s10_q;
+  logic or_145_s10_q;
   logic or_161_s10_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       end_v_s10_q <= end_v_s9_q;
       select_36_s10_q <= previous_signature_q;
       select_43_s10_q <= select_43;
-      less_141_s10_q <= less_141_s9_q;
-      less_142_s10_q <= less_142_s9_q;
-      not_147_s10_q <= ~(less_142_s9_q | or_145_s9_q);
+      less_141_s10_q <= less_141;
+      less_142_s10_q <= cfg_bright_limit_i < bright_q;
+      or_145_s10_q <= less_141 | less_144_s9_q;
       or_161_s10_q <= less_150_s9_q | or_160;
     end
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
+  // hls/stages/health.hpp:136
+  logic not_147;
+  assign not_147 = ~(less_142_s10_q | or_145_s10_q);
   // hls/stages/health.hpp:137
   logic less_149;
   assign less_149 = (cfg_frozen_limit_i + 8'hff) < select_43_s10_q;
   // hls/stages/health.hpp:144
   logic [4:0] select_162;
-  assign select_162 = end_v_s10_q ? {or_161_s10_q, less_149, not_147_s10_q, less_142_s10_q, less_141_s10_q} : 5'h0;
+  assign select_162 = end_v_s10_q ? {or_161_s10_q, less_149, not_147, less_142_s10_q, less_141_s10_q} : 5'h0;
 
   logic [31:0] select_36_s11_q;
   logic [4:0] select_162_s11_q;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Made by hlsc from horopter::stages::MapExpand<horopter::hls::profiles::hd>, hls/stages/map_expand.hpp. Do not edit.
 //
-// Latency 8 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
+// Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 160 bits, pipeline 666 bits, memories 0 bits.
+// State 160 bits, pipeline 715 bits, memories 0 bits.
 module horopter_map_expand (
   input  logic clk_i,
   input  logic rst_ni,
@@ -39,11 +39,12 @@ module horopter_map_expand (
 );
 
   // A beat is in stage k, k enabled clocks after it entered.
-  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q;
-  logic s5_en, s6_en, s7_en;
+  logic valid_s1_q, valid_s2_q, valid_s3_q, valid_s4_q, valid_s5_q, valid_s6_q, valid_s7_q, valid_s8_q, valid_s9_q;
+  logic s5_en, s6_en, s7_en, s8_en;
   assign s5_en = en_i & valid_s5_q;
   assign s6_en = en_i & valid_s6_q;
   assign s7_en = en_i & valid_s7_q;
+  assign s8_en = en_i & valid_s8_q;
 
   // Of the configuration alone: not pipelined.
   logic [2:0] up;
@@ -368,18 +369,12 @@ module horopter_map_expand (
   // hls/stages/map_expand.hpp:124
   logic [22:0] value_2;
   assign value_2 = {1'b0, sum_59_s5_q, sum_58_s5_q, sum_50_s5_q, select_48_s5_q} - {1'b0, x_right_q};
-  // hls/stages/map_expand.hpp:111
-  logic [22:0] select_66;
-  assign select_66 = up[0] ? {value_2[21:0], 1'b0} : value_2;
   // hls/stages/map_expand.hpp:127
   logic [21:0] select_86;
   assign select_86 = or_30 ? {sum_85_s5_q, sum_84_s5_q, sum_76_s5_q, select_74_s5_q} : y_right_q;
   // hls/stages/map_expand.hpp:124
   logic [22:0] value_5;
   assign value_5 = {1'b0, sum_85_s5_q, sum_84_s5_q, sum_76_s5_q, select_74_s5_q} - {1'b0, y_right_q};
-  // hls/stages/map_expand.hpp:111
-  logic [22:0] select_89;
-  assign select_89 = up[0] ? {value_5[21:0], 1'b0} : value_5;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -407,9 +402,9 @@ module horopter_map_expand (
   logic not_28_s6_q;
   logic and_29_s6_q;
   logic value_2_s6_q;
-  logic [24:0] select_67_s6_q;
+  logic [22:0] select_66_s6_q;
   logic value_5_s6_q;
-  logic [24:0] select_90_s6_q;
+  logic [22:0] select_89_s6_q;
   logic and_104_s6_q;
   logic not_106_s6_q;
   logic and_109_s6_q;
@@ -423,9 +418,9 @@ module horopter_map_expand (
       not_28_s6_q <= not_28;
       and_29_s6_q <= and_29;
       value_2_s6_q <= value_2[22];
-      select_67_s6_q <= up[1] ? {select_66, 2'h0} : {{2{value_2[22]}}, select_66};
+      select_66_s6_q <= up[0] ? {value_2[21:0], 1'b0} : value_2;
       value_5_s6_q <= value_5[22];
-      select_90_s6_q <= up[1] ? {select_89, 2'h0} : {{2{value_5[22]}}, select_89};
+      select_89_s6_q <= up[0] ? {value_5[21:0], 1'b0} : value_5;
       and_104_s6_q <= (right_of_skin_q | and_29) & select_44;
       not_106_s6_q <= not_106_s5_q;
       and_109_s6_q <= (right_valid_q | and_29) & select_39;
@@ -433,27 +428,64 @@ module horopter_map_expand (
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  logic [27:0] x_place_q;
   logic [27:0] x_increment_q;
-  logic [27:0] y_place_q;
   logic [27:0] y_increment_q;
-  // hls/stages/map_expand.hpp:126
-  logic [27:0] value;
-  assign value = and_29_s6_q ? {x_right_s6_q, 6'h0} : x_place_q;
+  // hls/stages/map_expand.hpp:112
+  logic [24:0] select_67;
+  assign select_67 = up[1] ? {select_66_s6_q, 2'h0} : {{2{value_2_s6_q}}, select_66_s6_q};
   // hls/stages/map_expand.hpp:113
   logic [27:0] value_3;
-  assign value_3 = up[2] ? {select_67_s6_q[23:0], 4'h0} : {{3{value_2_s6_q}}, select_67_s6_q};
-  // hls/stages/map_expand.hpp:126
-  logic [27:0] select_69;
-  assign select_69 = and_29_s6_q ? value_3 : x_increment_q;
-  logic [27:0] value_4;
-  assign value_4 = and_29_s6_q ? {y_right_s6_q, 6'h0} : y_place_q;
+  assign value_3 = up[2] ? {select_67[23:0], 4'h0} : {{3{value_2_s6_q}}, select_67};
+  // hls/stages/map_expand.hpp:112
+  logic [24:0] select_90;
+  assign select_90 = up[1] ? {select_89_s6_q, 2'h0} : {{2{value_5_s6_q}}, select_89_s6_q};
   // hls/stages/map_expand.hpp:113
   logic [27:0] value_6;
-  assign value_6 = up[2] ? {select_90_s6_q[23:0], 4'h0} : {{3{value_5_s6_q}}, select_90_s6_q};
+  assign value_6 = up[2] ? {select_90[23:0], 4'h0} : {{3{value_5_s6_q}}, select_90};
+
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      x_increment_q <= 28'h0;
+      y_increment_q <= 28'h0;
+    end else if (s6_en) begin
+      x_increment_q <= and_29_s6_q ? value_3 : x_increment_q;
+      y_increment_q <= and_29_s6_q ? value_6 : y_increment_q;
+    end
+  end
+
+  logic marks_first_s7_q;
+  logic marks_last_s7_q;
+  logic marks_live_s7_q;
+  logic [21:0] x_right_s7_q;
+  logic [21:0] y_right_s7_q;
+  logic not_28_s7_q;
+  logic and_29_s7_q;
+  logic and_104_s7_q;
+  logic not_106_s7_q;
+  logic and_109_s7_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) begin
+      marks_first_s7_q <= marks_first_s6_q;
+      marks_last_s7_q <= marks_last_s6_q;
+      marks_live_s7_q <= marks_live_s6_q;
+      x_right_s7_q <= x_right_s6_q;
+      y_right_s7_q <= y_right_s6_q;
+      not_28_s7_q <= not_28_s6_q;
+      and_29_s7_q <= and_29_s6_q;
+      and_104_s7_q <= and_104_s6_q;
+      not_106_s7_q <= not_106_s6_q;
+      and_109_s7_q <= and_109_s6_q;
+    end
+  end
+
+  // Stage 7 -----------------------------------------------------------------------------------------------------------
+  logic [27:0] x_place_q;
+  logic [27:0] y_place_q;
   // hls/stages/map_expand.hpp:126
-  logic [27:0] select_92;
-  assign select_92 = and_29_s6_q ? value_6 : y_increment_q;
+  logic [27:0] value;
+  assign value = and_29_s7_q ? {x_right_s7_q, 6'h0} : x_place_q;
+  logic [27:0] value_4;
+  assign value_4 = and_29_s7_q ? {y_right_s7_q, 6'h0} : y_place_q;
   // hls/stages/map_expand.hpp:198
   logic [15:0] sum_94;
   assign sum_94 = {1'b0, value[27:13]} + 16'h1;
@@ -463,83 +495,79 @@ module horopter_map_expand (
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       x_place_q <= 28'h0;
-      x_increment_q <= 28'h0;
       y_place_q <= 28'h0;
-      y_increment_q <= 28'h0;
-    end else if (s6_en) begin
-      x_place_q <= value + select_69;
-      x_increment_q <= select_69;
-      y_place_q <= value_4 + select_92;
-      y_increment_q <= select_92;
+    end else if (s7_en) begin
+      x_place_q <= value + x_increment_q;
+      y_place_q <= value_4 + y_increment_q;
     end
   end
-
-  logic marks_first_s7_q;
-  logic marks_last_s7_q;
-  logic marks_live_s7_q;
-  logic not_28_s7_q;
-  logic [13:0] sum_94_s7_q;
-  logic [13:0] sum_96_s7_q;
-  logic not_99_s7_q;
-  logic not_101_s7_q;
-  logic and_104_s7_q;
-  logic not_106_s7_q;
-  logic and_109_s7_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) begin
-      marks_first_s7_q <= marks_first_s6_q;
-      marks_last_s7_q <= marks_last_s6_q;
-      marks_live_s7_q <= marks_live_s6_q;
-      not_28_s7_q <= not_28_s6_q;
-      sum_94_s7_q <= sum_94[14:1];
-      sum_96_s7_q <= sum_96[14:1];
-      not_99_s7_q <= ~(sum_94[15:10] == 6'h0);
-      not_101_s7_q <= ~(sum_96[15:10] == 6'h0);
-      and_104_s7_q <= and_104_s6_q;
-      not_106_s7_q <= not_106_s6_q;
-      and_109_s7_q <= and_109_s6_q;
-    end
-  end
-
-  // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/map_expand.hpp:90
-  logic and_102;
-  assign and_102 = not_99_s7_q & not_101_s7_q;
 
   logic marks_first_s8_q;
   logic marks_last_s8_q;
   logic marks_live_s8_q;
-  logic [8:0] sum_94_s8_q;
-  logic [4:0] sum_95_s8_q;
-  logic [8:0] sum_96_s8_q;
-  logic [4:0] sum_97_s8_q;
-  logic and_107_s8_q;
-  logic and_110_s8_q;
+  logic not_28_s8_q;
+  logic [13:0] sum_94_s8_q;
+  logic [13:0] sum_96_s8_q;
+  logic not_99_s8_q;
+  logic not_101_s8_q;
+  logic and_104_s8_q;
+  logic not_106_s8_q;
+  logic and_109_s8_q;
   always_ff @(posedge clk_i) begin
-    if (s7_en) begin
+    if (en_i) begin
       marks_first_s8_q <= marks_first_s7_q;
       marks_last_s8_q <= marks_last_s7_q;
       marks_live_s8_q <= marks_live_s7_q;
-      sum_94_s8_q <= sum_94_s7_q[8:0];
-      sum_95_s8_q <= sum_94_s7_q[13:9] + 5'h1f;
-      sum_96_s8_q <= sum_96_s7_q[8:0];
-      sum_97_s8_q <= sum_96_s7_q[13:9] + 5'h1f;
-      and_107_s8_q <= (and_102 & and_104_s7_q) & not_106_s7_q;
-      and_110_s8_q <= and_102 & and_109_s7_q;
+      not_28_s8_q <= not_28_s7_q;
+      sum_94_s8_q <= sum_94[14:1];
+      sum_96_s8_q <= sum_96[14:1];
+      not_99_s8_q <= ~(sum_94[15:10] == 6'h0);
+      not_101_s8_q <= ~(sum_96[15:10] == 6'h0);
+      and_104_s8_q <= and_104_s7_q;
+      not_106_s8_q <= not_106_s7_q;
+      and_109_s8_q <= and_109_s7_q;
+    end
+  end
+
+  // Stage 8 -----------------------------------------------------------------------------------------------------------
+  // hls/stages/map_expand.hpp:90
+  logic and_102;
+  assign and_102 = not_99_s8_q & not_101_s8_q;
+
+  logic marks_first_s9_q;
+  logic marks_last_s9_q;
+  logic marks_live_s9_q;
+  logic [8:0] sum_94_s9_q;
+  logic [4:0] sum_95_s9_q;
+  logic [8:0] sum_96_s9_q;
+  logic [4:0] sum_97_s9_q;
+  logic and_107_s9_q;
+  logic and_110_s9_q;
+  always_ff @(posedge clk_i) begin
+    if (s8_en) begin
+      marks_first_s9_q <= marks_first_s8_q;
+      marks_last_s9_q <= marks_last_s8_q;
+      marks_live_s9_q <= marks_live_s8_q;
+      sum_94_s9_q <= sum_94_s8_q[8:0];
+      sum_95_s9_q <= sum_94_s8_q[13:9] + 5'h1f;
+      sum_96_s9_q <= sum_96_s8_q[8:0];
+      sum_97_s9_q <= sum_96_s8_q[13:9] + 5'h1f;
+      and_107_s9_q <= (and_102 & and_104_s8_q) & not_106_s8_q;
+      and_110_s9_q <= and_102 & and_109_s8_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign x_o = {sum_95_s8_q, sum_94_s8_q[8:3]};
-  assign y_o = {sum_97_s8_q, sum_96_s8_q[8:3]};
-  assign wx_o = sum_94_s8_q[2:0];
-  assign wy_o = sum_96_s8_q[2:0];
-  assign mapped_o = and_107_s8_q;
-  assign present_o = and_110_s8_q;
-  assign marks_first_o = marks_first_s8_q;
-  assign marks_last_o = marks_last_s8_q;
-  assign marks_live_o = marks_live_s8_q;
-  assign valid_o = valid_s8_q;
+  assign x_o = {sum_95_s9_q, sum_94_s9_q[8:3]};
+  assign y_o = {sum_97_s9_q, sum_96_s9_q[8:3]};
+  assign wx_o = sum_94_s9_q[2:0];
+  assign wy_o = sum_96_s9_q[2:0];
+  assign mapped_o = and_107_s9_q;
+  assign present_o = and_110_s9_q;
+  assign marks_first_o = marks_first_s9_q;
+  assign marks_last_o = marks_last_s9_q;
+  assign marks_live_o = marks_live_s9_q;
+  assign valid_o = valid_s9_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -551,6 +579,7 @@ module horopter_map_expand (
       valid_s6_q <= 1'b0;
       valid_s7_q <= 1'b0;
       valid_s8_q <= 1'b0;
+      valid_s9_q <= 1'b0;
     end else if (en_i) begin
       valid_s1_q <= valid_i;
       valid_s2_q <= valid_s1_q;
@@ -559,7 +588,8 @@ module horopter_map_expand (
       valid_s5_q <= valid_s4_q;
       valid_s6_q <= valid_s5_q;
       valid_s7_q <= valid_s6_q;
-      valid_s8_q <= valid_s7_q & not_28_s7_q;
+      valid_s8_q <= valid_s7_q;
+      valid_s9_q <= valid_s8_q & not_28_s8_q;
     end
   end
 

@@ -3,7 +3,7 @@
 //
 // Latency 14 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 772 bits, pipeline 2265 bits, memories 12736 bits.
+// State 772 bits, pipeline 2266 bits, memories 12736 bits.
 module horopter_objects (
   input  logic clk_i,
   input  logic rst_ni,
@@ -2639,7 +2639,8 @@ module horopter_objects (
   logic or_320_s13_q;
   logic not_367_s13_q;
   logic or_1694_s13_q;
-  logic or_1711_s13_q;
+  logic and_1708_s13_q;
+  logic not_1710_s13_q;
   logic and_1716_s13_q;
   logic [20:0] select_1717_s13_q;
   logic [20:0] select_1718_s13_q;
@@ -2657,7 +2658,8 @@ module horopter_objects (
       or_320_s13_q <= or_320_s12_q;
       not_367_s13_q <= not_367_s12_q;
       or_1694_s13_q <= or_1694_s12_q;
-      or_1711_s13_q <= and_1708 | (~(select_327 < cfg_object_limit_i));
+      and_1708_s13_q <= and_1708;
+      not_1710_s13_q <= ~(select_327 < cfg_object_limit_i);
       and_1716_s13_q <= and_1716_s12_q;
       select_1717_s13_q <= select_1717_s12_q;
       select_1718_s13_q <= select_1718_s12_q;
@@ -2674,15 +2676,15 @@ module horopter_objects (
 
   // Stage 13 ----------------------------------------------------------------------------------------------------------
   logic alarm_q;
-  // hls/stages/objects.hpp:99
-  logic or_1715;
-  assign or_1715 = (or_320_s13_q & (not_367_s13_q & or_1711_s13_q)) | (alarm_q & not_273_s13_q);
+  // hls/stages/objects.hpp:96
+  logic and_1713;
+  assign and_1713 = or_320_s13_q & (not_367_s13_q & (and_1708_s13_q | not_1710_s13_q));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       alarm_q <= 1'b0;
     end else if (s13_en) begin
-      alarm_q <= or_1715;
+      alarm_q <= and_1713 | (alarm_q & not_273_s13_q);
     end
   end
 

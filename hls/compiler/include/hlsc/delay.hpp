@@ -20,6 +20,7 @@ std::optional<Target> target_from_name(std::string_view name);
 struct DelayModel {
   Target target = Target::kIce40Hx;
   double launch_ns = 0;               ///< clock to output of a register; also what an input port is assumed to take
+  double config_route_ns = 0;         ///< what the way from configuration is longer: it goes to all of a stage
   double setup_ns = 0;                ///< of a register behind a look-up table
   double level_ns = 0;                ///< one level of LUT4 and the routing to it
   double carry_base_ns = 0;           ///< an adder of no bits: routing, into the carry chain and out of it
@@ -27,8 +28,10 @@ struct DelayModel {
   double memory_read_ns = 0;          ///< clock to output of a block RAM, routing to the next operation excluded
   double memory_route_ns = 0;         ///< what the way from its output (register) is longer than any other's
   double memory_setup_ns = 0;         ///< routing to and set-up of a block RAM's address, data and enable
-  double bank_ns = 0;                 ///< each doubling of a distributed memory's banks of 16 words
+  double banks_ns = 0;                ///< of a distributed memory of more than one bank of 16 words
+  double bank_ns = 0;                 ///< each doubling of its banks
   double multiplier_ns = 0;           ///< a hard multiplier; 0: there is none, multipliers are made of adders
+  double multiplier_route_ns = 0;     ///< what the way from its output register is longer than any other's
   std::uint32_t multiplier_bits = 0;  ///< widest operand of a hard multiplier
 
   /// A table of at least so many bits is read synchronously from a block RAM where the schedule permits.
@@ -36,8 +39,13 @@ struct DelayModel {
 
   /// From a memory's read address to the register of its data.
   double read_address_ns(const Ram& ram) const;
+  /// What the way from the register of a node's result is longer than any other's.
+  double route_ns(const Node& node, bool synchronous_rom) const;
   /// From the latest operand to the result; for sources beyond `launch_ns`.
   double node_ns(const Graph& graph, const Node& node) const;
+
+ private:
+  bool is_hard_product(const Node& node) const;
 };
 
 DelayModel make_delay_model(Target target);
