@@ -659,6 +659,32 @@ TEMPLATE_TEST_CASE(
   }
 }
 
+TEMPLATE_TEST_CASE("the entry that is looked up is judged, not that of the next upload's slot", "[faults][every]",
+                   FieldThesis, VgaThesis, HdThesis) {
+  Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  constexpr unsigned kSelected = 0, kOther = 5;
+  const auto flip_entry = [&](unsigned slot) {
+    const auto signals = TestType::signals(machine.model());
+    const auto memory = std::ranges::find_if(signals, [&](const upset::Signal& signal) {
+      return signal.is_memory() && std::string_view(signal.name).starts_with("u_map_store.u_entry.");
+    });
+    REQUIRE(memory != signals.end());
+    memory->flip(std::uint64_t{slot} * memory->bits + 18);
+    TestType::settle(machine.model());
+  };
+  machine.write(reg::map_slot::kAddress, kOther);
+  bench.until_safe();
+  flip_entry(kOther);
+  bench.send_scene();
+  CHECK_FALSE(machine.receive().fault_names().contains("internal"));
+  flip_entry(kOther);
+  bench.raise("internal", [&] {
+    flip_entry(kSelected);
+    bench.send_scene();
+  });
+}
+
 TEMPLATE_TEST_CASE("a write is stored when it is answered as done, and only then, whatever an upset makes of it",
                    "[faults][every]", FieldThesis, VgaThesis, HdThesis) {
   Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
