@@ -66,6 +66,18 @@ upset::Signal find(typename Build::Model& model, const std::string& name) {
   return found.front();
 }
 
+/// A bit of a word of the memory whose name begins so.
+template <class Build>
+void flip_in_memory(typename Build::Model& model, const std::string& begin, unsigned word, unsigned bit) {
+  const auto signals = Build::signals(model);
+  const auto memory = std::ranges::find_if(signals, [&](const upset::Signal& signal) {
+    return signal.is_memory() && std::string_view(signal.name).starts_with(begin);
+  });
+  REQUIRE(memory != signals.end());
+  memory->flip(std::uint64_t{word} * memory->bits + bit);
+  Build::settle(model);
+}
+
 template <class Build>
 class Bench {
  public:
@@ -640,13 +652,7 @@ TEMPLATE_TEST_CASE(
   for (const unsigned word : {0U, areas - 1, spans, spans + 7, spans + 30, spans + 31}) {
     const auto flip = [&] {
       const std::string bank = word % 2 == 0 ? "u_map_store.u_even." : "u_map_store.u_odd.";
-      const auto signals = TestType::signals(bench.machine.model());
-      const auto memory = std::ranges::find_if(signals, [&](const upset::Signal& signal) {
-        return signal.is_memory() && std::string_view(signal.name).starts_with(bank);
-      });
-      REQUIRE(memory != signals.end());
-      memory->flip(std::uint64_t{word / 2} * memory->bits + 18);  // of a span's end; the table begins at 0
-      TestType::settle(bench.machine.model());
+      flip_in_memory<TestType>(bench.machine.model(), bank, word / 2, 18);  // of a span's end; the table begins at 0
     };
     CAPTURE(TestType::kProfile, word);
     bench.raise("internal", [&] {
@@ -665,13 +671,7 @@ TEMPLATE_TEST_CASE("the entry that is looked up is judged, not that of the next 
   auto& machine = bench.machine;
   constexpr unsigned kSelected = 0, kOther = 5;
   const auto flip_entry = [&](unsigned slot) {
-    const auto signals = TestType::signals(machine.model());
-    const auto memory = std::ranges::find_if(signals, [&](const upset::Signal& signal) {
-      return signal.is_memory() && std::string_view(signal.name).starts_with("u_map_store.u_entry.");
-    });
-    REQUIRE(memory != signals.end());
-    memory->flip(std::uint64_t{slot} * memory->bits + 18);
-    TestType::settle(machine.model());
+    flip_in_memory<TestType>(machine.model(), "u_map_store.u_entry.", slot, 18);
   };
   machine.write(reg::map_slot::kAddress, kOther);
   bench.until_safe();

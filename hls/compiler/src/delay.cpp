@@ -40,7 +40,7 @@ DelayModel make_delay_model(Target target) {
       m.banks_ns = 0.40;
       m.bank_ns = 0.35;
       m.multiplier_ns = 4.60;
-      m.multiplier_route_ns = 1.30;  // they lie in two rows
+      m.multiplier_route_ns = 1.30;  // they lie in few rows
       m.multiplier_bits = 18;
       break;
   }
