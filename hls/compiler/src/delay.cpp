@@ -59,14 +59,14 @@ std::uint32_t variable_bits(const Bits& bits) {
 }  // namespace
 
 bool is_distributed(const Ram& ram) {
-  constexpr std::size_t few_words = 64, few_bits = 256;
-  return ram.depth <= few_words || std::size_t{ram.depth} * ram.width <= few_bits;
+  constexpr std::size_t kFewWords = 64, kFewBits = 256;
+  return ram.depth <= kFewWords || std::size_t{ram.depth} * ram.width <= kFewBits;
 }
 
 double DelayModel::read_address_ns(const Ram& ram) const {
-  constexpr double bank_words = 16;
+  constexpr double kBankWords = 16;
   return memory_setup_ns +
-         (is_distributed(ram) && ram.depth > bank_words ? banks_ns + bank_ns * std::log2(ram.depth / bank_words) : 0);
+         (is_distributed(ram) && ram.depth > kBankWords ? banks_ns + bank_ns * std::log2(ram.depth / kBankWords) : 0);
 }
 
 bool DelayModel::is_hard_product(const Node& node) const {
