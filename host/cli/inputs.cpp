@@ -60,18 +60,51 @@ void check_cameras(const std::string& skin, const calib::Rig& rig, int image_wid
   }
 }
 
+/// Lines of sight of the left camera to so many places along the row as down, spread over the image.
+Rays spread_rays(const RigSkin& skin, int places, int image_width, int image_height) {
+  std::vector<Point> pixels;
+  for (int i = 0; i < places * places; ++i) {
+    const int column = i % places;
+    const int row = i / places;
+    pixels.push_back({(column + 0.5) / places * image_width - 0.5, (row + 0.5) / places * image_height - 0.5});
+  }
+  return skin.cameras().rays(pixels);
+}
+
+std::vector<Hit> meet(const Surface& surface, const RigSkin& skin, const Rays& rays) {
+  std::vector<Hit> hits(rays.size());
+  surface.intersect(skin.cameras().left().world_to_camera.centre(), rays.directions, hits);
+  return hits;
+}
+
+/// Says which surfaces of a union no line of sight meets first: these are not watched.
+void check_parts(const std::string& file, const RigSkin& skin, int image_width, int image_height) {
+  const std::vector<SurfacePtr> parts = skin.surface()->parts();
+  if (parts.empty()) return;
+  constexpr int kPlaces = 128;
+  const Rays rays = spread_rays(skin, kPlaces, image_width, image_height);
+  const std::vector<Hit> first = meet(*skin.surface(), skin, rays);
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    const std::vector<Hit> hits = meet(*parts[part], skin, rays);
+    bool met = false, watched = false;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+      met |= std::isfinite(hits[i].distance);
+      watched |= std::isfinite(hits[i].distance) && hits[i].distance <= first[i].distance;
+    }
+    if (watched) continue;
+    warn(fmt::format(
+        "{}: nothing watches surface {} of the union ({}): {}", file, part + 1, parts[part]->description(),
+        met ? "for the left camera it is hidden behind the others. Where it shall be watched too, it needs a "
+              "skin of its own"
+            : "the left camera does not see it"));
+  }
+}
+
 /// A skin in another unit than the rig is at a place where no skin is. Throws FileError.
 void check_distance(const std::string& file, const RigSkin& skin, int image_width, int image_height) {
-  constexpr int kPlaces = 32;  // along the row and down
-  std::vector<Point> pixels;
-  for (int i = 0; i < kPlaces * kPlaces; ++i) {
-    const int column = i % kPlaces;
-    const int row = i / kPlaces;
-    pixels.push_back({(column + 0.5) / kPlaces * image_width - 0.5, (row + 0.5) / kPlaces * image_height - 0.5});
-  }
-  const Rays rays = skin.cameras().rays(pixels);
-  std::vector<Hit> hits(rays.size());
-  skin.surface()->intersect(skin.cameras().left().world_to_camera.centre(), rays.directions, hits);
+  constexpr int kPlaces = 32;
+  const Rays rays = spread_rays(skin, kPlaces, image_width, image_height);
+  const std::vector<Hit> hits = meet(*skin.surface(), skin, rays);
   std::vector<double> distances_mm;
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (std::isfinite(hits[i].distance)) distances_mm.push_back(hits[i].distance / rays.over_length[i]);
@@ -183,6 +216,7 @@ SkinFile load_skin_for(const std::string& skin, const std::optional<calib::Rig>&
   check_cameras(skin, calib::rig_from_yaml(file.rig, skin), image_width, image_height);
   if (const auto* in_space = dynamic_cast<const RigSkin*>(file.skin.get())) {
     check_distance(skin, *in_space, image_width, image_height);
+    check_parts(skin, *in_space, image_width, image_height);
   }
   return file;
 }
@@ -200,7 +234,10 @@ std::unique_ptr<RigSkin> load_rig_skin(const std::string& skin, const calib::Rig
   }
   std::unique_ptr<RigSkin> in_space(static_cast<RigSkin*>(file.skin.release()));
   const calib::Camera& left = in_space->cameras().left();
-  if (left.width_px != 0) check_distance(skin, *in_space, left.width_px, left.height_px);
+  if (left.width_px != 0) {
+    check_distance(skin, *in_space, left.width_px, left.height_px);
+    check_parts(skin, *in_space, left.width_px, left.height_px);
+  }
   return in_space;
 }
 

@@ -100,6 +100,24 @@ TEST_CASE("A skin in metres is refused, one in centimetres is said to be hardly 
   for (const Arguments& arguments : {run(), kMap}) check_warned(box, arguments, "% is supervised; most of the rest is");
 }
 
+TEST_CASE("A surface of a union that others hide, or that is not in view, is said to be watched by nothing") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("rig.yaml", rig_text());
+  const auto of = [](const std::string& second) {
+    return "surface:\n  type: union\n  surfaces:\n  - {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n  - " +
+           second + "\n";
+  };
+  const std::string nothing = "nothing watches surface 2 of the union (";
+  box.write("skin.yaml", of("{type: plane, point_mm: [0, 0, 900], normal: [0, 0, 1]}"));
+  for (const Arguments& arguments : {run(), kMap}) check_warned(box, arguments, nothing + "plane");
+  box.write("skin.yaml",
+            of("{type: union, surfaces: [{type: box, centre_mm: [5000, 0, 800], size_mm: [99, 99, 99]}]}"));
+  check_warned(box, kMap, nothing + "box");
+  box.write("skin.yaml", of("{type: box, centre_mm: [0, 0, 800], size_mm: [99, 99, 99]}"));
+  CHECK_THAT(box.run(kMap).err, !Catch::Contains("nothing watches"));
+}
+
 TEST_CASE("A rig without image size is taken for images that it may be of") {
   Sandbox box;
   with_pairs(box);

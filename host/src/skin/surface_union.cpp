@@ -49,6 +49,16 @@ class Union : public Surface {
     return text;
   }
 
+  std::vector<SurfacePtr> parts() const override {
+    std::vector<SurfacePtr> all;
+    for (const SurfacePtr& part : parts_) {
+      const std::vector<SurfacePtr> own = part->parts();
+      if (own.empty()) all.push_back(part);
+      all.insert(all.end(), own.begin(), own.end());
+    }
+    return all;
+  }
+
  private:
   std::vector<SurfacePtr> parts_;
 };

@@ -23,6 +23,9 @@ struct Hit {
   Eigen::Vector3d normal{0, 0, 0};  ///< length 1: out of a body; of a sheet the side that the line of sight comes from
 };
 
+class Surface;
+using SurfacePtr = std::shared_ptr<const Surface>;
+
 class Surface {
  public:
   virtual ~Surface() = default;
@@ -41,9 +44,9 @@ class Surface {
   virtual void extend(Eigen::AlignedBox3d& box_mm) const = 0;
   /// One line for reports.
   virtual std::string description() const = 0;
+  /// Of a union the surfaces that are none, in order; else nothing.
+  virtual std::vector<SurfacePtr> parts() const { return {}; }
 };
-
-using SurfacePtr = std::shared_ptr<const Surface>;
 
 // All of these throw std::invalid_argument for shapes that are not: not finite, without extent, degenerate.
 
