@@ -79,7 +79,11 @@ class BlindBlocks {
     if (pixel) learn(in, x, block, block == last_block_, config);
     if (first) last_block_ = last_block_of(config.width);
     out.last = last;
-    if ((pixel | fetches) & last) end_row();
+    const Row fewer(rows_expected_ - lit<1>());
+    const bool ends = (pixel | fetches) & last;
+    if (ends) end_row();
+    // Counted from what is kept: a frame's first pixel does not end a row.
+    if (first | ends) rows_expected_ = first ? Row(config.height) : fewer;
     if (pixel & last) before_end_ = before_;
     at_end_ = !last & (x >= before_end_);
     row_ended_ = last;
@@ -141,7 +145,6 @@ class BlindBlocks {
     teaches_ = config.teach;
     watches_ = config.watch && !config.teach;
     ended_ = false;
-    rows_expected_ = config.height;
     last_row_ = false;
     inner_row_ = u<inner_bits>(0);
     odd_ = first_above_ = false;
@@ -192,7 +195,6 @@ class BlindBlocks {
     }
     inner_row_ += lit<1>();
     last_row_ = rows_expected_ == 2;
-    rows_expected_ = Row(rows_expected_ - lit<1>());
   }
 
   ColumnMemory<States, WIDTH> states_;

@@ -19,7 +19,7 @@ module formal_feedback (
   );
   localparam int unsigned CLOCKS = 5;
   logic past_valid = 1'b0;
-  logic [31:0] past_clocks;
+  logic [31:0] past_clocks = 32'd0;  // as clocks_q: yosys makes one register of both
   logic [2:0] past_feedback = 3'b000;  // the newest in bit 0
   logic [1:0] past_safe = 2'b00;
   logic [3:0] wrong = 4'd0, right = 4'd0;  // clocks in a row in which the pins, two clocks late, did not, did follow
@@ -30,7 +30,7 @@ module formal_feedback (
     past_feedback <= {past_feedback[1:0], feedback};
     past_safe <= {past_safe[0], safe};
     since_reset <= !rst_ni ? 4'd0 : since_reset == 4'd15 ? 4'd15 : since_reset + 4'd1;
-    if (!rst_ni || past_feedback[1] != safe) wrong <= 4'd0;
+    if (!rst_ni || !past_valid || past_feedback[1] != safe) wrong <= 4'd0;
     else if (wrong != 4'd15) wrong <= wrong + 4'd1;
     if (!rst_ni || past_feedback[1] == safe) right <= 4'd0;
     else if (right != 4'd15) right <= right + 4'd1;

@@ -89,6 +89,7 @@ module formal_map_store (
   (* hierconn *) wire \dut.adds_areas_q ;
   (* hierconn *) wire \dut.adds_spans_q ;
   (* hierconn *) wire \dut.adds_size_q ;
+  (* hierconn *) wire [23:0] \dut.growth_q ;
   (* hierconn *) wire \dut.sized_q ;
   (* hierconn *) wire \dut.writes_q ;
   (* hierconn *) wire \dut.running_q ;
@@ -99,7 +100,6 @@ module formal_map_store (
   (* hierconn *) wire \dut.bad_size_q ;
   (* hierconn *) wire \dut.too_large_q ;
   (* hierconn *) wire [15:0] \dut.overlap_q ;
-  (* hierconn *) wire [15:0] \dut.valid_q ;
   (* hierconn *) wire \dut.start_q ;
   (* hierconn *) wire \dut.checked_q ;
   (* hierconn *) wire \dut.waiting_q ;
@@ -184,7 +184,6 @@ module formal_map_store (
     if (past_valid) begin
       // --- invariants that lead to the properties ---
       if (valid[watched]) assert (5'(first) < behind && behind <= 5'd16);
-      assert (!\dut.valid_q [15]);
       if (\dut.look_q ) assert (\dut.look_slot_q == past_selected);
       assert (\dut.selected_q == past_selected && \dut.active_q == past_active);
       if (\dut.start_q ) assert (\dut.start_mask_q == 16'd1 << slot && \dut.no_slot_q == (slot == 4'd15));
@@ -199,16 +198,22 @@ module formal_map_store (
       if (past_take) assert (\dut.data == past_data && !data_ready && !\dut.waiting_q );
       if (\dut.checked_q ) assert (\dut.state_q == CHECK && !\dut.waiting_q && !\dut.take );
       if (\dut.state_q == SIZE) begin
-        assert (\dut.step_q <= 7'd13);
+        assert (\dut.step_q <= 7'd14);
         assert (\dut.adds_areas_q == (\dut.step_q == 7'd1) && \dut.adds_spans_q == (\dut.step_q == 7'd2) && \dut.adds_size_q == (\dut.step_q == 7'd11));
-        if (\dut.step_q < 7'd12) begin
-          assert (32'(\dut.size_q ) + 32'd4095 <= 32'd4095 << \dut.step_q );
-          assert (\dut.end_q == (\dut.step_q <= 7'd1 ? 24'(\dut.base_q ) : \dut.step_q == 7'd2 ? behind_spans - spans_words : behind_spans));
-        end
+        if (\dut.step_q < 7'd12) assert (32'(\dut.size_q ) + 32'd4095 <= 32'd4095 << \dut.step_q );
+        if (\dut.step_q < 7'd13)
+          assert (\dut.end_q == (\dut.step_q <= 7'd2 ? 24'(\dut.base_q ) : \dut.step_q == 7'd3 ? behind_spans - spans_words : behind_spans));
+        case (\dut.step_q )
+          7'd2: assert (\dut.growth_q == (24'(\dut.areas_q ) + 24'd1) / 2);
+          7'd3: assert (\dut.growth_q == spans_words);
+          7'd12: assert (\dut.growth_q == \dut.size_q );
+          default: assert (\dut.growth_q == 24'd0);
+        endcase
       end
-      if (\dut.state_q == SIZE && \dut.step_q == 7'd13) assert (\dut.too_large_q == (\dut.end_q > 24'd16) && (\dut.bad_size_q || \dut.size_q != 24'd0));
-      if (\dut.state_q == SIZE && \dut.step_q >= 7'd12 || \dut.state_q == WALK || \dut.state_q == FACTS)
-        assert (\dut.end_q == \dut.size_q + behind_spans && \dut.size_q < 24'd8388608);
+      if (\dut.state_q == SIZE && \dut.step_q == 7'd14) assert (\dut.too_large_q == (\dut.end_q > 24'd16) && (\dut.bad_size_q || \dut.size_q != 24'd0));
+      if (\dut.state_q == SIZE && \dut.step_q >= 7'd13 || \dut.state_q == WALK || \dut.state_q == FACTS)
+        assert (\dut.end_q == \dut.size_q + behind_spans);
+      if (\dut.state_q == SIZE && \dut.step_q >= 7'd12 || \dut.state_q == WALK || \dut.state_q == FACTS) assert (\dut.size_q < 24'd8388608);
       if (\dut.state_q == WALK || \dut.state_q == FACTS) assert (\dut.size_q != 24'd0);
       if (\dut.state_q == WALK) assert (\dut.step_q <= 7'd64);
       assert (\dut.state_q <= CHECK);

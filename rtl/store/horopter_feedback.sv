@@ -17,15 +17,15 @@ module horopter_feedback (
 );
   logic [1:0] dropped_q = 2'b00;  // two registers between clocks
   logic supervised_q = 1'b0, follows;
-  logic [31:0] left_q = '0;
-  logic [32:0] next_left;  // the choice before the adder, see horopter_framer
+  logic [31:0] clocks_q = '0;
+  logic [32:0] left_q = '0;  // less one; below 0 from then on
   assign follows = !supervised_q || dropped_q[1] != safe_i;
-  assign next_left = {1'b0, follows ? clocks_i : left_q} + {33{!follows}};
   always_ff @(posedge clk_i) begin
     dropped_q <= {dropped_q[0], feedback_i};
-    supervised_q <= rst_ni && clocks_i != 32'd0;
-    left_q <= next_left[31:0];
-    bad_o <= rst_ni && !follows && (bad_o || next_left[32]);
+    clocks_q <= clocks_i;
+    supervised_q <= rst_ni && clocks_q != 32'd0;
+    left_q <= (follows ? {1'b0, clocks_q} : left_q) - 33'd1;  // the choice before the adder, see horopter_framer
+    bad_o <= rst_ni && !follows && (bad_o || left_q[32]);
     ready_o <= rst_ni && (!supervised_q || dropped_q[1]);
   end
 endmodule

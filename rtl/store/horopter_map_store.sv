@@ -136,8 +136,10 @@ module horopter_map_store #(
   logic writes_q;  // words go into the pool; as of the clock before: the state changes more than two clocks before the next word
   logic [3:0] fact_q;  // one-hot: which of the first four is next
   logic [47:0] unsupervised_q;
-  // By slot; the last one, which is none, stays 0, as a power of two needs no bounds.
-  logic [15:0] valid_q, overlap_q;
+  // By slot; the last one is none: never valid, whatever an upset does, as a power of two needs no bounds.
+  logic [14:0] valid_q;
+  logic [15:0] valid, overlap_q;
+  assign valid = {1'b0, valid_q};
   logic [6:0] step_q;
   logic [23:0] size_q, end_q;  // words of control points; address after the last, before that after areas and spans
   logic [ADDR_BITS:0] end_addr;  // the same, once it is known to be in the pool
@@ -152,8 +154,8 @@ module horopter_map_store #(
   logic [4:0] byte_q;  // one-hot: bytes that are through; after the fourth the word waits a clock, and is compared
   logic start_q, waiting_q, take, slot_in_use_q, store_entry;  // a start counts a clock later
   logic checked_q, right_q;  // the last word was taken in the clock before, and was the CRC
-  logic overlap_in_use_q;  // what the walk found
-  logic walked_q;  // as of the clock before, like overlap_in_use_q
+  logic overlap_in_use, overlaps_selected_q, overlaps_active_q, in_use_q;  // what the walk found
+  logic walked_q;  // as of the clock before, like these
   logic in_use_stays_q;  // that it was decided for
   logic first_bad_q, count_bad_q;  // as the first word, as that with the number of facts it is not possible
   logic data_ready_q;  // of the clock before: later than need be, never too early
@@ -186,7 +188,7 @@ module horopter_map_store #(
   // become the selected one.
   always_ff @(posedge clk_i)
     slot_in_use_q <= running_q && (slot_i == selected_q || slot_i == active_q)
-        && slot_i != NONE && (valid_q[slot_i] || store_entry);
+        && slot_i != NONE && (valid[slot_i] || store_entry);
 
   logic store_limit;
   assign store_entry = checked_q && right_q;
@@ -201,10 +203,10 @@ module horopter_map_store #(
     upload_mask_q <= 16'd1 << slot_q;
   end
   assign store_limit = start_q && !no_slot_q && !slot_in_use_q;
-  assign replaces = !start_q && state_q == WALK && walked_q && in_use_stays_q && !overlap_in_use_q;
+  assign replaces = !start_q && state_q == WALK && walked_q && in_use_stays_q && !overlap_in_use;
   always_ff @(posedge clk_i) begin
     replaces_q <= rst_ni && !start_q && (replaces || state_q == FACTS);  // as long as the facts come, should an upset take it back
-    for (int unsigned i = 0; i < 16; i++) begin
+    for (int unsigned i = 0; i < 15; i++) begin
       valid_q[i] <= rst_ni && ((valid_q[i] && !(replaces_q && overlap_q[i]) && !(start_q && !slot_in_use_q && start_mask_q[i]))
           || (store_entry && !start_q && upload_mask_q[i]));
     end
@@ -235,15 +237,18 @@ module horopter_map_store #(
   always_ff @(posedge clk_i) begin
     begins_before_q <= {1'b0, extent[ADDR_BITS-1:0]} < end_addr;
     ends_behind_q <= extent[2*ADDR_BITS:ADDR_BITS] > {1'b0, base_q[ADDR_BITS-1:0]};
-    overlaps_q <= valid_q[walk_slot] && walk_slot != slot_q && (extent_error || (begins_before_q && ends_behind_q));
+    overlaps_q <= valid[walk_slot] && walk_slot != slot_q && (extent_error || (begins_before_q && ends_behind_q));
   end
 
   // Decided when the walk is over, for what is in use then: the selection may change during it.
   always_ff @(posedge clk_i) begin
     in_use_stays_q <= {running_i, selected_slot_i, active_slot_i} == {running_q, selected_q, active_q};
-    overlap_in_use_q <= running_q && (overlap_q[selected_q] || overlap_q[active_q]);
+    in_use_q <= running_q;
+    overlaps_selected_q <= overlap_q[selected_q];
+    overlaps_active_q <= overlap_q[active_q];
     walked_q <= state_q == WALK && step_q[6];
   end
+  assign overlap_in_use = in_use_q && (overlaps_selected_q || overlaps_active_q);
 
   // The error follows a clock behind the state: which one it would be, and whether it is.
   logic decided_q;
@@ -306,7 +311,7 @@ module horopter_map_store #(
         end
 
         SIZE:
-        if (step_q == 7'd13) begin
+        if (step_q == 7'd14) begin
           if (bad_size_q || too_large_q) begin
             state_q <= IDLE;
             decided_q <= 1'b1;
@@ -318,7 +323,7 @@ module horopter_map_store #(
 
         WALK:
         if (walked_q && in_use_stays_q) begin
-          if (overlap_in_use_q) begin
+          if (overlap_in_use) begin
             state_q <= IDLE;
             decided_q <= 1'b1;
             refused_o <= 1'b1;
@@ -347,21 +352,21 @@ module horopter_map_store #(
   end
 
   // What the states work with; none of it needs a reset, a start sets the state that sets it.
-  logic halve_x_q, halve_y_q;  // this place of the shifts counts
-  logic adds_areas_q, adds_spans_q, adds_size_q;  // to the end
+  logic [6:0] halves_x_q, halves_y_q;  // places of the shifts that count, of this step first
+  logic adds_areas_q, adds_spans_q, adds_size_q;  // what the end grows by, in the clock after the next
+  logic [23:0] growth_q;
   logic sized_q;  // the image's size came in the clock before
-  logic [6:0] next_step;
-  assign next_step = state_q == SIZE ? step_q + 7'd1 : 7'd0;
   always_ff @(posedge clk_i) begin
     if (start_q) begin
       slot_q <= slot_i;
       base_q <= base_i;
     end
-    halve_x_q <= next_step < 7'(nx_q);
-    halve_y_q <= next_step < 7'(ny_q);
-    adds_areas_q <= next_step == 7'd1;
-    adds_spans_q <= next_step == 7'd2;
-    adds_size_q <= next_step == 7'd11;
+    halves_x_q <= state_q == SIZE ? halves_x_q >> 1 : ~(7'h7F << nx_q);
+    halves_y_q <= state_q == SIZE ? halves_y_q >> 1 : ~(7'h7F << ny_q);
+    adds_areas_q <= state_q == SIZE && step_q == 7'd0;
+    adds_spans_q <= state_q == SIZE && step_q == 7'd1;
+    adds_size_q <= state_q == SIZE && step_q == 7'd10;
+    growth_q <= adds_areas_q ? 24'(areas64_q) : adds_spans_q ? 24'(spans64_q) : adds_size_q ? size_q : 24'd0;
     // With c = (size - 1) >> n there are c + 1 cells, c + 2 control points; in pairs c / 2 + 1, and one more if c is odd.
     expected_columns_q <= cells_x_q + 12'd2;
     expected_pairs_q <= 12'(cells_y_q[11:1]) + 12'd1 + 12'(cells_y_q[0]);
@@ -405,15 +410,15 @@ module horopter_map_store #(
 
       // One bit of the product and one place of the shifts a clock.
       SIZE: begin
-        step_q <= step_q == 7'd13 ? 7'd0 : next_step;
+        step_q <= step_q == 7'd14 ? 7'd0 : step_q + 7'd1;
         overlap_q <= 16'd0;
         if (step_q < 7'd11) begin
           pairs_q <= {pairs_q[9:0], pairs_q[10]};  // back in place after all 11
           size_q <= {size_q[22:0], 1'b0} + (pairs_q[10] ? 24'(columns_q) : 24'd0);
         end
-        if (halve_x_q) cells_x_q <= {1'b0, cells_x_q[11:1]};
-        if (halve_y_q) cells_y_q <= {1'b0, cells_y_q[11:1]};
-        end_q <= end_q + (adds_areas_q ? 24'(areas64_q) : adds_spans_q ? 24'(spans64_q) : adds_size_q ? size_q : 24'd0);
+        if (halves_x_q[0]) cells_x_q <= {1'b0, cells_x_q[11:1]};
+        if (halves_y_q[0]) cells_y_q <= {1'b0, cells_y_q[11:1]};
+        end_q <= end_q + growth_q;
       end
 
       // Four clocks a slot: read, compare, judge, note.
@@ -451,7 +456,7 @@ module horopter_map_store #(
     end
   end
   assign busy_o = state_q != IDLE || start_q || waiting_q || take || decided_q;
-  assign valid_o = valid_q[14:0];
+  assign valid_o = valid_q;
 
   // --- directory: read by a lookup, else of slot_i, what its CRC is ---
   localparam int unsigned ENTRY_BITS = 32 + 12 + 1 + 12 + 12 + 12 + 3 + 3 + ADDR_BITS;
@@ -480,11 +485,11 @@ module horopter_map_store #(
   always_ff @(posedge clk_i) begin
     lookup_q <= rst_ni && look_q;
     lookup_slot_q <= look_slot_q;
-    lookup_valid_q <= valid_q[look_slot_q];
+    lookup_valid_q <= valid[look_slot_q];
     if (lookup_q) table_crc_o <= entry_crc;
     if (lookup_q) table_areas_o <= entry_areas;
     slot_read_q <= !look_q && !store_entry;
-    slot_valid_q <= valid_q[slot_i];
+    slot_valid_q <= valid[slot_i];
     if (slot_read_q && !slot_valid_q) slot_crc_o <= 32'd0;
     else if (slot_read_q) slot_crc_o <= entry_crc;
   end
@@ -497,7 +502,7 @@ module horopter_map_store #(
       .take_i(lookup_q),
       // Before: what is stored in the clock of the lookup counts from the next one on. Still: what is replaced goes a clock
       // after that was decided.
-      .valid_i(lookup_valid_q && valid_q[lookup_slot_q]),
+      .valid_i(lookup_valid_q && valid[lookup_slot_q]),
       .fits_i(entry_width == width_i && entry_height == height_i),
       .base_i(entry_base),
       .nx_i(entry_nx),

@@ -91,7 +91,7 @@ module horopter_raster #(
   logic [COUNT_BITS-1:0] count_q;
   logic live_q, first_q, slot_q, busy_q, ready_q, active_q, published_q;
   logic ready;  // the row in progress is there
-  logic cell_end_x;  // this pixel loads the next column
+  logic loads;  // this pixel loads the next column of control points
   logic [ROW_BITS-1:0] flush_rows;
   assign flush_rows = compete_i ? ROW_BITS'(COMPETE_FLUSH_ROWS) : ROW_BITS'(FLUSH_ROWS);
   logic last_x, last_y, flushed;  // x_q, y_q are the last of the image, y_q is that of the flush rows
@@ -102,10 +102,9 @@ module horopter_raster #(
   assign go = FAST ? go_q : go_i;
 
   // Stage 0 of the beat.
-  logic issue_prime, issue_pixel, loads;
+  logic issue_prime, issue_pixel;
   assign issue_prime = state_q == PRIME && go;
   assign issue_pixel = state_q == PIXELS && go;
-  assign loads = cell_end_x && live_q;
   assign setup_o = state_q == SETUP;
   assign row_o = state_q == WAIT_ROW && 32'(count_q) == 1 && live_q;
   assign map_read_o = issue_prime || (issue_pixel && loads);
@@ -237,21 +236,21 @@ module horopter_raster #(
     end
     assign ready = !live_q || (right_ready_q && left_ready_q);
 
-    logic odd_cell_q, cell_end_x_q, cell_end_y_q;
+    logic odd_cell_q, loads_q, cell_end_y_q;
     logic [MAP_ADDR_BITS-1:0] even_row_q, odd_row_q, even_addr_q, odd_addr_q, row_below;
     assign row_below = (odd_cell_q ? odd_row_q : even_row_q) + MAP_ADDR_BITS'(table_columns_i);
     logic [5:0] fraction_q, cell_mask_x_q, cell_mask_y_q;
-    assign cell_end_x = cell_end_x_q;
+    assign loads = loads_q;
     logic row_over_q;  // the row's last pixel was issued in the clock before; its successor waits for some clocks
     always_ff @(posedge clk_i) begin
       row_over_q <= issue_pixel && last_x && live_q;
       // Decided with the pixel before.
       if (state_q == WAIT_ROW) begin
         last_x_q <= 1'b0;
-        cell_end_x_q <= 1'b1;
+        loads_q <= live_q;
       end else if (issue_pixel) begin
         last_x_q <= x_q == before_last_column_q;
-        cell_end_x_q <= (x_q[5:0] & cell_mask_x_q) == cell_mask_x_q;
+        loads_q <= live_q && (x_q[5:0] & cell_mask_x_q) == cell_mask_x_q;
       end
       cell_end_y_q <= (y_q[5:0] & cell_mask_y_q) == cell_mask_y_q;  // the next row is in another cell
       // Nothing is read while a row waits.
@@ -314,7 +313,7 @@ module horopter_raster #(
     logic [MAP_ADDR_BITS-1:0] odd_addr_q;
     logic odd_cell_q, new_row_of_cells;
     logic [5:0] fraction;
-    assign cell_end_x = 6'(x_q[5:0] << (3'd6 - table_nx_i)) == 6'd0;
+    assign loads = live_q && 6'(x_q[5:0] << (3'd6 - table_nx_i)) == 6'd0;
     assign fraction = y_q[5:0] << (3'd6 - table_ny_i);
     assign new_row_of_cells = fraction == 6'd0;
     always_ff @(posedge clk_i) begin

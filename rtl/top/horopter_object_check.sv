@@ -86,17 +86,17 @@ module horopter_object_check #(
     logic unused_blind;
     assign unused_blind = ^{width_i, height_i, blocks_i, forget_i, blind_idle_q};
   end
-  logic looks, pixel_valid;
-  assign looks = BLIND && (blocks_i.watch || blocks_i.teach);  // all through the frame
-  assign pixel_valid = blind_valid && there && looks;
+  logic looks_q, pixel_valid;
+  always_ff @(posedge clk_i) looks_q <= BLIND && (blocks_i.watch || blocks_i.teach);  // all through the frame
+  assign pixel_valid = blind_valid && there && looks_q;
   logic [COUNT_BITS-1:0] blind_q;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) blind_idle_q <= 1'b0;
-    else if (state_valid_i) blind_idle_q <= state_end_i && looks;
+    else if (state_valid_i) blind_idle_q <= state_end_i && looks_q;
     else if (blind_valid && blind_done) blind_idle_q <= 1'b0;
     if (!rst_ni) taught_o <= 1'b0;
     else if (blind_valid) taught_o <= taught;
-    if (!looks) blind_q <= '0;
+    if (!looks_q) blind_q <= '0;
     else if (pixel_valid) blind_q <= (pixel_first ? '0 : blind_q) + COUNT_BITS'(blind);
   end
 
@@ -122,18 +122,18 @@ module horopter_object_check #(
   logic [ROW_BITS-1:0] top, bottom, top_q, bottom_q;
   logic [COUNT_BITS+COLUMN_BITS-1:0] columns;
   logic [COUNT_BITS+ROW_BITS-1:0] rows;
-  assign pixel_valid_o = looks ? pixel_valid : state_valid_i;
-  assign pixel_first_o = looks ? pixel_first : state_first_i;
-  assign pixel_last_o = looks ? pixel_last : state_last_i;
+  assign pixel_valid_o = looks_q ? pixel_valid : state_valid_i;
+  assign pixel_first_o = looks_q ? pixel_first : state_first_i;
+  assign pixel_last_o = looks_q ? pixel_last : state_last_i;
   // They wait until their areas are there, the oldest in the highest bits.
   localparam int unsigned BEAT = 6;
   logic occupied, late_valid, late_occupied, late_first, late_last, late_idle, late_blind;
   logic [AREA_LATENCY*BEAT-1:0] waiting_q;
-  assign occupied = looks ? blind || pixel_state == 2'd1 : state_i == 2'd1;
+  assign occupied = looks_q ? blind || pixel_state == 2'd1 : state_i == 2'd1;
   assign {late_valid, late_occupied, late_first, late_last, late_idle, late_blind} = waiting_q[AREA_LATENCY*BEAT-1-:BEAT];
   always_ff @(posedge clk_i) begin
     waiting_q <= {waiting_q[(AREA_LATENCY-1)*BEAT-1:0],
-                  rst_ni && (pixel_valid_o || idle_q), occupied, pixel_first_o, pixel_last_o, idle_q, looks && blind};
+                  rst_ni && (pixel_valid_o || idle_q), occupied, pixel_first_o, pixel_last_o, idle_q, looks_q && blind};
   end
   horopter_objects u_objects (
       .clk_i(clk_i),
@@ -187,7 +187,7 @@ module horopter_object_check #(
     if (valid) overflow_o <= overflow;
     alarm_o <= rst_ni && (valid ? alarm : alarm_o && !begin_i);
     if (!rst_ni) idle_q <= 1'b0;
-    else idle_q <= (looks ? blind_valid && blind_done && blind_idle_q && !idle_q : state_valid_i && state_end_i) || (idle_q && !(valid && done));
+    else idle_q <= (looks_q ? blind_valid && blind_done && blind_idle_q && !idle_q : state_valid_i && state_end_i) || (idle_q && !(valid && done));
     if (!rst_ni || ended_o) waits_q <= 1'b0;
     else if (state_valid_i && state_end_i) waits_q <= 1'b1;
     if (!rst_ni || last_q[1]) begin

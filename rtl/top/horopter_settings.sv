@@ -70,11 +70,13 @@ module horopter_settings #(
     output logic                       changed_o,
     // of its table, which is looked up at its begin and stays until the next
     input  logic [23:0]                undecidable_limit_i,
+    input  logic                       table_ok_i,
     input  logic [47:0]                unsupervised_i,  // pixels that thesis (low half), compete cannot judge
     output logic [COUNT_BITS-1:0]      undecidable_limit_o,  // a clock later
-    output logic [COUNT_BITS-1:0]      unsupervised_limit_o  // of the register and what the table itself expects the smaller
+    output logic [COUNT_BITS-1:0]      unsupervised_limit_o  // of the register and what a table that is ok itself expects the smaller
 );
   logic [COUNT_BITS-1:0] unsupervised_set, expected_q;
+  logic expects_q;
   logic [23:0] expected;
   assign expected = decision_compete_o ? unsupervised_i[47:24] : unsupervised_i[23:0];
   always_ff @(posedge clk_i) begin
@@ -108,7 +110,8 @@ module horopter_settings #(
     end
     undecidable_limit_o <= dim_o || 32'(undecidable_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(undecidable_limit_i);
     expected_q <= 32'(expected) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(expected);
-    unsupervised_limit_o <= expected_q < unsupervised_set ? expected_q : unsupervised_set;
+    expects_q <= table_ok_i;
+    unsupervised_limit_o <= expects_q && expected_q < unsupervised_set ? expected_q : unsupervised_set;
   end
 
   // Both groups are guarded, in words.

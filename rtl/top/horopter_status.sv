@@ -149,16 +149,17 @@ module horopter_status #(
 
   // The core's reset comes a clock after rst_ni: what it says between them is of the time before.
   logic reset_q;
-  logic same_image_q, fault_q;
+  logic same_image_q;
+  logic [2:0] fault_q;
   horopter_csr_pkg::faults_t fault_set;
   assign irq_set_o.frame = frame_done_o && !reset_q;
-  assign irq_set_o.fault = fault_q;
+  assign irq_set_o.fault = fault_q != '0;
   always_ff @(posedge clk_i) begin
     reset_q <= !rst_ni;
     same_image_q <= left_signature_i == right_signature_i;
     waiting_q <= rst_ni && waiting && contactors_ready;
     restart_written_q <= rst_ni && restart_valid_i && restart_key_i == horopter_csr_pkg::RESTART_KEY;
-    fault_q <= rst_ni && faults_set_o != '0;
+    fault_q <= rst_ni ? {faults_set_o.machine != '0, faults_set_o.right != '0, faults_set_o.left != '0} : '0;
     faults_set_o <= rst_ni && !reset_q ? fault_set : '0;
     if (rst_ni && bad_upload_i) faults_set_o.machine.map_crc <= 1'b1;
     if (rst_ni && refused_upload_i) faults_set_o.machine.map_busy <= 1'b1;

@@ -721,6 +721,22 @@ TEMPLATE_TEST_CASE("an upset does not make a table valid again of which an uploa
   CHECK(machine.read(reg::map_valid::kAddress) == 1U << 2);
 }
 
+TEMPLATE_TEST_CASE("no table is none, whatever an upset makes of an upload to no slot", "[faults][every]", FieldThesis,
+                   VgaThesis, HdThesis) {
+  Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  constexpr unsigned kNoSlot = 15;
+  Upset<TestType> upset{machine.model(), "u_map_store.no_slot_q", "u_map_store.start_q"};
+  machine.simulation().attach(upset);
+  upset.arm();
+  machine.upload(kNoSlot, static_cast<unsigned>(bench.table.size()), bench.table);
+  CHECK(upset.has_been());
+  bench.raise("no_table", [&] {
+    machine.select(kNoSlot);
+    bench.send_scene();
+  });
+}
+
 /// Both images in one stream.
 template <class Model>
 class TestSource final : public Endpoint {

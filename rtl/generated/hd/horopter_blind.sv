@@ -3,7 +3,7 @@
 //
 // Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 92 bits, pipeline 342 bits, memories 131896 bits.
+// State 92 bits, pipeline 340 bits, memories 131896 bits.
 module horopter_blind (
   input  logic clk_i,
   input  logic rst_ni,
@@ -45,8 +45,8 @@ module horopter_blind (
   assign not_86 = ~cfg_forget_i;
   logic not_87;
   assign not_87 = ~cfg_teach_i;
-  logic [6:0] select_142;
-  assign select_142 = (7'h78 < cfg_width_i[10:4]) ? 7'h77 : (cfg_width_i[10:4] + 7'h7f);
+  logic [6:0] select_143;
+  assign select_143 = (7'h78 < cfg_width_i[10:4]) ? 7'h77 : (cfg_width_i[10:4] + 7'h7f);
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
 
@@ -67,7 +67,6 @@ module horopter_blind (
   logic [10:0] x_q;
   logic [10:0] before_v_q;
   logic [10:0] before_end_q;
-  logic [10:0] rows_expected_q;
   logic [6:0] last_block_q;
   logic [4:0] rows_left_q;
   logic more_q;
@@ -90,23 +89,17 @@ module horopter_blind (
   // hls/stages/blind.hpp:66
   logic last;
   assign last = idle_s1_q ? at_end_q : last_s1_q;
-  // hls/stages/blind.hpp:84
+  // hls/stages/blind.hpp:88
   logic [10:0] select_130;
   assign select_130 = (not_33 & last) ? before_v_q : before_end_q;
   // hls/stages/blind.hpp:82
-  logic and_131;
-  assign and_131 = last & or_38;
-  // hls/stages/blind.hpp:69
-  logic [10:0] select_132;
-  assign select_132 = and_34 ? cfg_height_i : rows_expected_q;
-  // hls/stages/blind.hpp:82
-  logic [6:0] select_144;
-  assign select_144 = and_34 ? ((cfg_width_i[10:5] == 6'h0) ? 7'h1 : select_142) : last_block_q;
-  // hls/stages/blind.hpp:89
-  logic or_156;
-  assign or_156 = and_34 | (and_37 & last);
+  logic [6:0] select_145;
+  assign select_145 = and_34 ? ((cfg_width_i[10:5] == 6'h0) ? 7'h1 : select_143) : last_block_q;
+  // hls/stages/blind.hpp:93
+  logic or_157;
+  assign or_157 = and_34 | (and_37 & last);
 
-  // Memory states, 1920 x 34, DISTANCE 16, hls/stages/blind.hpp:198; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
+  // Memory states, 1920 x 34, DISTANCE 16, hls/stages/blind.hpp:200; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [33:0] states_mem [0:1919];
@@ -129,7 +122,6 @@ module horopter_blind (
       x_q <= 11'h0;
       before_v_q <= 11'h0;
       before_end_q <= 11'h77e;
-      rows_expected_q <= 11'h0;
       last_block_q <= 7'h0;
       rows_left_q <= 5'h0;
       more_q <= 1'b0;
@@ -139,10 +131,9 @@ module horopter_blind (
       x_q <= x + 11'h1;
       before_v_q <= x;
       before_end_q <= select_130;
-      rows_expected_q <= and_131 ? (select_132 + 11'h7ff) : select_132;
-      last_block_q <= select_144;
-      rows_left_q <= or_156 ? (and_34 ? 5'h11 : (rows_left_q + 5'h1f)) : rows_left_q;
-      more_q <= or_156 ? (and_34 | (~(rows_left_q == 5'h1))) : more_q;
+      last_block_q <= select_145;
+      rows_left_q <= or_157 ? (and_34 ? 5'h11 : (rows_left_q + 5'h1f)) : rows_left_q;
+      more_q <= or_157 ? (and_34 | (~(rows_left_q == 5'h1))) : more_q;
       row_ended_q <= last;
       at_end_q <= (~(x < select_130)) & (~last);
     end
@@ -156,9 +147,7 @@ module horopter_blind (
   logic and_34_s2_q;
   logic or_38_s2_q;
   logic less_40_s2_q;
-  logic and_131_s2_q;
-  logic equal_135_s2_q;
-  logic and_186_s2_q;
+  logic and_187_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       state_s2_q <= state_s1_q;
@@ -169,20 +158,19 @@ module horopter_blind (
       and_34_s2_q <= and_34;
       or_38_s2_q <= or_38;
       less_40_s2_q <= last_block_q < x[10:4];
-      and_131_s2_q <= and_131;
-      equal_135_s2_q <= select_132 == 11'h2;
-      and_186_s2_q <= idle_s1_q & (~more_q);
+      and_187_s2_q <= idle_s1_q & (~more_q);
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
+  logic [10:0] rows_expected_q;
   logic last_row_q;
   logic [3:0] inner_row_q;
   logic [9:0] place_q;
   // hls/stages/blind.hpp:77
   logic [6:0] block;
   assign block = less_40_s2_q ? last_block_s2_q : before_v_q[10:4];
-  // hls/stages/blind.hpp:166
+  // hls/stages/blind.hpp:169
   logic ends;
   assign ends = last_s2_q | ((~(last_block_s2_q == block)) & (before_v_q[3:0] == 4'hf));
   // hls/stages/blind.hpp:69
@@ -196,22 +184,33 @@ module horopter_blind (
   // hls/stages/blind.hpp:69
   logic and_60;
   assign and_60 = last_row_q & not_59;
-  // hls/stages/blind.hpp:173
+  // hls/stages/blind.hpp:176
   logic equal_61;
   assign equal_61 = select_53 == 4'hf;
   // hls/stages/blind.hpp:83
-  logic [9:0] select_149;
-  assign select_149 = and_131_s2_q ? (equal_61 ? (select_57 + 10'hf) : select_57) : select_57;
+  logic and_131;
+  assign and_131 = row_ended_q & or_38_s2_q;
+  // hls/stages/blind.hpp:82
+  logic [10:0] fewer;
+  assign fewer = rows_expected_q + 11'h7ff;
+  // hls/stages/blind.hpp:87
+  logic [10:0] select_135;
+  assign select_135 = (and_34_s2_q | and_131) ? (and_34_s2_q ? cfg_height_i : fewer) : rows_expected_q;
+  // hls/stages/blind.hpp:86
+  logic [9:0] select_150;
+  assign select_150 = and_131 ? (equal_61 ? (select_57 + 10'hf) : select_57) : select_57;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      rows_expected_q <= 11'h0;
       last_row_q <= 1'b0;
       inner_row_q <= 4'h0;
       place_q <= 10'h0;
     end else if (s2_en) begin
-      last_row_q <= and_131_s2_q ? equal_135_s2_q : and_60;
-      inner_row_q <= and_131_s2_q ? (select_53 + 4'h1) : select_53;
-      place_q <= select_149;
+      rows_expected_q <= select_135;
+      last_row_q <= and_131 ? (rows_expected_q == 11'h2) : and_60;
+      inner_row_q <= and_131 ? (select_53 + 4'h1) : select_53;
+      place_q <= select_150;
     end
   end
 
@@ -231,7 +230,7 @@ module horopter_blind (
   logic equal_61_s3_q;
   logic last_s3_q;
   logic and_131_s3_q;
-  logic and_186_s3_q;
+  logic and_187_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       state_s3_q <= state_s2_q;
@@ -249,8 +248,8 @@ module horopter_blind (
       and_60_s3_q <= and_60;
       equal_61_s3_q <= equal_61;
       last_s3_q <= row_ended_q;
-      and_131_s3_q <= and_131_s2_q;
-      and_186_s3_q <= and_186_s2_q;
+      and_131_s3_q <= and_131;
+      and_187_s3_q <= and_187_s2_q;
     end
   end
 
@@ -262,7 +261,7 @@ module horopter_blind (
   logic ended_q;
   logic teaches_q;
   logic session_q;
-  // hls/stages/blind.hpp:170
+  // hls/stages/blind.hpp:173
   logic and_47;
   assign and_47 = not_33_s3_q & ends_s3_q;
   // hls/stages/blind.hpp:69
@@ -286,19 +285,19 @@ module horopter_blind (
   assign and_115 = odd_q & not_59_s3_q;
   logic [4:0] select_118;
   assign select_118 = and_34_s3_q ? 5'h0 : above_q;
-  // hls/stages/blind.hpp:159
+  // hls/stages/blind.hpp:162
   logic equal_119;
   assign equal_119 = select_118 == 5'h11;
-  // hls/stages/blind.hpp:83
-  logic [4:0] select_154;
-  assign select_154 = and_131_s3_q ? (equal_119 ? select_118 : (select_118 + 5'h1)) : select_118;
+  // hls/stages/blind.hpp:86
+  logic [4:0] select_155;
+  assign select_155 = and_131_s3_q ? (equal_119 ? select_118 : (select_118 + 5'h1)) : select_118;
   // hls/stages/blind.hpp:69
-  logic and_169;
-  assign and_169 = first_above_q & not_59_s3_q;
-  logic select_174;
-  assign select_174 = and_34_s3_q ? (session_q & (cfg_teach_i & not_86)) : session_q;
+  logic and_170;
+  assign and_170 = first_above_q & not_59_s3_q;
+  logic select_175;
+  assign select_175 = and_34_s3_q ? (session_q & (cfg_teach_i & not_86)) : session_q;
 
-  // Memory counts, 120 x 9, DISTANCE 16, hls/stages/blind.hpp:199; read in stage 3, written in stage 6: 3 < 6 < 3 + DISTANCE.
+  // Memory counts, 120 x 9, DISTANCE 16, hls/stages/blind.hpp:201; read in stage 3, written in stage 6: 3 < 6 < 3 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [8:0] counts_mem [0:119];
@@ -433,11 +432,11 @@ module horopter_blind (
     end else if (s3_en) begin
       odd_q <= and_131_s3_q ? (and_115 ^ equal_61_s3_q) : and_115;
       new_block_q <= idle_s3_q ? or_49 : ends_s3_q;
-      above_q <= select_154;
-      first_above_q <= and_131_s3_q ? (select_118 == 5'h10) : and_169;
+      above_q <= select_155;
+      first_above_q <= and_131_s3_q ? (select_118 == 5'h10) : and_170;
       ended_q <= and_82 | and_84;
       teaches_q <= select_85;
-      session_q <= and_84 ? (select_85 | select_174) : select_174;
+      session_q <= and_84 ? (select_85 | select_175) : select_175;
     end
   end
 
@@ -460,8 +459,8 @@ module horopter_blind (
   logic equal_119_s4_q;
   logic and_120_s4_q;
   logic last_s4_q;
-  logic and_184_s4_q;
-  logic and_186_s4_q;
+  logic and_185_s4_q;
+  logic and_187_s4_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       idle_s4_q <= idle_s3_q;
@@ -483,8 +482,8 @@ module horopter_blind (
       equal_119_s4_q <= equal_119;
       and_120_s4_q <= or_38_s3_q & equal_119;
       last_s4_q <= last_s3_q;
-      and_184_s4_q <= or_38_s3_q & (and_169 & (x_s3_q == 11'h0));
-      and_186_s4_q <= and_186_s3_q;
+      and_185_s4_q <= or_38_s3_q & (and_170 & (x_s3_q == 11'h0));
+      and_187_s4_q <= and_187_s3_q;
     end
   end
 
@@ -495,7 +494,7 @@ module horopter_blind (
   logic select_91;
   assign select_91 = and_34_s4_q ? (has_taught_q & and_89_s4_q) : has_taught_q;
 
-  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:201; read in stage 4, written in stage 8: 4 < 8 < 4 + DISTANCE.
+  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:203; read in stage 4, written in stage 8: 4 < 8 < 4 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -544,8 +543,8 @@ module horopter_blind (
   logic equal_119_s5_q;
   logic and_120_s5_q;
   logic last_s5_q;
-  logic and_184_s5_q;
-  logic and_186_s5_q;
+  logic and_185_s5_q;
+  logic and_187_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       idle_s5_q <= idle_s4_q;
@@ -568,20 +567,20 @@ module horopter_blind (
       equal_119_s5_q <= equal_119_s4_q;
       and_120_s5_q <= and_120_s4_q;
       last_s5_q <= last_s4_q;
-      and_184_s5_q <= and_184_s4_q;
-      and_186_s5_q <= and_186_s4_q;
+      and_185_s5_q <= and_185_s4_q;
+      and_187_s5_q <= and_187_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [4:0] in_row_q;
-  // hls/stages/blind.hpp:167
+  // hls/stages/blind.hpp:170
   logic [4:0] sum_52;
   assign sum_52 = (or_49_s5_q ? 5'h0 : in_row_q) + {4'h0, equal_51_s5_q};
-  // hls/stages/blind.hpp:127
+  // hls/stages/blind.hpp:131
   logic parity_81;
   assign parity_81 = ^{taught_high_low_rdata_s5_q, taught_high_high_low_rdata_s5_q, taught_high_high_high_rdata_s5_q, taught_low_rdata_s5_q};
-  // hls/stages/blind.hpp:178
+  // hls/stages/blind.hpp:181
   logic [6:0] known;
   assign known = (parity_81 | (~has_taught_q)) ? 7'h0 : {taught_high_high_high_rdata_s5_q[0], taught_high_high_low_rdata_s5_q, taught_high_low_rdata_s5_q, taught_low_rdata_s5_q};
 
@@ -609,8 +608,8 @@ module horopter_blind (
   logic blind_rdata_s6_q;
   logic select_123_s6_q;
   logic last_s6_q;
-  logic and_184_s6_q;
-  logic and_186_s6_q;
+  logic and_185_s6_q;
+  logic and_187_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       or_38_s6_q <= or_38_s5_q;
@@ -629,15 +628,15 @@ module horopter_blind (
       blind_rdata_s6_q <= blind_rdata_q;
       select_123_s6_q <= watches_q;
       last_s6_q <= last_s5_q;
-      and_184_s6_q <= and_184_s5_q;
-      and_186_s6_q <= and_186_s5_q;
+      and_185_s6_q <= and_185_s5_q;
+      and_187_s6_q <= and_187_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/blind.hpp:162
-  logic and_180;
-  assign and_180 = equal_119_s6_q & (blind_rdata_s6_q & (states_rdata_s6_q == 2'h2));
+  // hls/stages/blind.hpp:165
+  logic and_181;
+  assign and_181 = equal_119_s6_q & (blind_rdata_s6_q & (states_rdata_s6_q == 2'h2));
 
   // Memory counts, write
   logic [6:0] counts_waddr;
@@ -693,10 +692,10 @@ module horopter_blind (
   logic select_123_s7_q;
   logic [8:0] sum_124_s7_q;
   logic last_s7_q;
-  logic [1:0] select_177_s7_q;
-  logic and_181_s7_q;
-  logic and_184_s7_q;
-  logic and_186_s7_q;
+  logic [1:0] select_178_s7_q;
+  logic and_182_s7_q;
+  logic and_185_s7_q;
+  logic and_187_s7_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       block_s7_q <= block_s6_q;
@@ -712,15 +711,15 @@ module horopter_blind (
       select_123_s7_q <= select_123_s6_q;
       sum_124_s7_q <= {1'b0, cfg_blind_margin_i} + {2'h0, known_s6_q};
       last_s7_q <= last_s6_q;
-      select_177_s7_q <= or_38_s6_q ? states_rdata_s6_q : 2'h0;
-      and_181_s7_q <= or_38_s6_q & and_180;
-      and_184_s7_q <= and_184_s6_q;
-      and_186_s7_q <= and_186_s6_q;
+      select_178_s7_q <= or_38_s6_q ? states_rdata_s6_q : 2'h0;
+      and_182_s7_q <= or_38_s6_q & and_181;
+      and_185_s7_q <= and_185_s6_q;
+      and_187_s7_q <= and_187_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/blind.hpp:179
+  // hls/stages/blind.hpp:182
   logic [8:0] sum_99;
   assign sum_99 = (less_97_s7_q ? sum_56_s7_q : {known_s7_q, 2'h0}) + 9'h3;
 
@@ -734,10 +733,10 @@ module horopter_blind (
   logic and_120_s8_q;
   logic and_126_s8_q;
   logic last_s8_q;
-  logic [1:0] select_177_s8_q;
-  logic and_181_s8_q;
-  logic and_184_s8_q;
-  logic and_186_s8_q;
+  logic [1:0] select_178_s8_q;
+  logic and_182_s8_q;
+  logic and_185_s8_q;
+  logic and_187_s8_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       block_s8_q <= block_s7_q;
@@ -750,15 +749,15 @@ module horopter_blind (
       and_120_s8_q <= and_120_s7_q;
       and_126_s8_q <= select_123_s7_q & ({sum_124_s7_q, 2'h0} < {2'h0, sum_56_s7_q});
       last_s8_q <= last_s7_q;
-      select_177_s8_q <= select_177_s7_q;
-      and_181_s8_q <= and_181_s7_q;
-      and_184_s8_q <= and_184_s7_q;
-      and_186_s8_q <= and_186_s7_q;
+      select_178_s8_q <= select_178_s7_q;
+      and_182_s8_q <= and_182_s7_q;
+      and_185_s8_q <= and_185_s7_q;
+      and_187_s8_q <= and_187_s7_q;
     end
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/blind.hpp:127
+  // hls/stages/blind.hpp:131
   logic parity_114;
   assign parity_114 = ^sum_99_s8_q;
 
@@ -1040,29 +1039,29 @@ module horopter_blind (
   logic select_93_s9_q;
   logic and_120_s9_q;
   logic last_s9_q;
-  logic [1:0] select_177_s9_q;
-  logic and_181_s9_q;
-  logic and_184_s9_q;
-  logic and_186_s9_q;
+  logic [1:0] select_178_s9_q;
+  logic and_182_s9_q;
+  logic and_185_s9_q;
+  logic and_187_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
       select_93_s9_q <= select_93_s8_q;
       and_120_s9_q <= and_120_s8_q;
       last_s9_q <= last_s8_q;
-      select_177_s9_q <= select_177_s8_q;
-      and_181_s9_q <= and_181_s8_q;
-      and_184_s9_q <= and_184_s8_q;
-      and_186_s9_q <= and_186_s8_q;
+      select_178_s9_q <= select_178_s8_q;
+      and_182_s9_q <= and_182_s8_q;
+      and_185_s9_q <= and_185_s8_q;
+      and_187_s9_q <= and_187_s8_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign there_o = and_120_s9_q;
-  assign state_o = select_177_s9_q;
-  assign blind_o = and_181_s9_q;
-  assign first_o = and_184_s9_q;
+  assign state_o = select_178_s9_q;
+  assign blind_o = and_182_s9_q;
+  assign first_o = and_185_s9_q;
   assign last_o = last_s9_q;
-  assign done_o = and_186_s9_q;
+  assign done_o = and_187_s9_q;
   assign taught_o = select_93_s9_q;
   assign valid_o = valid_s9_q;
 

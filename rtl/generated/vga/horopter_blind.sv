@@ -40,8 +40,8 @@ module horopter_blind (
   assign not_83 = ~cfg_forget_i;
   logic not_84;
   assign not_84 = ~cfg_teach_i;
-  logic [6:0] select_139;
-  assign select_139 = (cfg_width_i[9:4] == 6'h0) ? 7'h1 : ((7'h50 < cfg_width_i[9:3]) ? 7'h4f : (cfg_width_i[9:3] + 7'h7f));
+  logic [6:0] select_140;
+  assign select_140 = (cfg_width_i[9:4] == 6'h0) ? 7'h1 : ((7'h50 < cfg_width_i[9:3]) ? 7'h4f : (cfg_width_i[9:3] + 7'h7f));
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [9:0] x_q;
@@ -82,10 +82,10 @@ module horopter_blind (
   // hls/stages/blind.hpp:77
   logic [6:0] block;
   assign block = (last_block_q < x[9:3]) ? last_block_q : x[9:3];
-  // hls/stages/blind.hpp:166
+  // hls/stages/blind.hpp:169
   logic ends;
   assign ends = last_i | ((~(last_block_q == block)) & (x[2:0] == 3'h7));
-  // hls/stages/blind.hpp:170
+  // hls/stages/blind.hpp:173
   logic and_47;
   assign and_47 = not_33 & ends;
   // hls/stages/blind.hpp:69
@@ -93,13 +93,13 @@ module horopter_blind (
   assign or_49 = new_block_q | and_34;
   logic [2:0] select_53;
   assign select_53 = and_34 ? 3'h0 : inner_row_q;
-  // hls/stages/blind.hpp:158
+  // hls/stages/blind.hpp:161
   logic equal_54;
   assign equal_54 = select_53 == 3'h0;
   // hls/stages/blind.hpp:69
   logic [8:0] select_57;
   assign select_57 = and_34 ? 9'h0 : place_q;
-  // hls/stages/blind.hpp:174
+  // hls/stages/blind.hpp:177
   logic [8:0] sum_58;
   assign sum_58 = select_57 + {6'h0, block[6:4]};
   // hls/stages/blind.hpp:65
@@ -108,7 +108,7 @@ module horopter_blind (
   // hls/stages/blind.hpp:69
   logic and_60;
   assign and_60 = last_row_q & not_59;
-  // hls/stages/blind.hpp:173
+  // hls/stages/blind.hpp:176
   logic equal_61;
   assign equal_61 = select_53 == 3'h7;
   // hls/stages/blind.hpp:80
@@ -125,45 +125,48 @@ module horopter_blind (
   assign select_88 = and_34 ? (has_taught_q & (not_83 & (session_q | not_84))) : has_taught_q;
   logic and_111;
   assign and_111 = odd_q & not_59;
-  // hls/stages/blind.hpp:158
+  // hls/stages/blind.hpp:161
   logic not_113;
   assign not_113 = ~(and_111 ^ equal_54);
   // hls/stages/blind.hpp:69
   logic [3:0] select_114;
   assign select_114 = and_34 ? 4'h0 : above_q;
-  // hls/stages/blind.hpp:159
+  // hls/stages/blind.hpp:162
   logic equal_115;
   assign equal_115 = select_114 == 4'h9;
-  // hls/stages/blind.hpp:158
+  // hls/stages/blind.hpp:161
   logic and_116;
   assign and_116 = or_38 & equal_115;
   // hls/stages/blind.hpp:66
   logic last;
   assign last = idle_i ? at_end_q : last_i;
-  // hls/stages/blind.hpp:84
+  // hls/stages/blind.hpp:88
   logic [9:0] select_126;
   assign select_126 = (not_33 & last) ? before_v_q : before_end_q;
-  // hls/stages/blind.hpp:82
+  // hls/stages/blind.hpp:83
   logic and_127;
   assign and_127 = last & or_38;
+  // hls/stages/blind.hpp:82
+  logic [8:0] fewer;
+  assign fewer = rows_expected_q + 9'h1ff;
+  // hls/stages/blind.hpp:87
+  logic [8:0] select_131;
+  assign select_131 = (and_34 | and_127) ? (and_34 ? cfg_height_i : fewer) : rows_expected_q;
+  // hls/stages/blind.hpp:86
+  logic [8:0] select_146;
+  assign select_146 = and_127 ? (equal_61 ? (select_57 + 9'h5) : select_57) : select_57;
+  logic [3:0] select_151;
+  assign select_151 = and_127 ? (equal_115 ? select_114 : (select_114 + 4'h1)) : select_114;
+  // hls/stages/blind.hpp:93
+  logic or_153;
+  assign or_153 = and_34 | (and_37 & last);
   // hls/stages/blind.hpp:69
-  logic [8:0] select_128;
-  assign select_128 = and_34 ? cfg_height_i : rows_expected_q;
-  // hls/stages/blind.hpp:83
-  logic [8:0] select_145;
-  assign select_145 = and_127 ? (equal_61 ? (select_57 + 9'h5) : select_57) : select_57;
-  logic [3:0] select_150;
-  assign select_150 = and_127 ? (equal_115 ? select_114 : (select_114 + 4'h1)) : select_114;
-  // hls/stages/blind.hpp:89
-  logic or_152;
-  assign or_152 = and_34 | (and_37 & last);
-  // hls/stages/blind.hpp:69
-  logic and_165;
-  assign and_165 = first_above_q & not_59;
-  logic select_170;
-  assign select_170 = and_34 ? (session_q & (cfg_teach_i & not_83)) : session_q;
+  logic and_166;
+  assign and_166 = first_above_q & not_59;
+  logic select_171;
+  assign select_171 = and_34 ? (session_q & (cfg_teach_i & not_83)) : session_q;
 
-  // Memory states, 640 x 18, DISTANCE 16, hls/stages/blind.hpp:198; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory states, 640 x 18, DISTANCE 16, hls/stages/blind.hpp:200; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] states_mem [0:639];
@@ -181,7 +184,7 @@ module horopter_blind (
     if (en_i) states_rdata_q <= states_mem[states_raddr];
   end
 
-  // Memory counts, 80 x 7, DISTANCE 16, hls/stages/blind.hpp:199; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory counts, 80 x 7, DISTANCE 16, hls/stages/blind.hpp:201; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [6:0] counts_mem [0:79];
@@ -199,7 +202,7 @@ module horopter_blind (
     if (en_i) counts_rdata_q <= counts_mem[counts_raddr];
   end
 
-  // Memory taught, 4800 x 8, DISTANCE 16, hls/stages/blind.hpp:200; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory taught, 4800 x 8, DISTANCE 16, hls/stages/blind.hpp:202; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [7:0] taught_mem [0:4799];
@@ -217,7 +220,7 @@ module horopter_blind (
     if (en_i) taught_rdata_q <= taught_mem[taught_raddr];
   end
 
-  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:201; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory blind, 256 x 1, DISTANCE 16, hls/stages/blind.hpp:203; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -263,23 +266,23 @@ module horopter_blind (
       x_q <= x + 10'h1;
       before_v_q <= x;
       before_end_q <= select_126;
-      rows_expected_q <= and_127 ? (select_128 + 9'h1ff) : select_128;
-      last_row_q <= and_127 ? (select_128 == 9'h2) : and_60;
+      rows_expected_q <= select_131;
+      last_row_q <= and_127 ? (rows_expected_q == 9'h2) : and_60;
       inner_row_q <= and_127 ? (select_53 + 3'h1) : select_53;
-      last_block_q <= and_34 ? select_139 : last_block_q;
+      last_block_q <= and_34 ? select_140 : last_block_q;
       odd_q <= and_127 ? (and_111 ^ equal_61) : and_111;
-      place_q <= select_145;
+      place_q <= select_146;
       new_block_q <= idle_i ? or_49 : ends;
-      above_q <= select_150;
-      rows_left_q <= or_152 ? (and_34 ? 4'h9 : (rows_left_q + 4'hf)) : rows_left_q;
-      more_q <= or_152 ? (and_34 | (~(rows_left_q == 4'h1))) : more_q;
+      above_q <= select_151;
+      rows_left_q <= or_153 ? (and_34 ? 4'h9 : (rows_left_q + 4'hf)) : rows_left_q;
+      more_q <= or_153 ? (and_34 | (~(rows_left_q == 4'h1))) : more_q;
       row_ended_q <= last;
       at_end_q <= (~(x < select_126)) & (~last);
-      first_above_q <= and_127 ? (select_114 == 4'h8) : and_165;
+      first_above_q <= and_127 ? (select_114 == 4'h8) : and_166;
       ended_q <= and_79 | and_81;
       teaches_q <= select_82;
       watches_q <= and_34 ? (cfg_watch_i & not_84) : watches_q;
-      session_q <= and_81 ? (select_82 | select_170) : select_170;
+      session_q <= and_81 ? (select_82 | select_171) : select_171;
       has_taught_q <= and_81 ? (select_82 | select_88) : select_88;
     end
   end
@@ -297,8 +300,8 @@ module horopter_blind (
   logic and_111_s1_q;
   logic equal_115_s1_q;
   logic and_116_s1_q;
-  logic and_180_s1_q;
-  logic and_182_s1_q;
+  logic and_181_s1_q;
+  logic and_183_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       state_s1_q <= state_i;
@@ -314,36 +317,36 @@ module horopter_blind (
       and_111_s1_q <= and_111;
       equal_115_s1_q <= equal_115;
       and_116_s1_q <= and_116;
-      and_180_s1_q <= or_38 & (and_165 & (x == 10'h0));
-      and_182_s1_q <= idle_i & (~more_q);
+      and_181_s1_q <= or_38 & (and_166 & (x == 10'h0));
+      and_183_s1_q <= idle_i & (~more_q);
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
   logic [3:0] in_row_q;
-  // hls/stages/blind.hpp:167
+  // hls/stages/blind.hpp:170
   logic equal_51;
   assign equal_51 = state_s1_q == 2'h2;
   logic [3:0] sum_52;
   assign sum_52 = (or_49_s1_q ? 4'h0 : in_row_q) + {3'h0, equal_51};
-  // hls/stages/blind.hpp:171
+  // hls/stages/blind.hpp:174
   logic [6:0] sum_56;
   assign sum_56 = {3'h0, sum_52} + (equal_54_s1_q ? 7'h0 : counts_rdata_q);
-  // hls/stages/blind.hpp:178
+  // hls/stages/blind.hpp:181
   logic [6:0] known;
   assign known = ((^taught_rdata_q) | (~has_taught_q)) ? 7'h0 : taught_rdata_q[6:0];
-  // hls/stages/blind.hpp:179
+  // hls/stages/blind.hpp:182
   logic [6:0] stored;
   assign stored = (known < sum_56) ? sum_56 : known;
-  // hls/stages/blind.hpp:127
+  // hls/stages/blind.hpp:131
   logic parity_106;
   assign parity_106 = ^stored;
-  // hls/stages/blind.hpp:183
+  // hls/stages/blind.hpp:186
   logic and_122;
   assign and_122 = watches_q & (({1'b0, cfg_blind_margin_i} + {2'h0, known}) < {2'h0, sum_56});
-  // hls/stages/blind.hpp:162
-  logic and_176;
-  assign and_176 = equal_115_s1_q & (blind_rdata_q & (states_rdata_q[17:16] == 2'h2));
+  // hls/stages/blind.hpp:165
+  logic and_177;
+  assign and_177 = equal_115_s1_q & (blind_rdata_q & (states_rdata_q[17:16] == 2'h2));
 
   // Memory states, write
   logic [9:0] states_waddr;
@@ -434,29 +437,29 @@ module horopter_blind (
   logic select_90_s2_q;
   logic and_116_s2_q;
   logic last_s2_q;
-  logic [1:0] select_173_s2_q;
-  logic and_177_s2_q;
-  logic and_180_s2_q;
-  logic and_182_s2_q;
+  logic [1:0] select_174_s2_q;
+  logic and_178_s2_q;
+  logic and_181_s2_q;
+  logic and_183_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
       select_90_s2_q <= has_taught_q;
       and_116_s2_q <= and_116_s1_q;
       last_s2_q <= row_ended_q;
-      select_173_s2_q <= or_38_s1_q ? states_rdata_q[17:16] : 2'h0;
-      and_177_s2_q <= or_38_s1_q & and_176;
-      and_180_s2_q <= and_180_s1_q;
-      and_182_s2_q <= and_182_s1_q;
+      select_174_s2_q <= or_38_s1_q ? states_rdata_q[17:16] : 2'h0;
+      and_178_s2_q <= or_38_s1_q & and_177;
+      and_181_s2_q <= and_181_s1_q;
+      and_183_s2_q <= and_183_s1_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign there_o = and_116_s2_q;
-  assign state_o = select_173_s2_q;
-  assign blind_o = and_177_s2_q;
-  assign first_o = and_180_s2_q;
+  assign state_o = select_174_s2_q;
+  assign blind_o = and_178_s2_q;
+  assign first_o = and_181_s2_q;
   assign last_o = last_s2_q;
-  assign done_o = and_182_s2_q;
+  assign done_o = and_183_s2_q;
   assign taught_o = select_90_s2_q;
   assign valid_o = valid_s2_q;
 
