@@ -96,7 +96,7 @@ void check_parts(const std::string& file, const RigSkin& skin, int image_width, 
         "{}: nothing watches surface {} of the union ({}): {}", file, part + 1, parts[part]->description(),
         met ? "for the left camera it is hidden behind the others. Where it shall be watched too, it needs a "
               "skin of its own"
-            : "the left camera does not see it"));
+            : "the left camera does not see it, or sees it smaller than 1/128 of the image"));
   }
 }
 

@@ -120,13 +120,15 @@ class Bench {
     REQUIRE(machine.model().safe_o == 1);
   }
 
-  /// `cause` sends some frames. One of their results has the fault and is not safe.
+  /// `cause` sends some frames. One of their results has the fault and is not safe, and an interrupt tells of it.
   void raise(const std::string& fault, const std::function<void()>& cause) {
     CAPTURE(Build::kProfile, Build::kCompete, fault);
     if (begin_anew) restart();
     until_safe();
+    machine.write(reg::irq_status::kAddress, reg::irq_status::kFault.put(1));
     cause();
     expect(fault);
+    CHECK(reg::irq_status::kFault.get(machine.read(reg::irq_status::kAddress)) == 1);
   }
   void expect(const std::string& fault) {
     std::string others;

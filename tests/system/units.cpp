@@ -108,12 +108,15 @@ TEST_CASE("A surface of a union that others hide, or that is not in view, is sai
     return "surface:\n  type: union\n  surfaces:\n  - {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n  - " +
            second + "\n";
   };
-  const std::string nothing = "nothing watches surface 2 of the union (";
+  const auto check_unwatched = [&](const Arguments& arguments, const std::string& what, const std::string& why) {
+    check_warned(box, arguments, "nothing watches surface 2 of the union (" + what);
+    CHECK_THAT(box.run(arguments).err, Catch::Contains(why));
+  };
   box.write("skin.yaml", of("{type: plane, point_mm: [0, 0, 900], normal: [0, 0, 1]}"));
-  for (const Arguments& arguments : {run(), kMap}) check_warned(box, arguments, nothing + "plane");
+  for (const Arguments& arguments : {run(), kMap}) check_unwatched(arguments, "plane", "hidden behind the others");
   box.write("skin.yaml",
             of("{type: union, surfaces: [{type: box, centre_mm: [5000, 0, 800], size_mm: [99, 99, 99]}]}"));
-  check_warned(box, kMap, nothing + "box");
+  check_unwatched(kMap, "box", "does not see it");
   box.write("skin.yaml", of("{type: box, centre_mm: [0, 0, 800], size_mm: [99, 99, 99]}"));
   CHECK_THAT(box.run(kMap).err, !Catch::Contains("nothing watches"));
 }

@@ -44,7 +44,7 @@ class Surface {
   virtual void extend(Eigen::AlignedBox3d& box_mm) const = 0;
   /// One line for reports.
   virtual std::string description() const = 0;
-  /// Of a union the surfaces that are none, in order; else nothing.
+  /// Of a union its surfaces, in order, those of a union within it in its place; else nothing.
   virtual std::vector<SurfacePtr> parts() const { return {}; }
 };
 
