@@ -82,7 +82,7 @@ class BlindBlocks {
     const Row fewer(rows_expected_ - lit<1>());
     const bool ends = (pixel | fetches) & last;
     if (ends) end_row();
-    // Counted from what is kept: a frame's first pixel does not end a row.
+    // Not from the height that has just come, which takes long: a frame's first pixel ends no row.
     if (first | ends) rows_expected_ = first ? Row(config.height) : fewer;
     if (pixel & last) before_end_ = before_;
     at_end_ = !last & (x >= before_end_);

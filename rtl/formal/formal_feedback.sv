@@ -19,7 +19,7 @@ module formal_feedback (
   );
   localparam int unsigned CLOCKS = 5;
   logic past_valid = 1'b0;
-  logic [31:0] past_clocks = 32'd0;  // as clocks_q: yosys makes one register of both
+  logic [31:0] past_clocks = 32'd0;  // as clocks_q has: yosys makes one register of the two
   logic [2:0] past_feedback = 3'b000;  // the newest in bit 0
   logic [1:0] past_safe = 2'b00;
   logic [3:0] wrong = 4'd0, right = 4'd0;  // clocks in a row in which the pins, two clocks late, did not, did follow

@@ -18,7 +18,7 @@ module horopter_feedback (
   logic [1:0] dropped_q = 2'b00;  // two registers between clocks
   logic supervised_q = 1'b0, follows;
   logic [31:0] clocks_q = '0;
-  logic [32:0] left_q = '0;  // less one; below 0 from then on
+  logic [32:0] left_q = '0;  // clocks that they may still take, less one; negative when these are over
   assign follows = !supervised_q || dropped_q[1] != safe_i;
   always_ff @(posedge clk_i) begin
     dropped_q <= {dropped_q[0], feedback_i};

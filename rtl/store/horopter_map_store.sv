@@ -352,7 +352,7 @@ module horopter_map_store #(
   end
 
   // What the states work with; none of it needs a reset, a start sets the state that sets it.
-  logic [6:0] halves_x_q, halves_y_q;  // places of the shifts that count, of this step first
+  logic [6:0] halves_x_q, halves_y_q;  // bit 0: this step halves; one bit for each halving
   logic adds_areas_q, adds_spans_q, adds_size_q;  // what the end grows by, in the clock after the next
   logic [23:0] growth_q;
   logic sized_q;  // the image's size came in the clock before
