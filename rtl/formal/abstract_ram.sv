@@ -6,6 +6,7 @@ module horopter_ram #(
     parameter bit PARITY = 1'b0,
     parameter bit OUTPUT_REGISTER = 1'b0,
     parameter bit FAST = 1'b0,
+    parameter bit ODD = 1'b0,
     parameter bit STEADY = 1'b0,
     parameter int unsigned ADDR_BITS = DEPTH > 1 ? $clog2(DEPTH) : 1
 ) (

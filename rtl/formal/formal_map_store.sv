@@ -101,7 +101,11 @@ module formal_map_store (
   (* hierconn *) wire \dut.too_large_q ;
   (* hierconn *) wire [15:0] \dut.overlap_q ;
   (* hierconn *) wire \dut.start_q ;
-  (* hierconn *) wire \dut.checked_q ;
+  (* hierconn *) wire [4:0] \dut.checks_q ;
+  (* hierconn *) wire \dut.confirms ;
+  (* hierconn *) wire [3:0] \dut.not_slot_q ;
+  (* hierconn *) wire [14:0] \dut.invalid_q ;
+  (* hierconn *) wire [15:0] \dut.upload_mask2_q ;
   (* hierconn *) wire \dut.waiting_q ;
   (* hierconn *) wire \dut.take ;
   (* hierconn *) wire [31:0] \dut.data ;
@@ -156,7 +160,7 @@ module formal_map_store (
     before_running <= past_running;
     before_selected <= past_selected;
     past_in_use <= rst_ni && in_use;
-    if (\dut.store_entry && \dut.slot_q == watched) begin
+    if (\dut.confirms && \dut.slot_q == watched) begin
       first <= \dut.base_q [3:0];
       behind <= \dut.end_q [4:0];
     end
@@ -187,16 +191,19 @@ module formal_map_store (
       if (\dut.look_q ) assert (\dut.look_slot_q == past_selected);
       assert (\dut.selected_q == past_selected && \dut.active_q == past_active);
       if (\dut.start_q ) assert (\dut.start_mask_q == 16'd1 << slot && \dut.no_slot_q == (slot == 4'd15));
-      if (\dut.checked_q ) assert (\dut.upload_mask_q == 16'd1 << \dut.slot_q );
+      if (\dut.state_q != IDLE) assert (\dut.not_slot_q == ~\dut.slot_q );
+      assert (\dut.invalid_q == ~valid);
+      if (\dut.checks_q [4]) assert (\dut.upload_mask_q == 16'd1 << \dut.slot_q && \dut.upload_mask2_q == \dut.upload_mask_q );
       assert (\dut.running_q == past_running);
       assert (!(\dut.waiting_q && \dut.take ));
       if (\dut.take ) assert (\dut.writes_q == (\dut.state_q == DATA || (\dut.state_q == FACTS && \dut.area_next_q )));
       if (\dut.state_q == SIZE || \dut.state_q == WALK) assert (!\dut.waiting_q && !\dut.take );
       if (data_ready)
-        assert (\dut.state_q != SIZE && \dut.state_q != WALK && !\dut.start_q && !\dut.waiting_q && !\dut.take && !\dut.checked_q );
-      if (\dut.checked_q ) assert (past_take);
+        assert (\dut.state_q != SIZE && \dut.state_q != WALK && !\dut.start_q && !\dut.waiting_q && !\dut.take && \dut.checks_q == 5'd0);
+      if (\dut.checks_q [0]) assert (past_take);
       if (past_take) assert (\dut.data == past_data && !data_ready && !\dut.waiting_q );
-      if (\dut.checked_q ) assert (\dut.state_q == CHECK && !\dut.waiting_q && !\dut.take );
+      assert ((\dut.checks_q & (\dut.checks_q - 5'd1)) == 5'd0);
+      if (\dut.checks_q != 5'd0) assert (\dut.state_q == CHECK && !\dut.waiting_q && !\dut.take );
       if (\dut.state_q == SIZE) begin
         assert (\dut.step_q <= 7'd14);
         assert (\dut.adds_areas_q == (\dut.step_q == 7'd1) && \dut.adds_spans_q == (\dut.step_q == 7'd2) && \dut.adds_size_q == (\dut.step_q == 7'd11));

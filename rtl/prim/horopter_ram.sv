@@ -6,6 +6,7 @@
 // Reading an address in the clock in which it is written gives an undefined word, so that no bypass logic is needed.
 // PARITY = 1 stores even parity beside each word (the ninth bit of block memories); parity_error_o comes with the data.
 // Contents are zero at power-up (with correct parity) and survive reset: there is none.
+// ODD = 1 without PARITY: the words bring their own parity, and parity_error_o tells of those with an odd number of ones.
 // STEADY = 1 without FAST, for wide words: what is written stands a clock before it is, so that its parity comes from a
 // register, and parity_error_o comes a clock behind the data.
 // FAST = 1 with OUTPUT_REGISTER: read latency 5, writes a clock later. Registers take the ways to and from the blocks,
@@ -16,6 +17,7 @@ module horopter_ram #(
     parameter int unsigned WIDTH = 8,
     parameter int unsigned DEPTH = 1024,
     parameter bit PARITY = 1'b0,
+    parameter bit ODD = 1'b0,
     parameter bit OUTPUT_REGISTER = 1'b0,
     parameter bit FAST = 1'b0,
     parameter bit STEADY = 1'b0,
@@ -37,8 +39,8 @@ module horopter_ram #(
   localparam int unsigned BANKS = FAST && OUTPUT_REGISTER ? DEEP_BANKS + (DEPTH - DEEP_BANKS * DEEP + SHALLOW - 1) / SHALLOW : 1;
   localparam int unsigned BANK_BITS = BANKS > 1 ? $clog2(BANKS) : 1;
 
-  if (WIDTH == 0 || DEPTH < 2 || ADDR_BITS != $clog2(DEPTH)) begin : g_illegal
-    $fatal(1, "horopter_ram: WIDTH must be positive, DEPTH at least 2, ADDR_BITS left alone");
+  if (WIDTH == 0 || DEPTH < 2 || ADDR_BITS != $clog2(DEPTH) || (STEADY && FAST) || (ODD && (PARITY || STEADY))) begin : g_illegal
+    $fatal(1, "horopter_ram: WIDTH must be positive, DEPTH at least 2, ADDR_BITS left alone, STEADY without FAST, ODD alone");
   end
 
   logic [WORD_BITS-1:0] write_word;
@@ -50,7 +52,7 @@ module horopter_ram #(
     assign parity = ^write_data_i;
   end
   assign write_word = WORD_BITS'({parity, write_data_i});
-  assign parity_error_o = PARITY && odd;
+  assign parity_error_o = (PARITY || ODD) && odd;
 
   if (!(FAST && OUTPUT_REGISTER)) begin : g_one
     logic [WORD_BITS-1:0] out_word;

@@ -12,10 +12,13 @@
 // is right. A table that the new one overlaps becomes invalid. An upload into a slot or a region in use is refused and
 // changes nothing. In use: valid, and selected or made the current output frame, while running.
 // With each slot stays the limit of undecidable pixels that was given at its start.
+// An upset while an upload is under way makes no table wrong that is valid. Each word of the pool has the slot for which it was
+// written, and the parity of its bytes as the CRC saw them: what is read must be of the slot that was looked up. What the
+// directory gets is watched, or stored twice, and an entry that was written counts four clocks later, if none of it has changed.
 //
 // Directory: lookup_i for one clock asks for lookup_slot_i; from three clocks later on the table_* outputs tell,
 // until the next lookup. table_ok_o: it was valid, and made for this width and height. table_error_o: what they tell is
-// not what was stored (parity).
+// not what was stored (parity). parity_error_o: a word that was read is not as it was uploaded, or of another slot.
 // data_ready_o falls for 7 clocks after each word, in which its bytes go through the CRC, and for some 80 after the
 // fourth. busy_o: an upload or a word of one is under way, error_o may still change. Reset: all slots invalid.
 module horopter_map_store #(
@@ -138,8 +141,10 @@ module horopter_map_store #(
   logic [47:0] unsupervised_q;
   // By slot; the last one is none: never valid, whatever an upset does, as a power of two needs no bounds.
   logic [14:0] valid_q;
-  logic [15:0] valid, overlap_q;
+  logic [15:0] valid, invalid, overlap_q;
+  logic [14:0] invalid_q;  // the same, said the other way round and stored again
   assign valid = {1'b0, valid_q};
+  assign invalid = {1'b1, invalid_q};
   logic [6:0] step_q;
   logic [23:0] size_q, end_q;  // words of control points; address after the last, before that after areas and spans
   logic [ADDR_BITS:0] end_addr;  // the same, once it is known to be in the pool
@@ -153,7 +158,15 @@ module horopter_map_store #(
   logic [31:0] data;
   logic [4:0] byte_q;  // one-hot: bytes that are through; after the fourth the word waits a clock, and is compared
   logic start_q, waiting_q, take, slot_in_use_q, store_entry;  // a start counts a clock later
-  logic checked_q, right_q;  // the last word was taken in the clock before, and was the CRC
+  // One-hot, clocks since the last word was taken. In the first the directory gets its entry, in the last that counts: until
+  // then a change of what was stored would have shown.
+  logic [4:0] checks_q;
+  logic right_q;  // as of the clock before: that word was the CRC, and nothing has changed that the entry is made of
+  logic confirms;  // the entry counts
+  logic check_q;  // parity of the word's bytes as they went through the CRC, and of the slot
+  logic [3:0] not_slot_q;  // slot_q once more
+  logic same_slot_q;
+  logic [1:0] changed;  // a register of the header, of its end
   logic overlap_in_use, overlaps_selected_q, overlaps_active_q, in_use_q;  // what the walk found
   logic walked_q;  // as of the clock before, like these
   logic in_use_stays_q;  // that it was decided for
@@ -163,10 +176,13 @@ module horopter_map_store #(
   assign start_ready_o = 1'b1;
   always_ff @(posedge clk_i) begin
     data_ready_q <= rst_ni && state_q != SIZE && state_q != WALK && !start_valid_i && !start_q && !(data_valid_i && data_ready_q)
-        && !waiting_q && !take && !checked_q;
+        && !waiting_q && !take && checks_q == 5'd0;
     start_q <= rst_ni && start_valid_i;
-    checked_q <= rst_ni && !start_q && state_q == CHECK && take;
-    right_q <= crc_q == CRC_RIGHT;
+    checks_q <= rst_ni && !start_q ? {checks_q[3:0], state_q == CHECK && take} : 5'd0;
+    same_slot_q <= slot_q == ~not_slot_q;
+    right_q <= crc_q == CRC_RIGHT && same_slot_q && changed == 2'b00;
+    if (!waiting_q) check_q <= ^slot_q;
+    else if (!byte_q[4]) check_q <= check_q ^ ^data[7:0];
     take <= 1'b0;
     if (!rst_ni || start_q) begin
       waiting_q <= 1'b0;
@@ -188,19 +204,21 @@ module horopter_map_store #(
   // become the selected one.
   always_ff @(posedge clk_i)
     slot_in_use_q <= running_q && (slot_i == selected_q || slot_i == active_q)
-        && slot_i != NONE && (valid[slot_i] || store_entry);
+        && slot_i != NONE && (valid[slot_i] || confirms);
 
   logic store_limit;
-  assign store_entry = checked_q && right_q;
+  assign store_entry = checks_q[0] && right_q;
+  assign confirms = checks_q[4] && right_q;
 
   // One-hot: the slots of a start and of an upload; that a start has none. As of the clock before: a start's is there then.
-  logic [15:0] start_mask_q, upload_mask_q;
+  logic [15:0] start_mask_q, upload_mask_q, upload_mask2_q;
   logic no_slot_q;
   logic replaces, replaces_q;  // the walk ends, and what overlaps goes, a clock later
   always_ff @(posedge clk_i) begin
     start_mask_q <= 16'd1 << slot_i;
     no_slot_q <= slot_i == NONE;
     upload_mask_q <= 16'd1 << slot_q;
+    upload_mask2_q <= 16'd1 << ~not_slot_q;
   end
   assign store_limit = start_q && !no_slot_q && !slot_in_use_q;
   assign replaces = !start_q && state_q == WALK && walked_q && in_use_stays_q && !overlap_in_use;
@@ -208,7 +226,10 @@ module horopter_map_store #(
     replaces_q <= rst_ni && !start_q && (replaces || state_q == FACTS);  // as long as the facts come, should an upset take it back
     for (int unsigned i = 0; i < 15; i++) begin
       valid_q[i] <= rst_ni && ((valid_q[i] && !(replaces_q && overlap_q[i]) && !(start_q && !slot_in_use_q && start_mask_q[i]))
-          || (store_entry && !start_q && upload_mask_q[i]));
+          || (confirms && !start_q && upload_mask_q[i]));
+      invalid_q[i] <= !rst_ni
+          || ((invalid_q[i] || (replaces_q && overlap_q[i]) || (start_q && !slot_in_use_q && start_mask_q[i]))
+          && !(confirms && !start_q && upload_mask2_q[i]));
     end
   end
 
@@ -237,7 +258,7 @@ module horopter_map_store #(
   always_ff @(posedge clk_i) begin
     begins_before_q <= {1'b0, extent[ADDR_BITS-1:0]} < end_addr;
     ends_behind_q <= extent[2*ADDR_BITS:ADDR_BITS] > {1'b0, base_q[ADDR_BITS-1:0]};
-    overlaps_q <= valid[walk_slot] && walk_slot != slot_q && (extent_error || (begins_before_q && ends_behind_q));
+    overlaps_q <= valid[walk_slot] && (extent_error || (begins_before_q && ends_behind_q));
   end
 
   // Decided when the walk is over, for what is in use then: the selection may change during it.
@@ -337,7 +358,7 @@ module horopter_map_store #(
         DATA: if (complete_q) state_q <= CHECK;  // words are more than two clocks apart
 
         CHECK:
-        if (checked_q) begin
+        if (checks_q[4]) begin
           state_q <= IDLE;
           if (!right_q) begin
             decided_q <= 1'b1;
@@ -359,6 +380,7 @@ module horopter_map_store #(
   always_ff @(posedge clk_i) begin
     if (start_q) begin
       slot_q <= slot_i;
+      not_slot_q <= ~slot_i;
       base_q <= base_i;
     end
     halves_x_q <= state_q == SIZE ? halves_x_q >> 1 : ~(7'h7F << nx_q);
@@ -455,6 +477,22 @@ module horopter_map_store #(
       end_q <= 24'(base_q);
     end
   end
+  horopter_guard #(
+      .WIDTH(59)
+  ) u_header_guard (
+      .clk_i(clk_i),
+      .write_i(state_q == HEAD0 || state_q == HEAD1 || state_q == HEAD2),
+      .value_i({base_q, nx_q, ny_q, spans_q, columns_q, width_q, height_q}),
+      .error_o(changed[0])
+  );
+  horopter_guard #(
+      .WIDTH(ADDR_BITS + 13)
+  ) u_end_guard (
+      .clk_i(clk_i),
+      .write_i(state_q == HEAD3 || state_q == SIZE),
+      .value_i({end_addr, areas_q}),
+      .error_o(changed[1])
+  );
   assign busy_o = state_q != IDLE || start_q || waiting_q || take || decided_q;
   assign valid_o = valid_q;
 
@@ -501,8 +539,8 @@ module horopter_map_store #(
       .rst_ni(rst_ni),
       .take_i(lookup_q),
       // Before: what is stored in the clock of the lookup counts from the next one on. Still: what is replaced goes a clock
-      // after that was decided.
-      .valid_i(lookup_valid_q && valid[lookup_slot_q]),
+      // after that was decided. Each asks a copy of its own.
+      .valid_i(lookup_valid_q && !invalid[lookup_slot_q]),
       .fits_i(entry_width == width_i && entry_height == height_i),
       .base_i(entry_base),
       .nx_i(entry_nx),
@@ -574,42 +612,56 @@ module horopter_map_store #(
   );
 
   // --- pool ---
-  logic write, write_even, write_odd, even_error, odd_error;
+  localparam int unsigned WORD_BITS = PARITY ? 36 : 32;
+  logic write, write_even, write_odd, even_odd, odd_odd;
+  logic [WORD_BITS-1:0] word, even_word, odd_word;
+  logic [3:0] read_slot_q;  // of the last lookup
+  always_ff @(posedge clk_i) if (lookup_q) read_slot_q <= lookup_slot_q;
+  // Three bits of the slot stand beside the data; all of the word has odd parity if the fourth is 1.
+  assign word = WORD_BITS'({slot_q[2:0], check_q, data});
+  assign {odd_data_o, even_data_o} = {odd_word[31:0], even_word[31:0]};
+  if (PARITY) begin : g_foreign
+    assign parity_error_o = even_word[35:33] != read_slot_q[2:0] || odd_word[35:33] != read_slot_q[2:0] || even_odd != read_slot_q[3]
+        || odd_odd != read_slot_q[3];
+  end else begin : g_not_foreign
+    logic unused_foreign;
+    assign unused_foreign = ^{check_q, read_slot_q, even_odd, odd_odd};
+    assign parity_error_o = 1'b0;
+  end
   always_ff @(posedge clk_i) writes_q <= state_q == DATA || (state_q == FACTS && area_next_q);
   assign write = take && writes_q;
   assign write_even = write && !odd_q;
-  assign write_odd = write && odd_q;
+  assign write_odd = write && (odd_q || last_fact_q);  // what is read beside a last word of areas, too
   horopter_ram #(
-      .WIDTH(32),
+      .WIDTH(WORD_BITS),
       .DEPTH(WORDS),
-      .PARITY(PARITY),
+      .ODD(PARITY),
       .OUTPUT_REGISTER(1'b1),
       .FAST(FAST)
   ) u_even (
       .clk_i(clk_i),
       .write_en_i(write_even),
       .write_addr_i(write_addr_q[ADDR_BITS-1:0]),
-      .write_data_i(data),
+      .write_data_i(word),
       .read_en_i(read_en_i),
       .read_addr_i(even_addr_i),
-      .read_data_o(even_data_o),
-      .parity_error_o(even_error)
+      .read_data_o(even_word),
+      .parity_error_o(even_odd)
   );
   horopter_ram #(
-      .WIDTH(32),
+      .WIDTH(WORD_BITS),
       .DEPTH(WORDS),
-      .PARITY(PARITY),
+      .ODD(PARITY),
       .OUTPUT_REGISTER(1'b1),
       .FAST(FAST)
   ) u_odd (
       .clk_i(clk_i),
       .write_en_i(write_odd),
       .write_addr_i(write_addr_q[ADDR_BITS-1:0]),
-      .write_data_i(data),
+      .write_data_i(word),
       .read_en_i(read_en_i),
       .read_addr_i(odd_addr_i),
-      .read_data_o(odd_data_o),
-      .parity_error_o(odd_error)
+      .read_data_o(odd_word),
+      .parity_error_o(odd_odd)
   );
-  assign parity_error_o = even_error || odd_error;
 endmodule

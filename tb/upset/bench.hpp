@@ -24,12 +24,19 @@ namespace horopter::upset {
 
 namespace reg = registers;
 
+/// Of the host, to a register.
+struct Access {
+  bool write;
+  std::uint32_t address, word = 0;
+};
+
 /// What cameras and host do. Frame k begins at clock k · period().
 struct Scenario {
   unsigned width = 96, height = 48;
   bool live = false;
   std::vector<tb::Image> left, right;                          ///< by frame
   std::vector<std::pair<std::uint32_t, std::uint32_t>> setup;  ///< address, word: before the first frame
+  std::vector<Access> meanwhile;                               ///< again and again, whenever a frame asks for nothing
 
   static constexpr unsigned kRowPause = 16, kRowsBetween = 32;
   [[nodiscard]] unsigned line() const { return width + kRowPause; }
@@ -43,6 +50,7 @@ struct Seen {
   bool safe = false;  ///< the pins, when all that belongs to the frame has reached them
   bool alarm = false;
   std::uint32_t faults_cameras = 0, faults_machine = 0, skin = 0;
+  std::uint32_t tables = 0;  ///< slots that were read to be valid until the next frame
 };
 constexpr std::size_t kMostFrames = 16;
 struct History {
@@ -146,10 +154,6 @@ class BenchOf final : public Bench {
   static constexpr std::uint64_t kCheckpointClocks = 1024;
   static constexpr std::uint64_t kPinsFollow = 12;  // clocks from frame_done_o until the pins say all of the frame
 
-  struct Access {
-    bool write;
-    std::uint32_t address, word = 0;
-  };
   static constexpr auto kEachFrame = std::to_array<Access>({
       {false, reg::frame_status::kAddress},
       {false, reg::frame_faults_cameras::kAddress},
@@ -165,8 +169,10 @@ class BenchOf final : public Bench {
     std::uint64_t look_at_pins = 0;       // a clock
     std::array<std::uint64_t, 2> sent{};  // pixels
     std::uint64_t access = kEachFrame.size();
+    std::uint64_t meanwhile = 0;  // of the scenario's
     std::uint64_t waited = 0;
     bool running = false, address_taken = false, word_taken = false;
+    bool frame_done = false;  // its accesses begin when the one under way has ended
     friend bool operator==(const Driver&, const Driver&) = default;
   };
   struct Checkpoint {
@@ -212,7 +218,8 @@ class BenchOf final : public Bench {
   }
   [[nodiscard]] const Access* now() const {
     if (single_ != nullptr) return single_;
-    return driver_.access < kEachFrame.size() ? &kEachFrame[driver_.access] : nullptr;
+    if (driver_.access < kEachFrame.size()) return &kEachFrame[driver_.access];
+    return driver_.running && !scenario_->meanwhile.empty() ? &scenario_->meanwhile[driver_.meanwhile] : nullptr;
   }
 
   void drive_camera(int camera, std::uint8_t& data, std::uint8_t& user, std::uint8_t& last, std::uint8_t& valid) {
@@ -255,7 +262,13 @@ class BenchOf final : public Bench {
     if (answered && !access->write && history_.count > 0) take(access->address, model_.s_axil_rdata);
     driver_.address_taken = driver_.word_taken = false;
     driver_.waited = 0;
-    ++driver_.access;
+    if (single_ != nullptr || driver_.access < kEachFrame.size()) {
+      ++driver_.access;
+    } else {
+      driver_.meanwhile = (driver_.meanwhile + 1) % scenario_->meanwhile.size();
+    }
+    if (driver_.frame_done) driver_.access = 0;
+    driver_.frame_done = false;
     if (single_ != nullptr) {
       if (!answered || (access->write && model_.s_axil_bresp != 0)) throw std::runtime_error("refused on AXI4-Lite");
       single_ = nullptr;
@@ -268,6 +281,7 @@ class BenchOf final : public Bench {
     if (address == reg::frame_faults_cameras::kAddress) seen.faults_cameras = word;
     if (address == reg::frame_faults_machine::kAddress) seen.faults_machine = word;
     if (address == reg::frame_skin::kAddress) seen.skin = word;
+    if (address == reg::map_valid::kAddress) seen.tables |= word;
   }
   void tick() {
     drive_camera(0, model_.s_axis_left_tdata, model_.s_axis_left_tuser, model_.s_axis_left_tlast,
@@ -286,9 +300,13 @@ class BenchOf final : public Bench {
     if (driver_.running && model_.frame_done_o && history_.count < kMostFrames) {
       history_.frames[history_.count++].clock = driver_.clock;
       driver_.look_at_pins = driver_.clock + kPinsFollow;
-      driver_.access = 0;
-      driver_.address_taken = driver_.word_taken = false;
-      driver_.waited = 0;
+      if (driver_.access < kEachFrame.size() || scenario_->meanwhile.empty()) {
+        driver_.access = 0;
+        driver_.address_taken = driver_.word_taken = false;
+        driver_.waited = 0;
+      } else {
+        driver_.frame_done = true;
+      }
     }
     model_.clk_i = 1;
     model_.eval();

@@ -28,6 +28,7 @@ namespace {
 
 constexpr int kSkinShift_px = -5,
               kBehindShift_px = 7;  // source in the right image, of the object and of what is behind it
+constexpr int kOtherShift_px = 20;  // of tables of which none is selected
 constexpr std::size_t kFrames = 7;
 constexpr std::size_t kObjectComes = 3;
 // Bits are changed while these frames arrive; the later ones show how long it lasts.
@@ -48,12 +49,14 @@ struct ScenarioKind {
   int noise_grey;  ///< largest, of each camera
   bool barely;     ///< the limit is just below what there is of it
   bool by_object;  ///< the alarm is that of the object alone, else that of the share of the image
+  bool uploads;    ///< other tables are uploaded all the time, into the pool's words before and behind that in use
 };
 constexpr auto kScenarios = std::to_array<ScenarioKind>({
-    {"always", Object::always, true, 0, false, false},
-    {"comes", Object::comes, false, 0, false, false},
-    {"barely", Object::comes, true, 0, true, false},
-    {"noise", Object::comes, true, 4, false, true},
+    {"always", Object::always, true, 0, false, false, false},
+    {"comes", Object::comes, false, 0, false, false, false},
+    {"barely", Object::comes, true, 0, true, false, false},
+    {"noise", Object::comes, true, 4, false, true, false},
+    {"uploads", Object::comes, true, 0, true, false, true},
 });
 
 void add_noise(tb::Image& image, int largest, tb::Rng& rng) {
@@ -62,10 +65,14 @@ void add_noise(tb::Image& image, int largest, tb::Rng& rng) {
   }
 }
 
-std::vector<std::uint32_t> table(const Scenario& scenario) {
-  auto words = hls::table::write(
-      {static_cast<int>(scenario.width), static_cast<int>(scenario.height), 4, 4}, {},
-      [&](int column, int row) { return hls::table::encode_control((column << 4) + kSkinShift_px, row << 4); });
+hls::table::Geometry geometry(const Scenario& scenario) {
+  return {static_cast<int>(scenario.width), static_cast<int>(scenario.height), 4, 4};
+}
+
+std::vector<std::uint32_t> table(const Scenario& scenario, int shift_px) {
+  auto words = hls::table::write(geometry(scenario), {}, [&](int column, int row) {
+    return hls::table::encode_control((column << 4) + shift_px, row << 4);
+  });
   words.back() = crc32_words(std::span(words).first(words.size() - 1));
   return words;
 }
@@ -108,10 +115,22 @@ Scenario make_scenario(const ScenarioKind& kind, const Options& options, std::op
            {reg::lookahead::kAddress, 16},
            {reg::timeout::kAddress, 2 * scenario.period()}};
   write_settings(settings, [&](std::uint32_t address, std::uint32_t word) { setup.emplace_back(address, word); });
-  setup.emplace_back(reg::map_slot::kAddress, 0);
-  setup.emplace_back(reg::map_base::kAddress, 0);
-  setup.emplace_back(reg::map_control::kAddress, reg::map_control::kStart.put(1));
-  for (const std::uint32_t word : table(scenario)) setup.emplace_back(reg::map_data::kAddress, word);
+  const std::uint32_t words64 = static_cast<std::uint32_t>(geometry(scenario).control_words()) / 2;
+  const auto upload = [&](std::uint32_t slot, std::uint32_t base, int shift_px, auto put) {
+    put(reg::map_slot::kAddress, slot);
+    put(reg::map_base::kAddress, base);
+    put(reg::map_control::kAddress, reg::map_control::kStart.put(1));
+    for (const std::uint32_t word : table(scenario, shift_px)) put(reg::map_data::kAddress, word);
+  };
+  upload(0, words64, kSkinShift_px,
+         [&](std::uint32_t address, std::uint32_t word) { setup.emplace_back(address, word); });
+  for (const std::uint32_t slot : {1U, 2U}) {
+    if (!kind.uploads) break;
+    auto& meanwhile = scenario.meanwhile;
+    upload(slot, slot == 1 ? 0 : 2 * words64, kOtherShift_px,
+           [&](std::uint32_t address, std::uint32_t word) { meanwhile.push_back({true, address, word}); });
+    for (int i = 0; i < 6; ++i) meanwhile.push_back({false, reg::map_valid::kAddress});  // until it counts
+  }
   setup.emplace_back(reg::table_select::kAddress, 0);
   setup.emplace_back(reg::control::kAddress, reg::control::kEnable.put(1));
   return scenario;
@@ -169,6 +188,7 @@ void check(const History& history, const ScenarioKind& kind) {
     }
   }
   if (history.count + 1 < kFrames) fail("only " + std::to_string(history.count) + " frames");
+  if (kind.uploads && history.frames[kObjectComes].tables != 7) fail("the uploads do not succeed");
   if (kind.object == Object::comes && !history.frames[kObjectComes - 1].safe)
     fail("never safe before the object comes");
 }

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
@@ -103,6 +104,32 @@ TEST_CASE("study all: figures, verdicts and a page of its own, the same for the 
     CHECK(verdict_of(invariance, "LSAD, LSSD (no high-pass)") == "confirmed");
     CHECK(invariance["largest_change_of_invariant"].get<double>() <= 1e-4);
     CHECK(invariance["smallest_change_of_variant"].get<double>() > 2e-4);
+
+    // The more noise, difference in scale or blur, the less is detected, by every criterion: at the weakest level nearly all
+    // of it, at the strongest clearly less.
+    const json influences = summary(box, "once/influences");
+    std::istringstream rows(box.read("once/influences/table-8-4.csv"));
+    std::string row;
+    std::getline(rows, row);
+    REQUIRE(row == "influence,level,group,setting,detected");
+    std::map<std::string, std::vector<double>> detected;  // by influence and setting, as the level rises
+    while (std::getline(rows, row)) {
+      std::istringstream cells(row);
+      std::string influence, level, group, setting, share;
+      for (std::string* cell : {&influence, &level, &group, &setting, &share}) std::getline(cells, *cell, ',');
+      REQUIRE(!share.empty());
+      detected[influence + ", " + setting].push_back(std::stod(share));
+    }
+    CHECK(detected.size() > 100);
+    for (const auto& [what, rates] : detected) {
+      CAPTURE(what, rates);
+      REQUIRE(rates.size() == 6);
+      CHECK(rates.front() >= 0.9);
+      CHECK(rates.back() <= rates.front() - 0.05);
+      for (std::size_t i = 1; i < rates.size(); ++i) CHECK(rates[i] <= rates[i - 1] + 0.02);
+    }
+    CHECK(verdict_of(influences, "noise: highpass based criteria show the worst results") == "confirmed");
+    CHECK(verdict_of(influences, "The same amount of blurring in both pictures") == "confirmed");
 
     const json segmentation = summary(box, "once/segmentation");
     const std::vector<std::string> places{"0.6", "0.8", "1.0", "1.2", "1.4", "1.6"};

@@ -42,7 +42,7 @@ Written by `horopter study all{}`: do not edit. The thesis is *Real Time Inverse
 Envelopes*. Each statement is *confirmed*, *partly* confirmed or *not confirmed*: a verdict that is computed from the figures by the rule
 beside it, the same for every run. A rule says when a statement is confirmed and, after *partly:*, when it is so in part.
 Where the text has a number, the rule takes it; where it has words alone (slightly, much, almost), the number in the rule is ours.
-What it says of several methods, windows or entries of a table is partly confirmed, as a rule, where it is so for half of them.
+If a statement is about several methods, windows or entries of a table, it is as a rule partly confirmed when it holds for half of them.
 {} statements: {} confirmed, {} partly, {} not confirmed.
 {}The last column is a selection: some statements in a few words, under their verdicts. All of them are in the tables below.
 

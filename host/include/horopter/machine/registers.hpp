@@ -570,7 +570,7 @@ inline constexpr Field kTooUnsupervised{6, 1};
 /// No frame was finished for TIMEOUT clocks.
 inline constexpr Field kLate{7, 1};
 /// The hardware contradicts itself (a full output FIFO, a missing image check, a parity error of the map or of the
-/// memory of a stage).
+/// memory of a stage, a word of the map from another upload).
 inline constexpr Field kInternal{8, 1};
 /// Left and right image are the same, bit by bit (by their signatures). Two cameras never agree so; this is one camera
 /// twice, and says nothing about a skin.
@@ -804,7 +804,7 @@ inline constexpr Field kTooUnsupervised{6, 1};
 /// No frame was finished for TIMEOUT clocks.
 inline constexpr Field kLate{7, 1};
 /// The hardware contradicts itself (a full output FIFO, a missing image check, a parity error of the map or of the
-/// memory of a stage).
+/// memory of a stage, a word of the map from another upload).
 inline constexpr Field kInternal{8, 1};
 /// Left and right image are the same, bit by bit (by their signatures). Two cameras never agree so; this is one camera
 /// twice, and says nothing about a skin.
