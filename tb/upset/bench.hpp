@@ -36,7 +36,8 @@ struct Scenario {
   bool live = false;
   std::vector<tb::Image> left, right;                          ///< by frame
   std::vector<std::pair<std::uint32_t, std::uint32_t>> setup;  ///< address, word: before the first frame
-  std::vector<Access> meanwhile;                               ///< again and again, whenever a frame asks for nothing
+  std::vector<Access> meanwhile;  ///< again and again, a frame a part, whenever a frame asks for nothing
+  std::size_t part = 0;           ///< accesses of one
 
   static constexpr unsigned kRowPause = 16, kRowsBetween = 32;
   [[nodiscard]] unsigned line() const { return width + kRowPause; }
@@ -170,6 +171,7 @@ class BenchOf final : public Bench {
     std::array<std::uint64_t, 2> sent{};  // pixels
     std::uint64_t access = kEachFrame.size();
     std::uint64_t meanwhile = 0;  // of the scenario's
+    bool part_done = true;        // the next one waits for a frame
     std::uint64_t waited = 0;
     bool running = false, address_taken = false, word_taken = false;
     bool frame_done = false;  // its accesses begin when the one under way has ended
@@ -216,10 +218,14 @@ class BenchOf final : public Bench {
     for (int i = 0; i < 1000 && single_ != nullptr; ++i) tick();
     if (single_ != nullptr) throw std::runtime_error("no answer on AXI4-Lite");
   }
+  /// For a frame. The last one selects the table, which `meanwhile` does itself.
+  [[nodiscard]] bool asks() const {
+    return driver_.access + (scenario_->meanwhile.empty() ? 0 : 1) < kEachFrame.size();
+  }
   [[nodiscard]] const Access* now() const {
     if (single_ != nullptr) return single_;
-    if (driver_.access < kEachFrame.size()) return &kEachFrame[driver_.access];
-    return driver_.running && !scenario_->meanwhile.empty() ? &scenario_->meanwhile[driver_.meanwhile] : nullptr;
+    if (asks()) return &kEachFrame[driver_.access];
+    return driver_.part_done ? nullptr : &scenario_->meanwhile[driver_.meanwhile];
   }
 
   void drive_camera(int camera, std::uint8_t& data, std::uint8_t& user, std::uint8_t& last, std::uint8_t& valid) {
@@ -262,10 +268,11 @@ class BenchOf final : public Bench {
     if (answered && !access->write && history_.count > 0) take(access->address, model_.s_axil_rdata);
     driver_.address_taken = driver_.word_taken = false;
     driver_.waited = 0;
-    if (single_ != nullptr || driver_.access < kEachFrame.size()) {
+    if (single_ != nullptr || asks()) {
       ++driver_.access;
     } else {
       driver_.meanwhile = (driver_.meanwhile + 1) % scenario_->meanwhile.size();
+      driver_.part_done = driver_.meanwhile % scenario_->part == 0;
     }
     if (driver_.frame_done) driver_.access = 0;
     driver_.frame_done = false;
@@ -300,13 +307,14 @@ class BenchOf final : public Bench {
     if (driver_.running && model_.frame_done_o && history_.count < kMostFrames) {
       history_.frames[history_.count++].clock = driver_.clock;
       driver_.look_at_pins = driver_.clock + kPinsFollow;
-      if (driver_.access < kEachFrame.size() || scenario_->meanwhile.empty()) {
+      if (asks() || now() == nullptr) {
         driver_.access = 0;
         driver_.address_taken = driver_.word_taken = false;
         driver_.waited = 0;
       } else {
         driver_.frame_done = true;
       }
+      driver_.part_done = scenario_->meanwhile.empty();
     }
     model_.clk_i = 1;
     model_.eval();

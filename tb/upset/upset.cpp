@@ -28,7 +28,6 @@ namespace {
 
 constexpr int kSkinShift_px = -5,
               kBehindShift_px = 7;  // source in the right image, of the object and of what is behind it
-constexpr int kOtherShift_px = 20;  // of tables of which none is selected
 constexpr std::size_t kFrames = 7;
 constexpr std::size_t kObjectComes = 3;
 // Bits are changed while these frames arrive; the later ones show how long it lasts.
@@ -49,7 +48,7 @@ struct ScenarioKind {
   int noise_grey;  ///< largest, of each camera
   bool barely;     ///< the limit is just below what there is of it
   bool by_object;  ///< the alarm is that of the object alone, else that of the share of the image
-  bool uploads;    ///< other tables are uploaded all the time, into the pool's words before and behind that in use
+  bool uploads;    ///< each frame has a table of its own, uploaded one frame earlier, beside the one in use
 };
 constexpr auto kScenarios = std::to_array<ScenarioKind>({
     {"always", Object::always, true, 0, false, false, false},
@@ -69,9 +68,9 @@ hls::table::Geometry geometry(const Scenario& scenario) {
   return {static_cast<int>(scenario.width), static_cast<int>(scenario.height), 4, 4};
 }
 
-std::vector<std::uint32_t> table(const Scenario& scenario, int shift_px) {
+std::vector<std::uint32_t> table(const Scenario& scenario) {
   auto words = hls::table::write(geometry(scenario), {}, [&](int column, int row) {
-    return hls::table::encode_control((column << 4) + shift_px, row << 4);
+    return hls::table::encode_control((column << 4) + kSkinShift_px, row << 4);
   });
   words.back() = crc32_words(std::span(words).first(words.size() - 1));
   return words;
@@ -116,20 +115,26 @@ Scenario make_scenario(const ScenarioKind& kind, const Options& options, std::op
            {reg::timeout::kAddress, 2 * scenario.period()}};
   write_settings(settings, [&](std::uint32_t address, std::uint32_t word) { setup.emplace_back(address, word); });
   const std::uint32_t words64 = static_cast<std::uint32_t>(geometry(scenario).control_words()) / 2;
-  const auto upload = [&](std::uint32_t slot, std::uint32_t base, int shift_px, auto put) {
+  const auto upload = [&](std::uint32_t slot, auto put) {
     put(reg::map_slot::kAddress, slot);
-    put(reg::map_base::kAddress, base);
+    put(reg::map_base::kAddress, slot * words64);
     put(reg::map_control::kAddress, reg::map_control::kStart.put(1));
-    for (const std::uint32_t word : table(scenario, shift_px)) put(reg::map_data::kAddress, word);
+    for (const std::uint32_t word : table(scenario)) put(reg::map_data::kAddress, word);
   };
-  upload(0, words64, kSkinShift_px,
-         [&](std::uint32_t address, std::uint32_t word) { setup.emplace_back(address, word); });
-  for (const std::uint32_t slot : {1U, 2U}) {
-    if (!kind.uploads) break;
+  upload(0, [&](std::uint32_t address, std::uint32_t word) { setup.emplace_back(address, word); });
+  if (kind.uploads) {
+    constexpr std::uint32_t kSlots = 3;
+    constexpr int kReads = 20;  // after each write: so it takes most of a frame
     auto& meanwhile = scenario.meanwhile;
-    upload(slot, slot == 1 ? 0 : 2 * words64, kOtherShift_px,
-           [&](std::uint32_t address, std::uint32_t word) { meanwhile.push_back({true, address, word}); });
-    for (int i = 0; i < 6; ++i) meanwhile.push_back({false, reg::map_valid::kAddress});  // until it counts
+    const auto put = [&](std::uint32_t address, std::uint32_t word) {
+      meanwhile.push_back({true, address, word});
+      for (int i = 0; i < kReads; ++i) meanwhile.push_back({false, reg::map_valid::kAddress});
+    };
+    for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
+      put(reg::table_select::kAddress, slot);
+      upload((slot + 1) % kSlots, put);
+    }
+    scenario.part = meanwhile.size() / kSlots;
   }
   setup.emplace_back(reg::table_select::kAddress, 0);
   setup.emplace_back(reg::control::kAddress, reg::control::kEnable.put(1));
