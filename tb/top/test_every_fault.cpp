@@ -739,6 +739,46 @@ TEMPLATE_TEST_CASE("no table is none, whatever an upset makes of an upload to no
   });
 }
 
+TEMPLATE_TEST_CASE("an upset of an upload's slot puts its table in the place of no other", "[faults][every]",
+                   FieldThesis, VgaThesis, HdThesis) {
+  Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  constexpr unsigned kInUse = 2, kUploaded = 3, kWrongCrc = 4;
+  machine.upload(kInUse, static_cast<unsigned>(bench.table.size()), bench.table);
+  machine.select(kInUse);
+  bench.until_safe();
+  const auto other = plane_table(kWidth, kHeight, kShift + 4);
+  const std::size_t half = other.size() / 2;
+  machine.upload_part(kUploaded, 0, other, 0, half);
+  find<TestType>(machine.model(), "u_map_store.slot_q").flip(0);
+  TestType::settle(machine.model());
+  machine.upload_part(kUploaded, 0, other, half, other.size());
+  CHECK(machine.upload_error() == kWrongCrc);
+  CHECK(machine.read(reg::map_valid::kAddress) == 1U << kInUse);
+  machine.write(reg::map_slot::kAddress, kInUse);
+  machine.settle(10);
+  CHECK(machine.read(reg::map_crc::kAddress) == bench.table.back());
+}
+
+TEMPLATE_TEST_CASE("an upset does not make a table valid whose upload was broken off", "[faults][every]", FieldThesis,
+                   VgaThesis, HdThesis) {
+  Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  constexpr unsigned kSlot = 5;
+  const auto base = static_cast<unsigned>(bench.table.size());
+  machine.upload(kSlot, base, bench.table);
+  CHECK(machine.upload_error() == 0);
+  const auto other = plane_table(kWidth, kHeight, kShift + 4);
+  machine.upload_part(kSlot, base, other, 0, other.size() - 2);
+  find<TestType>(machine.model(), "u_map_store.valid_q").flip(kSlot);
+  TestType::settle(machine.model());
+  CHECK(machine.read(reg::map_valid::kAddress) == (1U << 0 | 1U << kSlot));
+  bench.raise("no_table", [&] {
+    machine.select(kSlot);
+    bench.send_scene();
+  });
+}
+
 /// Both images in one stream.
 template <class Model>
 class TestSource final : public Endpoint {
