@@ -90,14 +90,15 @@ class GateCount:
         return gates, bits
 
     def parity_bits(self, module):
-        """Of the memories of horopter_ram with PARITY: one bit beside each word of whole bytes."""
+        """Of the memories of horopter_ram with PARITY: one bit beside each word of whole bytes; of the pool's four."""
         cells, bits = self.modules[module]["cells"].values(), 0
         for cell in cells:
             if cell["type"] in self.modules:
                 bits += self.parity_bits(cell["type"])
             elif cell["type"] in ("$mem", "$mem_v2") and "horopter_ram_bank" in module:
                 words, width = int(cell["parameters"]["SIZE"], 2), int(cell["parameters"]["WIDTH"], 2)
-                bits += words if width % 8 == 1 and width > 1 and words * width >= self.rules["memory_bits_from"] else 0
+                beside = 4 if width == 36 else int(width % 8 == 1 and width > 1)
+                bits += words * beside if words * width >= self.rules["memory_bits_from"] else 0
         return bits
 
     def leaves(self, rows):

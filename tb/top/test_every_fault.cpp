@@ -760,6 +760,72 @@ TEMPLATE_TEST_CASE("an upset of an upload's slot puts its table in the place of 
   CHECK(machine.read(reg::map_crc::kAddress) == bench.table.back());
 }
 
+TEMPLATE_TEST_CASE("an upset of a word behind its CRC is told by the frames that read it", "[faults][every]",
+                   FieldThesis, VgaThesis, HdThesis) {
+  Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  constexpr unsigned kSlot = 9;
+  const auto base = static_cast<unsigned>(bench.table.size());
+  Upset<TestType> upset{machine.model(), "u_map_store.data", "u_map_store.take"};
+  machine.simulation().attach(upset);
+  for (const bool disturbed : {false, true}) {
+    CAPTURE(TestType::kProfile, disturbed);
+    machine.select(0);
+    bench.until_safe();
+    const std::size_t half = bench.table.size() / 2;
+    machine.upload_part(kSlot, base, bench.table, 0, half);
+    if (disturbed) upset.arm();
+    machine.upload_part(kSlot, base, bench.table, half, bench.table.size());
+    CHECK(upset.has_been());
+    CHECK(machine.upload_error() == 0);
+    machine.select(kSlot);
+    bench.send_scene();
+    CHECK(machine.receive().fault_names().contains("internal") == disturbed);
+  }
+}
+
+TEMPLATE_TEST_CASE("words that an upset sends into a table in use are told by its frames", "[faults][every]",
+                   FieldThesis, VgaThesis, HdThesis) {
+  Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  constexpr unsigned kInUse = 8;
+  unsigned bit = 0;
+  while (1U << bit < bench.table.size()) ++bit;
+  machine.upload(kInUse, 1U << bit, bench.table);
+  machine.select(kInUse);
+  bench.until_safe();
+  const auto other = plane_table(kWidth, kHeight, kShift + 4);
+  const std::size_t half = other.size() / 2, end = other.size() - 2;
+  bench.begin_anew = false;
+  bench.raise("internal", [&] {
+    machine.upload_part(GENERATE(0U, 7U, 9U), 0, other, 0, half);
+    find<TestType>(machine.model(), "u_map_store.write_addr_q").flip(bit);
+    TestType::settle(machine.model());
+    machine.upload_part(0, 0, other, half, end);
+    bench.send_scene();
+  });
+  CHECK((machine.read(reg::map_valid::kAddress) & 1U << kInUse) != 0);
+}
+
+TEMPLATE_TEST_CASE("an upset of a table's header before it counts is a wrong upload", "[faults][every]", FieldThesis,
+                   VgaThesis, HdThesis) {
+  Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  constexpr unsigned kSlot = 9, kWrongCrc = 4;
+  for (const char* name :
+       {"base_q", "nx_q", "ny_q", "spans_q", "columns_q", "width_q", "height_q", "areas_q", "slot_q"}) {
+    CAPTURE(TestType::kProfile, name);
+    const std::size_t last = bench.table.size() - 1;
+    machine.upload_part(kSlot, static_cast<unsigned>(bench.table.size()), bench.table, 0, last);
+    machine.settle(20);
+    find<TestType>(machine.model(), std::string{"u_map_store."} + name).flip(0);
+    TestType::settle(machine.model());
+    machine.upload_part(kSlot, 0, bench.table, last, bench.table.size());
+    CHECK(machine.upload_error() == kWrongCrc);
+    CHECK(machine.read(reg::map_valid::kAddress) == 1);
+  }
+}
+
 TEMPLATE_TEST_CASE("an upset does not make a table valid whose upload was broken off", "[faults][every]", FieldThesis,
                    VgaThesis, HdThesis) {
   Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
