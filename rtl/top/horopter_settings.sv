@@ -76,7 +76,7 @@ module horopter_settings #(
     output logic [COUNT_BITS-1:0]      unsupervised_limit_o  // of the register and what a table that is ok itself expects the smaller
 );
   logic [COUNT_BITS-1:0] unsupervised_set, expected_q;
-  logic expects_q;
+  logic expects_q, is_less_q;  // expected_q is less, as of the clock before
   logic [23:0] expected;
   assign expected = decision_compete_o ? unsupervised_i[47:24] : unsupervised_i[23:0];
   always_ff @(posedge clk_i) begin
@@ -111,7 +111,8 @@ module horopter_settings #(
     undecidable_limit_o <= dim_o || 32'(undecidable_limit_i) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(undecidable_limit_i);
     expected_q <= 32'(expected) >> COUNT_BITS != 0 ? '1 : COUNT_BITS'(expected);
     expects_q <= table_ok_i;
-    unsupervised_limit_o <= expects_q && expected_q < unsupervised_set ? expected_q : unsupervised_set;
+    is_less_q <= expects_q && expected_q < unsupervised_set;
+    unsupervised_limit_o <= is_less_q ? expected_q : unsupervised_set;
   end
 
   // Both groups are guarded, in words.

@@ -12,7 +12,13 @@ Csv::Csv(const std::vector<std::string>& header) {
 Csv& Csv::operator<<(const std::string& field) {
   if (!first_) text_ += ',';
   first_ = false;
-  text_ += field;
+  if (field.find_first_of(",\"\n") == std::string::npos) {
+    text_ += field;
+    return *this;
+  }
+  text_ += '"';
+  for (const char c : field) text_ += c == '"' ? "\"\"" : std::string(1, c);
+  text_ += '"';
   return *this;
 }
 Csv& Csv::operator<<(double field) { return *this << fmt::format("{:.6g}", field); }

@@ -7,7 +7,8 @@
 
 namespace horopter {
 
-/// Rows of a table; numbers are written so that they read back the same to 6 digits.
+/// Rows of a table; numbers are written so that they read back the same to 6 digits. A field with a comma, a quote or a new
+/// line stands in quotes (RFC 4180).
 class Csv {
  public:
   explicit Csv(const std::vector<std::string>& header);
