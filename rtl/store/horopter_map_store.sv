@@ -623,6 +623,8 @@ module horopter_map_store #(
   if (PARITY) begin : g_foreign
     assign parity_error_o = even_word[35:33] != read_slot_q[2:0] || odd_word[35:33] != read_slot_q[2:0] || even_odd != read_slot_q[3]
         || odd_odd != read_slot_q[3];
+    logic unused_checks;  // counted in even_odd and odd_odd
+    assign unused_checks = ^{even_word[32], odd_word[32]};
   end else begin : g_not_foreign
     logic unused_foreign;
     assign unused_foreign = ^{check_q, read_slot_q, even_odd, odd_odd};

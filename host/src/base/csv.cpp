@@ -5,10 +5,7 @@
 
 namespace horopter {
 
-Csv::Csv(const std::vector<std::string>& header) {
-  for (const std::string& field : header) *this << field;
-  end_row();
-}
+Csv::Csv(const std::vector<std::string>& header) { text_ = fmt::format("{}\n", fmt::join(header, ",")); }
 Csv& Csv::operator<<(const std::string& field) {
   if (!first_) text_ += ',';
   first_ = false;

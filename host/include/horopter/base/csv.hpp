@@ -11,6 +11,7 @@ namespace horopter {
 /// line stands in quotes (RFC 4180).
 class Csv {
  public:
+  /// Names of the columns; one string may have several, with commas between them.
   explicit Csv(const std::vector<std::string>& header);
   Csv& operator<<(const std::string& field);
   Csv& operator<<(double field);
