@@ -109,15 +109,15 @@ TEST_CASE("study all: figures, verdicts and a page of its own, the same for the 
     // of it, at the strongest clearly less.
     const json influences = summary(box, "once/influences");
     std::istringstream rows(box.read("once/influences/table-8-4.csv"));
-    std::string row;
-    std::getline(rows, row);
-    REQUIRE(row == "influence,level,group,setting,detected");
+    std::string line;
+    std::getline(rows, line);
+    REQUIRE(line == "influence,level,group,setting,detected");
     std::map<std::string, std::vector<double>> detected;  // by influence and setting, as the level rises
-    while (std::getline(rows, row)) {
-      const std::size_t share = row.rfind(','), setting = row.rfind(',', share - 1);
+    while (std::getline(rows, line)) {
+      const std::size_t share = line.rfind(','), setting = line.rfind(',', share - 1);
       REQUIRE(setting != std::string::npos);
-      detected[row.substr(0, row.find(',')) + row.substr(setting, share - setting)].push_back(
-          std::stod(row.substr(share + 1)));
+      detected[line.substr(0, line.find(',')) + line.substr(setting, share - setting)].push_back(
+          std::stod(line.substr(share + 1)));
     }
     CHECK_THAT(box.read("once/influences/table-8-4.csv"),
                Catch::Contains("\nnoise,5,\"zero-mean, scaled LP\",ZNCC LP"));
