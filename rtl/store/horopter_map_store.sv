@@ -134,6 +134,7 @@ module horopter_map_store #(
   logic last_fact_q;  // one is; as of the clock before
   logic [11:0] areas_q;  // words of areas among them at first
   logic area_next_q;  // the next word of facts is one of these
+  logic area_follows_q;  // the one after it
   logic [11:0] areas64_q, spans64_q;  // words64 of them, of spans, a clock later
   logic [ADDR_BITS-1:0] spans_base_q;  // behind them, from WALK on
   logic writes_q;  // words go into the pool; as of the clock before: the state changes more than two clocks before the next word
@@ -399,6 +400,7 @@ module horopter_map_store #(
     spans_base_q <= base_q[ADDR_BITS-1:0] + ADDR_BITS'(areas64_q);
     complete_q <= write_addr_q == end_addr;
     last_fact_q <= facts_q == 12'd1;
+    area_follows_q <= facts_q == areas_q + 12'd1;
     case (state_q)
       HEAD0:
       if (take) begin
@@ -455,7 +457,7 @@ module horopter_map_store #(
       if (take) begin
         facts_q <= facts_q - 12'd1;
         fact_q <= {fact_q[2:0], 1'b0};
-        area_next_q <= area_next_q || facts_q == areas_q + 12'd1;
+        area_next_q <= area_next_q || area_follows_q;
         if (fact_q[2]) unsupervised_q[23:0] <= data[23:0];
         if (fact_q[3]) unsupervised_q[47:24] <= data[23:0];
       end

@@ -62,6 +62,8 @@ module horopter_pairing #(
     output logic [LEFT_BITS-1:0] left_base_slot_o,
     output logic [  RING_BITS:0] right_base_o,
     output logic [RING_BITS-1:0] right_base_slot_o,
+    input  logic                 active_i,  // it is being output: read_slot_i and its record stay as they are
+    output logic                 place_error_o,  // where its first right row lies has changed since it was noted
     input  logic                 free_i  // read_slot_i is published
 );
   logic open_q, slot_q;
@@ -74,6 +76,7 @@ module horopter_pairing #(
   logic [RING_BITS:0] base_q[2];
   (* nowrshmsk *) logic [1:0] left_ended_q, right_ended_q;
   logic [RING_BITS-1:0] base_slot_q[2];
+  logic base_odd_q[2];  // parity of the two
   logic [1:0] cut_q;
   logic doubtful_q;  // the count of the images is in doubt
 
@@ -183,6 +186,7 @@ module horopter_pairing #(
       left_base_slot_q[next_slot] <= left_slot_i;
       base_q[next_slot] <= right_stored_i;
       base_slot_q[next_slot] <= right_slot_i;
+      base_odd_q[next_slot] <= ^{right_stored_i, right_slot_i};
     end
   end
 
@@ -200,5 +204,13 @@ module horopter_pairing #(
     left_base_slot_o <= left_base_slot_q[read_slot_i];
     right_base_o <= base_q[read_slot_i];
     right_base_slot_o <= base_slot_q[read_slot_i];
+  end
+
+  // The left store compares its own with where the frame before has ended.
+  logic odd_q, wrong_q;
+  assign place_error_o = active_i && wrong_q;
+  always_ff @(posedge clk_i) begin
+    odd_q <= base_odd_q[read_slot_i];
+    wrong_q <= ^{right_base_o, right_base_slot_o} != odd_q;
   end
 endmodule

@@ -596,7 +596,7 @@ module horopter_top #(
       .cell_start_o(cell_start[1])
   );
 
-  logic read_slot, published, left_ended, right_ended;
+  logic read_slot, frame_active, published, left_ended, right_ended;
   logic [11:0] left_rows, right_rows;
   logic [1:0] whole, place_error;
   logic [LEFT_BITS:0] left_base;
@@ -645,6 +645,8 @@ module horopter_top #(
       .left_base_slot_o(left_base_slot),
       .right_base_o(right_base),
       .right_base_slot_o(right_base_slot),
+      .active_i(frame_active),
+      .place_error_o(place_error[1]),
       .free_i(published)
   );
 
@@ -670,7 +672,7 @@ module horopter_top #(
   );
 
   // ------------------------------------------------------------------------------------------------ map and raster
-  logic frame_active, lookup, table_error;
+  logic lookup, table_error;
   logic [MAP_ADDR_BITS-1:0] table_base, map_even_addr, map_odd_addr;
   logic [2:0] table_nx, table_ny;
   logic [11:0] table_columns;
@@ -920,15 +922,6 @@ module horopter_top #(
       .live_o(quad_live),
       .miss_o(quad_miss),
       .parity_error_o(quad_parity_error)
-  );
-  // It does not change as long as the frame is output.
-  horopter_guard #(
-      .WIDTH(2 * RING_BITS + 1)
-  ) u_right_base_guard (
-      .clk_i(clk_i),
-      .write_i(!frame_active),
-      .value_i({right_base, right_base_slot}),
-      .error_o(place_error[1])
   );
   horopter_left_store #(
       .WIDTH(WIDTH),

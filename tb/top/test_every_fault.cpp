@@ -826,6 +826,24 @@ TEMPLATE_TEST_CASE("an upset of a table's header before it counts is a wrong upl
   }
 }
 
+TEMPLATE_TEST_CASE("an upset of where an image begins in its ring, before it is read, is told by its frame",
+                   "[faults][every]", FieldThesis, VgaThesis, HdThesis) {
+  Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
+  auto& machine = bench.machine;
+  for (const char* name : {"left_base_q", "left_base_slot_q", "base_q", "base_slot_q"}) {
+    CAPTURE(name);
+    bench.raise("internal", [&] {
+      const FramePair pair = bench.scene();
+      machine.left().send(pair.left);  // opens the frame, which cannot be read yet
+      machine.settle(300);
+      const auto record = find<TestType>(machine.model(), std::string{"u_pairing."} + name);
+      record.flip(find<TestType>(machine.model(), "u_pairing.slot_q").get(0) ? record.bits : 0);
+      TestType::settle(machine.model());
+      machine.right().send(pair.right);
+    });
+  }
+}
+
 TEMPLATE_TEST_CASE("an upset does not make a table valid whose upload was broken off", "[faults][every]", FieldThesis,
                    VgaThesis, HdThesis) {
   Bench<TestType> bench{{kWidth, kHeight, kLookahead, false, kTimeout}};
