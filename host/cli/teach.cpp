@@ -41,12 +41,6 @@ struct TeachOptions {
   bool json = false;
 };
 
-void set(Device& device, const BlindSettings& blind) {
-  const RegisterWord word = blocks_word(blind);
-  device.write(word.address, word.value);
-  if (device.read(word.address) != word.value) throw DeviceError("BLOCKS does not read back as it was written");
-}
-
 /// Until `done`, which is told the number of frames since the call. What ends early leaves the machine teaching, and so not
 /// safe.
 template <class Done>
@@ -96,17 +90,17 @@ ExitStatus teach(TeachOptions options) {
       throw DeviceError("the machine is not running; `horopter upload` starts it");
     }
     options.blind.watch = options.blind.teach = true;
-    set(*device, options.blind);
+    write_checked(*device, blocks_word(options.blind));
     learn(*device, options.frames);
     options.blind.teach = false;
-    set(*device, options.blind);
+    write_checked(*device, blocks_word(options.blind));
     // The frame in progress still teaches, and may make it forget.
     wait_for_frames(*device, [](std::uint32_t frames) { return frames > 2; });
     if (taught_frames(*device) < options.frames) {
       throw DeviceError("the last frame that taught had a fault or an alarm, and all is forgotten; teach again");
     }
   } else {
-    set(*device, options.blind);
+    write_checked(*device, blocks_word(options.blind));
   }
   if (options.json) {
     const nlohmann::ordered_json json{

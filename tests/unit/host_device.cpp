@@ -9,11 +9,13 @@
 #include <cstdlib>
 #include <fstream>
 #include <random>
+#include <set>
 #include <thread>
 #include <tuple>
 
 #include "horopter/base/crc32.hpp"
 #include "horopter/base/error.hpp"
+#include "horopter/machine/configuration.hpp"
 #include "horopter/machine/inspection.hpp"
 #include "horopter/machine/loader.hpp"
 #include "horopter/machine/monitor.hpp"
@@ -729,6 +731,25 @@ class Built : public Passing {
   std::vector<Change> changes_;
 };
 
+/// Writes into one register, from some write into it on, arrive with a wrong bit.
+class Deaf : public Passing {
+ public:
+  struct Fault {
+    std::uint32_t address = UINT32_MAX;
+    int good = 0;
+  };
+  Deaf(Fault fault, std::set<std::uint32_t>* written) : Passing("vga"), fault_(fault), written_(written) {}
+  void write(std::uint32_t address, std::uint32_t value) override {
+    if (written_ != nullptr) written_->insert(address);
+    if (address == fault_.address && fault_.good-- <= 0) value ^= 1U;
+    Passing::write(address, value);
+  }
+
+ private:
+  Fault fault_;
+  std::set<std::uint32_t>* written_;
+};
+
 const Built::Change kNoThesis{reg::build_window::kAddress, reg::build_window::kThesis, 0};
 const std::vector<Built::Change> kNoCompete{{reg::build_window::kAddress, reg::build_window::kCompete, 0},
                                             {reg::build_compete::kAddress, {0, 32}, 0}};
@@ -923,6 +944,45 @@ TEST_CASE("A build with anything more or other than the profile is refused") {
   // A rule that the profile does not have.
   const Built::Change more{reg::build_window::kAddress, reg::build_window::kCompete, 1};
   CHECK_THROWS_AS(Monitor(std::make_unique<Built>(std::vector{more}, "field"), find_profile("field")), DeviceError);
+}
+
+TEST_CASE("Whatever is set in a machine is read back, each time that it is set") {
+  const MapSet maps = small_maps(0);
+  const auto use = [&](Deaf::Fault fault, std::set<std::uint32_t>* written) {
+    Settings settings = Settings{}.without_proof();
+    settings.decision = Decision::compete;
+    Monitor monitor(std::make_unique<Deaf>(fault, written), find_profile("vga"), settings);
+    monitor.start(kWidth, kHeight, 8);
+    monitor.upload(1, maps.maps[0].table);
+    monitor.select(1);
+    monitor.teach(true);
+  };
+  std::set<std::uint32_t> written;
+  use({}, &written);
+  for (const auto address :
+       {reg::control::kAddress, reg::faults_cameras::kAddress, reg::faults_machine::kAddress,
+        reg::map_control::kAddress, reg::map_data::kAddress}) {  // they store nothing, or MAP_STATUS tells
+    CHECK(written.erase(address) == 1);
+  }
+  CHECK(written.size() > 30);
+  for (const auto address : written) {
+    CAPTURE(register_name(address));
+    CHECK_THROWS_WITH(use({address, 0}, nullptr), Catch::Contains(register_name(address) + " reads back as"));
+  }
+  for (const auto address : {reg::table_select::kAddress, reg::blocks::kAddress}) {
+    CHECK_THROWS_WITH(use({address, 1}, nullptr), Catch::Contains(register_name(address) + " reads back as"));
+  }
+  // Two writes switch the limits off while a pair is shown again, and two on.
+  for (const auto address : {reg::frozen_limit::kAddress, reg::still_limit::kAddress}) {
+    Monitor monitor(std::make_unique<Deaf>(Deaf::Fault{address, 2}, nullptr), find_profile("vga"), Settings{});
+    monitor.start(kWidth, kHeight, 8);
+    monitor.upload(1, maps.maps[0].table);
+    monitor.select(1);
+    {
+      const Monitor::Repeated repeated(monitor);
+    }
+    CHECK_THROWS_AS(monitor.process(Image(kWidth, kHeight), Image(kWidth, kHeight)), DeviceError);
+  }
 }
 
 TEST_CASE("A machine that contradicts itself is found out") {

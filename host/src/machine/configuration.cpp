@@ -192,6 +192,21 @@ double smallest_object_px(const MachineProfile& profile) {
   return (window + profile.majority_window) * profile.subsample;
 }
 
+std::string register_name(std::uint32_t address) {
+  const auto found = std::ranges::find(reg::kRegisters, address, &reg::Register::address);
+  std::string name(found->name);
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return name;
+}
+
+void write_checked(Device& device, const RegisterWord& word) {
+  device.write(word.address, word.value);
+  if (const auto found = device.read(word.address); found != word.value) {
+    throw DeviceError(
+        fmt::format("{} reads back as {:#x}; expected {:#x}, as written", register_name(word.address), found, word.value));
+  }
+}
+
 RegisterWord blocks_word(const BlindSettings& blind) {
   return {reg::blocks::kAddress, reg::blocks::kWatch.put(blind.watch) | reg::blocks::kTeach.put(blind.teach) |
                                      reg::blocks::kMargin.put(static_cast<std::uint32_t>(blind.margin)) |
@@ -225,9 +240,9 @@ std::uint32_t undecidable_limit(const MapTable& table, const Settings& settings)
 
 std::uint32_t upload_table(Device& device, int slot, std::size_t base_word64, const MapTable& table,
                            std::uint32_t undecidable_limit) {
-  device.write(reg::map_slot::kAddress, static_cast<std::uint32_t>(slot));
-  device.write(reg::map_base::kAddress, static_cast<std::uint32_t>(base_word64));
-  device.write(reg::map_undecidable_limit::kAddress, undecidable_limit);
+  write_checked(device, {reg::map_slot::kAddress, static_cast<std::uint32_t>(slot)});
+  write_checked(device, {reg::map_base::kAddress, static_cast<std::uint32_t>(base_word64)});
+  write_checked(device, {reg::map_undecidable_limit::kAddress, undecidable_limit});
   device.write(reg::map_control::kAddress, reg::map_control::kStart.put(1));
   // A place that is in use is refused by the header.
   const std::span<const std::uint32_t> words(table.words());

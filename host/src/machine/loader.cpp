@@ -16,13 +16,6 @@ namespace {
 
 namespace reg = registers;
 
-std::string upper_name(std::uint32_t address) {
-  const auto found = std::ranges::find(reg::kRegisters, address, &reg::Register::address);
-  std::string name(found->name);
-  std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return name;
-}
-
 bool is_running(Device& device) { return reg::status::kRunning.get(device.read(reg::status::kAddress)) != 0; }
 
 /// Slots that no frame is made with, and that are not selected.
@@ -68,14 +61,6 @@ void upload_all(Device& device, const Build& build, const MapSet& maps, const st
       fmt::format("the tables of {} bytes have no room in the pool of {} beside the one in use; expected smaller ones, "
                   "or --stop-first, which stops the machine and takes the place of the one in use",
                   bytes, build.pool_bytes));
-}
-
-void write_checked(Device& device, const RegisterWord& word) {
-  device.write(word.address, word.value);
-  if (const auto found = device.read(word.address); found != word.value) {
-    throw DeviceError(
-        fmt::format("{} reads back as {:#x}; expected {:#x}, as written", upper_name(word.address), found, word.value));
-  }
 }
 
 /// Whether a frame begins with the table while we wait for it.
@@ -126,7 +111,7 @@ LoadReport load(Device& device, const Build& build, const MapSet& maps, const Se
     if (!words.empty()) stop();
     for (const RegisterWord& word : words) {
       write_checked(device, word);
-      report.changed.push_back(upper_name(word.address));
+      report.changed.push_back(register_name(word.address));
     }
     write_checked(device, {reg::table_select::kAddress, static_cast<std::uint32_t>(report.tables.front().slot)});
     if (!running) {

@@ -113,9 +113,9 @@ void Monitor::start(int width, int height, int lookahead) {
   height_ = height;
   sequence_ = 0;
   blind_watch_.emplace(width / profile_.subsample, height, profile_.cell());
-  device_->write(reg::table_select::kAddress, reg::kNoSlot);
+  write_checked(*device_, {reg::table_select::kAddress, reg::kNoSlot});
   for (const RegisterWord& word : configuration(*device_, profile_, settings_, {width, height, lookahead})) {
-    device_->write(word.address, word.value);
+    write_checked(*device_, word);
   }
   device_->write(reg::faults_cameras::kAddress, 0xFFFFFFFFU);
   device_->write(reg::faults_machine::kAddress, 0xFFFFFFFFU);
@@ -224,8 +224,7 @@ void Monitor::teach(bool on) {
 
 void Monitor::set_blind(const BlindSettings& blind) {
   settings_.blind = blind;
-  const RegisterWord word = blocks_word(blind);
-  device_->write(word.address, word.value);
+  write_checked(*device_, blocks_word(blind));
 }
 
 void Monitor::trip() {
@@ -238,7 +237,9 @@ void Monitor::trip() {
   }
 }
 
-void Monitor::select(int slot) { device_->write(reg::table_select::kAddress, static_cast<std::uint32_t>(slot)); }
+void Monitor::select(int slot) {
+  write_checked(*device_, {reg::table_select::kAddress, static_cast<std::uint32_t>(slot)});
+}
 
 bool Monitor::shows_again(int shown, const FrameResult& result) const {
   constexpr int kMost = 60;
@@ -248,18 +249,23 @@ bool Monitor::shows_again(int shown, const FrameResult& result) const {
   return shown == 1 || result.faults.names().size() == expected;
 }
 
-Monitor::Repeated::Repeated(Monitor& monitor) : monitor_(monitor) {
-  monitor_.device_->write(reg::frozen_limit::kAddress, 0);
-  monitor_.device_->write(reg::still_limit::kAddress, 0);
-}
+Monitor::Repeated::Repeated(Monitor& monitor) : monitor_(monitor) { limit(0, 0); }
 
 Monitor::Repeated::~Repeated() {
   try {
-    monitor_.device_->write(reg::frozen_limit::kAddress, static_cast<std::uint32_t>(monitor_.settings_.frozen_limit));
-    monitor_.device_->write(reg::still_limit::kAddress, static_cast<std::uint32_t>(monitor_.settings_.still_limit));
-  } catch (const Error&) {
-    // The machine does not answer: the next frame says so.
+    limit(monitor_.settings_.frozen_limit, monitor_.settings_.still_limit);
+  } catch (const Error&) {  // it must not go on without them
+    try {
+      monitor_.stop();
+    } catch (const Error&) {
+      // The machine does not answer: the next frame says so.
+    }
   }
+}
+
+void Monitor::Repeated::limit(int frozen, int still) {
+  write_checked(*monitor_.device_, {reg::frozen_limit::kAddress, static_cast<std::uint32_t>(frozen)});
+  write_checked(*monitor_.device_, {reg::still_limit::kAddress, static_cast<std::uint32_t>(still)});
 }
 
 FrameResult Monitor::process(const Image& left, const Image& right) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -28,6 +29,12 @@ struct FrameGeometry {
 /// Of AGREEMENT_LIMITS, which is read, only a part is decided. Throws UsageError where a setting has no such value.
 std::vector<RegisterWord> configuration(Device& device, const MachineProfile& profile, const Settings& settings,
                                         FrameGeometry geometry);
+
+/// As registers.md has it: SUM_LIMIT.
+std::string register_name(std::uint32_t address);
+
+/// Reads back what it has written. Throws DeviceError where that is another value.
+void write_checked(Device& device, const RegisterWord& word);
 
 /// The register BLOCKS, which is not locked.
 RegisterWord blocks_word(const BlindSettings& blind);

@@ -207,6 +207,8 @@ class Monitor {
     Repeated& operator=(const Repeated&) = delete;
 
    private:
+    void limit(int frozen, int still);
+
     Monitor& monitor_;
   };
 
