@@ -202,8 +202,8 @@ std::string register_name(std::uint32_t address) {
 void write_checked(Device& device, const RegisterWord& word) {
   device.write(word.address, word.value);
   if (const auto found = device.read(word.address); found != word.value) {
-    throw DeviceError(
-        fmt::format("{} reads back as {:#x}; expected {:#x}, as written", register_name(word.address), found, word.value));
+    throw DeviceError(fmt::format("{} reads back as {:#x}; expected {:#x}, as written", register_name(word.address),
+                                  found, word.value));
   }
 }
 
