@@ -731,14 +731,14 @@ class Built : public Passing {
   std::vector<Change> changes_;
 };
 
-/// Writes into one register, from some write into it on, arrive with a wrong bit.
-class Deaf : public Passing {
+/// After `good` writes into one register, the later ones arrive there with a wrong bit.
+class Garbled : public Passing {
  public:
   struct Fault {
     std::uint32_t address = UINT32_MAX;
     int good = 0;
   };
-  Deaf(Fault fault, std::set<std::uint32_t>* written) : Passing("vga"), fault_(fault), written_(written) {}
+  Garbled(Fault fault, std::set<std::uint32_t>* written) : Passing("vga"), fault_(fault), written_(written) {}
   void write(std::uint32_t address, std::uint32_t value) override {
     if (written_ != nullptr) written_->insert(address);
     if (address == fault_.address && fault_.good-- <= 0) value ^= 1U;
@@ -948,10 +948,10 @@ TEST_CASE("A build with anything more or other than the profile is refused") {
 
 TEST_CASE("Whatever is set in a machine is read back, each time that it is set") {
   const MapSet maps = small_maps(0);
-  const auto use = [&](Deaf::Fault fault, std::set<std::uint32_t>* written) {
+  const auto use = [&](Garbled::Fault fault, std::set<std::uint32_t>* written) {
     Settings settings = Settings{}.without_proof();
     settings.decision = Decision::compete;
-    Monitor monitor(std::make_unique<Deaf>(fault, written), find_profile("vga"), settings);
+    Monitor monitor(std::make_unique<Garbled>(fault, written), find_profile("vga"), settings);
     monitor.start(kWidth, kHeight, 8);
     monitor.upload(1, maps.maps[0].table);
     monitor.select(1);
@@ -972,9 +972,9 @@ TEST_CASE("Whatever is set in a machine is read back, each time that it is set")
   for (const auto address : {reg::table_select::kAddress, reg::blocks::kAddress}) {
     CHECK_THROWS_WITH(use({address, 1}, nullptr), Catch::Contains(register_name(address) + " reads back as"));
   }
-  // Two writes switch the limits off while a pair is shown again, and two on.
+  // The first write is at the start; the second switches the limit off while a pair is shown again; the third, on.
   for (const auto address : {reg::frozen_limit::kAddress, reg::still_limit::kAddress}) {
-    Monitor monitor(std::make_unique<Deaf>(Deaf::Fault{address, 2}, nullptr), find_profile("vga"), Settings{});
+    Monitor monitor(std::make_unique<Garbled>(Garbled::Fault{address, 2}, nullptr), find_profile("vga"), Settings{});
     monitor.start(kWidth, kHeight, 8);
     monitor.upload(1, maps.maps[0].table);
     monitor.select(1);

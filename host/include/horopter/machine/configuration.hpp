@@ -30,7 +30,7 @@ struct FrameGeometry {
 std::vector<RegisterWord> configuration(Device& device, const MachineProfile& profile, const Settings& settings,
                                         FrameGeometry geometry);
 
-/// As registers.md has it: SUM_LIMIT.
+/// As registers.md has it: SUM_LIMIT. The address must be that of a register.
 std::string register_name(std::uint32_t address);
 
 /// Reads back what it has written. Throws DeviceError where that is another value.
