@@ -32,6 +32,8 @@ constexpr auto kFrameTimeout = std::chrono::seconds(5);
 constexpr auto kPause = std::chrono::milliseconds(20);
 constexpr std::uint32_t kUsualFrames = 500;
 constexpr std::uint32_t kPatienceFactor = 4;  // times the frames that are asked for
+constexpr std::uint32_t kHeard = 3;           // after so many a whole one has begun with what was written before
+constexpr const char* kTeaching = "the machine is still teaching, and not safe";
 
 struct TeachOptions {
   std::string engine;
@@ -41,10 +43,9 @@ struct TeachOptions {
   bool json = false;
 };
 
-/// Until `done`, which is told the number of frames since the call. What ends early leaves the machine teaching, and so not
-/// safe.
+/// Until `done`, which is told the number of frames since the call. `state` says what the machine does where none come.
 template <class Done>
-void wait_for_frames(Device& device, Done done) {
+void wait_for_frames(Device& device, const char* state, Done done) {
   const std::uint32_t first = device.read(reg::frame_sequence::kAddress);
   std::uint32_t frames = 0;
   auto last_change = std::chrono::steady_clock::now();
@@ -52,8 +53,7 @@ void wait_for_frames(Device& device, Done done) {
     const std::uint32_t now = device.read(reg::frame_sequence::kAddress) - first;
     if (now != frames) last_change = std::chrono::steady_clock::now();
     if (std::chrono::steady_clock::now() - last_change > kFrameTimeout) {
-      throw DeviceError(fmt::format("no frame was finished in {} s; the machine is still teaching, and not safe",
-                                    kFrameTimeout.count()));
+      throw DeviceError(fmt::format("no frame was finished in {} s; {}", kFrameTimeout.count(), state));
     }
     frames = now;
     std::this_thread::sleep_for(kPause);
@@ -62,12 +62,23 @@ void wait_for_frames(Device& device, Done done) {
 
 std::uint32_t taught_frames(Device& device) { return device.read(reg::taught::kAddress); }
 
-/// A frame with a fault or an alarm makes the machine forget: so many in a row.
-void learn(Device& device, std::uint32_t frames) {
+void write_blocks(Device& device, BlindSettings blind, bool teach) {
+  blind.teach = teach;
+  write_checked(device, blocks_word(blind));
+}
+
+/// A frame with a fault or an alarm makes the machine forget: so many in a row. What ends early leaves the machine teaching.
+void learn(Device& device, const BlindSettings& blind, std::uint32_t frames) {
+  // A teaching that was under way, or done before, is no part of this one: TAUGHT keeps its number until a frame begins that
+  // teaches after one that did not.
+  write_blocks(device, blind, false);
+  wait_for_frames(device, "nothing is taught anew", [](std::uint32_t passed) { return passed >= kHeard; });
+  write_blocks(device, blind, true);
   Progress progress("teaching, frame");
   device.write(reg::faults_cameras::kAddress, 0xFFFFFFFFU);
   device.write(reg::faults_machine::kAddress, 0xFFFFFFFFU);
-  wait_for_frames(device, [&](std::uint32_t passed) {
+  wait_for_frames(device, kTeaching, [&](std::uint32_t passed) {
+    if (passed < kHeard) return false;
     const std::uint32_t taught = taught_frames(device);
     progress.show(taught, frames);
     if (taught >= frames) return true;
@@ -75,10 +86,9 @@ void learn(Device& device, std::uint32_t frames) {
     const Faults faults{device.read(reg::faults_cameras::kAddress), device.read(reg::faults_machine::kAddress)};
     std::string names;
     for (const std::string& name : faults.without(Fault::teaching).names()) names += " " + name;
-    throw DeviceError(fmt::format(
-        "{} frames have passed, and {} in a row have not been without fault and alarm;{}{}; the machine is still teaching, "
-        "and not safe",
-        passed, frames, names.empty() ? " there was an alarm" : " faults:", names));
+    throw DeviceError(
+        fmt::format("{} frames have passed, and {} in a row have not been without fault and alarm;{}{}; {}", passed,
+                    frames, names.empty() ? " there was an alarm" : " faults:", names, kTeaching));
   });
 }
 
@@ -89,13 +99,11 @@ ExitStatus teach(TeachOptions options) {
     if (reg::status::kRunning.get(device->read(reg::status::kAddress)) == 0) {
       throw DeviceError("the machine is not running; `horopter upload` starts it");
     }
-    options.blind.watch = options.blind.teach = true;
-    write_checked(*device, blocks_word(options.blind));
-    learn(*device, options.frames);
-    options.blind.teach = false;
-    write_checked(*device, blocks_word(options.blind));
+    options.blind.watch = true;
+    learn(*device, options.blind, options.frames);
+    write_blocks(*device, options.blind, false);
     // The frame in progress still teaches, and may make it forget.
-    wait_for_frames(*device, [](std::uint32_t frames) { return frames > 2; });
+    wait_for_frames(*device, kTeaching, [](std::uint32_t passed) { return passed >= kHeard; });
     if (taught_frames(*device) < options.frames) {
       throw DeviceError("the last frame that taught had a fault or an alarm, and all is forgotten; teach again");
     }
@@ -139,8 +147,8 @@ void add_teach(CLI::App& app, Outcome& outcome) {
       "Where nothing has texture the machine cannot say what is in the skin. So it learns where that is while nobody is in\n"
       "the zone and the robot moves as it will. Afterwards a place that could be decided and cannot be any more is blind, and\n"
       "counts as an object. While it learns, the machine is not safe. A frame with a fault or an alarm begins\n"
-      "it anew. It forgets when it is stopped, by an `upload` that changes settings, too: then everything that cannot be\n"
-      "decided counts, until it is taught again.\n\n"
+      "it anew. It forgets when it is stopped, by an `upload` of another table or of other settings, too: then everything\n"
+      "that cannot be decided counts, until it is taught again.\n\n"
       "Example: horopter teach --engine serial:/dev/ttyUSB0 --frames 3000");
   command->callback([options, &outcome] { outcome.status = teach(*options); });
 }
