@@ -146,10 +146,13 @@ ExitStatus upload(const UploadOptions& options) {
   if (options.json) {
     auto json = report_json(options, build, report);
     if (thickness) json.update(thickness->json());
+    report_rows(settings.decision, !maps.rig.empty(), json, true);
     std::puts(json_text(json).c_str());
   } else {
     print_report(options, build, report);
     if (thickness) fmt::print("skin      {}\n", thickness->text(settings));
+    nlohmann::ordered_json unused;
+    report_rows(settings.decision, !maps.rig.empty(), unused, false);
   }
   return ExitStatus::done;
 }
@@ -210,8 +213,9 @@ void add_upload(CLI::App& app, Outcome& outcome) {
   command->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");
   command->footer(
       "The table goes beside the one in use, which stays in use until the new one is there, complete, by its CRC. Where\n"
-      "a setting changes, the machine is stopped for the change, and says not safe. All is read back. After an error the\n"
-      "table that was in use still is, or the machine is stopped: the message says which. See docs/boards.md.\n\n"
+      "a setting changes, or the machine was taught with another table, it is stopped for the change: it says not safe,\n"
+      "and forgets what it was taught. All is read back. After an error the table that was in use still is, or the machine\n"
+      "is stopped: the message says which. See docs/boards.md.\n\n"
       "Example: horopter upload --engine serial:/dev/ttyUSB0 --map skin.hmap");
   command->callback([options, &outcome] { outcome.status = upload(*options); });
 }

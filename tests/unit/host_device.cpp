@@ -731,7 +731,7 @@ class Built : public Passing {
   std::vector<Change> changes_;
 };
 
-/// After `good` writes into one register, the later ones arrive there with a wrong bit.
+/// After `good` writes into one register, the next one arrives there with a wrong bit.
 class Garbled : public Passing {
  public:
   struct Fault {
@@ -741,7 +741,7 @@ class Garbled : public Passing {
   Garbled(Fault fault, std::set<std::uint32_t>* written) : Passing("vga"), fault_(fault), written_(written) {}
   void write(std::uint32_t address, std::uint32_t value) override {
     if (written_ != nullptr) written_->insert(address);
-    if (address == fault_.address && fault_.good-- <= 0) value ^= 1U;
+    if (address == fault_.address && fault_.good-- == 0) value ^= 1U;
     Passing::write(address, value);
   }
 
@@ -908,6 +908,40 @@ TEST_CASE("An upload says whether the cameras can wait; without a word they can,
   CHECK(mode() == 0);
 }
 
+TEST_CASE("What was taught with one table is forgotten with another: the machine is stopped for it") {
+  const auto device = make_native_device(find_profile("vga"));
+  const Build build = find_build(*device);
+  const auto stops = [&](int shift) {
+    const LoadReport report =
+        load(*device, build, small_maps(shift), Settings{}.without_proof(), false, std::chrono::milliseconds(1));
+    device->send(textured(kWidth, kHeight, 1), textured(kWidth, kHeight, 2));
+    device->receive();
+    CHECK(device->read(reg::frame_table_crc::kAddress) == report.tables.front().crc);
+    return report.stopped;
+  };
+  const auto blocks = [&](bool watch, bool teach) {
+    write_checked(*device, blocks_word({.watch = watch, .teach = teach}));
+  };
+  stops(0);
+  CHECK_FALSE(stops(1));  // nothing was taught
+  blocks(true, false);
+  CHECK_FALSE(stops(1));
+  CHECK(stops(2));
+  CHECK_FALSE(stops(2));
+  blocks(true, true);
+  CHECK(stops(1));
+  CHECK_FALSE(stops(1));
+}
+
+TEST_CASE("What is left of an upset in AGREEMENT_LIMITS is not written anew") {
+  auto device = make_native_device(find_profile("vga"));
+  device->write(reg::agreement_limits::kAddress, reg::agreement_limits::kReset ^ 0x40U);
+  Monitor monitor(std::move(device), find_profile("vga"), Settings{});
+  monitor.start(kWidth, kHeight, 8);
+  const auto changed = monitor.device().read(reg::agreement_limits::kAddress) ^ reg::agreement_limits::kReset;
+  CHECK((changed & ~reg::agreement_limits::kHidden.mask()) == 0);
+}
+
 TEST_CASE("Threads or instructions that the environment asks for, and that cannot be, are wrong usage") {
   for (const char* const name : {"HOROPTER_THREADS", "HOROPTER_INSTRUCTIONS"}) {
     const char* const before = std::getenv(name);
@@ -982,6 +1016,14 @@ TEST_CASE("Whatever is set in a machine is read back, each time that it is set")
       const Monitor::Repeated repeated(monitor);
     }
     CHECK_THROWS_AS(monitor.process(Image(kWidth, kHeight), Image(kWidth, kHeight)), DeviceError);
+  }
+  // Where one of them cannot be switched off, both are on.
+  for (const auto address : {reg::frozen_limit::kAddress, reg::still_limit::kAddress}) {
+    Monitor monitor(std::make_unique<Garbled>(Garbled::Fault{address, 1}, nullptr), find_profile("vga"), Settings{});
+    monitor.start(kWidth, kHeight, 8);
+    CHECK_THROWS_WITH(Monitor::Repeated(monitor), Catch::Contains(register_name(address) + " reads back as"));
+    CHECK(monitor.device().read(reg::frozen_limit::kAddress) == static_cast<std::uint32_t>(Settings{}.frozen_limit));
+    CHECK(monitor.device().read(reg::still_limit::kAddress) == static_cast<std::uint32_t>(Settings{}.still_limit));
   }
 }
 

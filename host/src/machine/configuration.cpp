@@ -85,8 +85,7 @@ std::uint32_t on_skin_limits(const MachineProfile& profile, const Settings& sett
          reg::registration::kOnSkinCells.put(limited(2 * allowed * result / (4 * cell * cell), most_cells));
 }
 
-void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32_t agreement_limits,
-               std::uint32_t on_skin_limits) {
+void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32_t on_skin_limits) {
   const auto rounded = [](double value, int bits) {
     return static_cast<std::uint32_t>(std::clamp(std::lround(std::ldexp(value, bits)), -32768L, 32767L));
   };
@@ -97,8 +96,9 @@ void add_proof(std::vector<RegisterWord>& words, const Proof& proof, std::uint32
                        reg::agreement::kShiftLowest.put(static_cast<std::uint32_t>(proof.shift_lowest)) |
                        reg::agreement::kShiftHighest.put(static_cast<std::uint32_t>(proof.shift_highest)) |
                        reg::agreement::kUnprovenSkin.put(defaults.unproven_skin_limit)});
+  // Not what the machine holds: an upset there would be written anew, and no longer be a fault.
   words.push_back(
-      {reg::agreement_limits::kAddress, (agreement_limits & ~reg::agreement_limits::kHidden.mask()) |
+      {reg::agreement_limits::kAddress, (reg::agreement_limits::kReset & ~reg::agreement_limits::kHidden.mask()) |
                                             reg::agreement_limits::kHidden.put(limit_of(proof.hidden_percent, 255))});
   words.push_back({reg::hidden::kAddress, reg::hidden::kFrames.put(static_cast<std::uint32_t>(proof.hidden_frames))});
   // Without a rig nobody knows where the right image should be.
@@ -223,8 +223,7 @@ std::vector<RegisterWord> configuration(Device& device, const MachineProfile& pr
   words.push_back(feedback_word(device, settings.interlock.feedback_ms));
   words.push_back({reg::mode::kAddress, reg::mode::kLive.put(settings.live)});
   add_limits(words, profile, settings, geometry);
-  add_proof(words, settings.proof, device.read(reg::agreement_limits::kAddress),
-            on_skin_limits(profile, settings, geometry));
+  add_proof(words, settings.proof, on_skin_limits(profile, settings, geometry));
   const bool compete = settings.decision == Decision::compete;
   words.push_back({reg::decision::kAddress, reg::decision::kCompete.put(compete ? 1 : 0)});
   if (compete) {

@@ -63,6 +63,14 @@ void upload_all(Device& device, const Build& build, const MapSet& maps, const st
                   bytes, build.pool_bytes));
 }
 
+/// Where nothing could be decided on one skin says nothing of another. A machine that stops forgets what it was taught.
+bool teaching_is_of_another(Device& device, const std::vector<LoadReport::Table>& tables) {
+  const auto blocks = device.read(reg::blocks::kAddress);
+  if (reg::blocks::kWatch.get(blocks) == 0 && reg::blocks::kTeach.get(blocks) == 0) return false;
+  const auto in_use = device.read(reg::frame_table_crc::kAddress);
+  return std::ranges::find(tables, in_use, &LoadReport::Table::crc) == tables.end();
+}
+
 /// Whether a frame begins with the table while we wait for it.
 bool wait_for_table(Device& device, int slot, std::chrono::milliseconds time) {
   const auto end = std::chrono::steady_clock::now() + time;
@@ -108,7 +116,7 @@ LoadReport load(Device& device, const Build& build, const MapSet& maps, const Se
     std::erase_if(words, [&](const RegisterWord& word) {
       return word.address == reg::blocks::kAddress || device.read(word.address) == word.value;
     });
-    if (!words.empty()) stop();
+    if (!words.empty() || teaching_is_of_another(device, report.tables)) stop();
     for (const RegisterWord& word : words) {
       write_checked(device, word);
       report.changed.push_back(register_name(word.address));

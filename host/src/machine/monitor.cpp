@@ -249,7 +249,8 @@ bool Monitor::shows_again(int shown, const FrameResult& result) const {
   return shown == 1 || result.faults.names().size() == expected;
 }
 
-Monitor::Repeated::Repeated(Monitor& monitor) : monitor_(monitor) { limit(0, 0); }
+// Delegated, so that the destructor puts back what was written where a later write fails.
+Monitor::Repeated::Repeated(Monitor& monitor) : Repeated(monitor, nullptr) { limit(0, 0); }
 
 Monitor::Repeated::~Repeated() {
   try {

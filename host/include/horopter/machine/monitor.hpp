@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -207,6 +208,7 @@ class Monitor {
     Repeated& operator=(const Repeated&) = delete;
 
    private:
+    Repeated(Monitor& monitor, std::nullptr_t) : monitor_(monitor) {}  ///< nothing is written yet
     void limit(int frozen, int still);
 
     Monitor& monitor_;
