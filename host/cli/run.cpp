@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <mutex>
@@ -23,6 +24,7 @@
 #include "horopter/machine/report.hpp"
 #include "horopter/map/map_json.hpp"
 #include "horopter/map/row_check.hpp"
+#include "horopter/monitor/pairing.hpp"
 #include "horopter/plan/tolerance.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
@@ -71,9 +73,10 @@ struct Session {
     settings.blind.watch = options.teach != 0;
     thickness = set_thickness(options.thickness, options.skin, rig, *profile, width, height, settings);
     object = set_object(options.object, options.skin, rig, *profile, width, height, settings);
-    check_alarm_frames(options.skin, rig, *profile, width, height, options.results_per_s, settings);
+    check_alarm_frames(options.skin, rig, *profile, width, height, options.results_per_s, settings,
+                       first.time ? monitor::kLongestPeriods : 1);
     if (is_moving_skin(options.skin)) {
-      begin_moving(options, rig, width, height);
+      begin_moving(options, rig, first);
       return;
     }
     maps = load_or_compile_maps(options.skin, rig, *profile, width, height, settings.decision);
@@ -83,17 +86,13 @@ struct Session {
     has_rig = !maps.rig.empty();
     follower = std::make_unique<ObjectFollower>(*profile, tables, maps.rig);
     results_per_s = options.results_per_s;
+    check_rate(first);
     warn_of_proof(options.skin, tables, *profile, maps.lookahead(), settings, maps.rig);
     supervisor = std::make_unique<Supervisor>(make_picture_device(options.engine, *profile), *profile, maps, settings);
   }
   std::vector<FrameResult> process(const NamedImage& left, const NamedImage& right) {
-    if (!moving) return supervisor->process(left.image, right.image);
-    if (left.time && left.time->left_out > 0) {
-      throw FileError(left.name, "",
-                      fmt::format("images are missing before it: {}, by the video's times", left.time->left_out),
-                      "each image as a step of the skin's time");
-    }
-    return moving->process(left.image, right.image);
+    if (left.time && (moving || settings.alarm_frames.needed > 1)) check_time(left.name, *left.time);
+    return moving ? moving->process(left.image, right.image) : supervisor->process(left.image, right.image);
   }
   std::vector<TrackedObject> follow(int frame, const FrameResult& result) {
     return follower->follow(result, results_per_s ? std::optional(frame / *results_per_s) : std::nullopt);
@@ -101,7 +100,31 @@ struct Session {
   Monitor& monitor() { return moving ? moving->monitor() : supervisor->monitor(); }
   const Device& device() { return monitor().device(); }
 
-  void begin_moving(const RunOptions& options, const std::optional<calib::Rig>& rig, int width, int height) {
+  /// A video says itself how often its images come.
+  void check_rate(const NamedImage& first) const {
+    constexpr double kLargestDeviation = 0.01;
+    if (!first.time || !results_per_s) return;
+    const double results = profile->fields_per_image() / first.time->period_s;
+    if (std::abs(results / *results_per_s - 1) <= kLargestDeviation) return;
+    throw FileError(first.name, "", fmt::format("the video has {:g} results a second", results),
+                    fmt::format("{:g}, as --frame-rate or the skin's motion says", *results_per_s));
+  }
+
+  /// Where a skin's time, or how often a hand is seen, is reckoned by the images' numbers: whether they came then.
+  void check_time(const std::string& name, const VideoTime& time) const {
+    if (time.left_out > 0) {  // by monitor::kLongestPeriods, too
+      throw FileError(name, "", fmt::format("images are missing before it: {}, by the video's times", time.left_out),
+                      "one each period");
+    }
+    const double reckoned_s = static_cast<double>(time.index) * profile->fields_per_image() / results_per_s.value();
+    if (!moving || std::abs(time.time_s - reckoned_s) <= time.period_s / 2) return;
+    throw FileError(name, "", fmt::format("it is of {:.3f} s by the video's times", time.time_s),
+                    fmt::format("{:.3f} s, by its number and {:g} results a second", reckoned_s, *results_per_s));
+  }
+
+  void begin_moving(const RunOptions& options, const std::optional<calib::Rig>& rig, const NamedImage& first) {
+    const int width = first.image.width;
+    const int height = first.image.height;
     check_consecutive(options.left);
     check_consecutive(options.right);
     SkinFile skin = load_skin_for(options.skin, rig, width, height);
@@ -110,9 +133,17 @@ struct Session {
       throw FileError(options.skin, "motion", fmt::format("frame_rate_per_s is {:g}", *results_per_s),
                       fmt::format("{:g}, as --frame-rate says", *options.results_per_s));
     }
+    check_rate(first);
     d95_px = std::min(skin.motion_limits.tolerance_px, horopter::d95_px(settings));
     skin.motion_limits.tolerance_px = d95_px;
     MovingMaps compiled = compile_motion(skin, *profile, width, height, view_limits(*profile, settings.decision));
+    if (const std::size_t images = compiled.steps.size() / static_cast<std::size_t>(profile->fields_per_image()) + 1;
+        options.teach != 0 && options.teach < images) {
+      throw UsageError(fmt::format(
+          "--teach {}: the skin moves in {} images, and what is taught of one place says nothing of another; expected all "
+          "of them, at least",
+          options.teach, images));
+    }
     const auto tables = compiled.tables();
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
     judgeable_pixels = check_object_limit(object, options.skin, tables, *profile, settings);

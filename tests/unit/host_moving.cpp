@@ -214,6 +214,13 @@ TEST_CASE("skin.yaml with motion; tables for fields in turn; the skin stays at t
   CHECK_THAT(error(motion + "  poses: [{time_s: 1, shift: [0, 0, 1]}]\n"), Catch::Contains("unknown key 'shift'"));
   CHECK_THAT(error(motion + "  segments: [{time_s: 1, ends_mm: [[0, 0]]}]\n"), Catch::Contains("segments"));
   CHECK_THAT(error(motion + "  poses: [{time_s: 1, shift_mm: [0, 0, -790]}]\n"), Catch::Contains("at "));
+  // Half a turn and more has no way of its own: the shortest would be taken, which is another.
+  for (const char* const poses : {"{time_s: 1, rotation_deg: [0, 270, 0]}", "{time_s: 1, rotation_deg: [0, 0, 360]}",
+                                  "{time_s: 1, rotation_deg: [0, -180, 0]}", "{time_s: 1, rotation_deg: [70, 60, 50]}",
+                                  "{time_s: 1, rotation_deg: [0, 0, 170]}, {time_s: 2, rotation_deg: [0, 0, -170]}"}) {
+    CHECK_THAT(error(motion + "  poses: [" + poses + "]\n"),
+               Catch::Contains("rotation_deg") && Catch::Contains("less than 180: poses in between"));
+  }
   CHECK_THAT(error("surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\nmotion:\n  frame_rate_per_s: 50\n"
                    "  object_speed_m_s: 3.2\n  poses: [{time_s: 1}]\n"),
              Catch::Contains("must be below"));
@@ -223,6 +230,11 @@ TEST_CASE("skin.yaml with motion; tables for fields in turn; the skin stays at t
       "  segments: [{time_s: 1, ends_mm: [[[-50, 0, 820], [50, 0, 780]]]}]\n");
   CHECK(first_hit(*arm.motion->at(0.5), Vector3d::Zero(), kForward).distance == Approx(760).margin(1));
   CHECK(first_hit(*arm.motion->at(1), {40, 0, 0}, kForward).distance < 750);
+  // Three quarters of a turn with poses in between: after a half of it the far side is in front.
+  const SkinFile turned = read(motion +
+                               "  about_mm: [0, 0, 1000]\n  poses: [{time_s: 1, rotation_deg: [0, 135, 0]}, "
+                               "{time_s: 2, rotation_deg: [0, 270, 0]}]\n");
+  CHECK(first_hit(*turned.motion->at(4.0 / 3), Vector3d::Zero(), kForward).distance == Approx(1200).margin(1));
 }
 
 }  // namespace horopter

@@ -111,9 +111,10 @@ class Keys : public yaml::Keys {
       fail(key, "", fmt::format("{:g} to {:g} {}", smallest, largest, unit));
     return value;
   }
+  Vector3d rotation_deg() { return vector("rotation_deg", Vector3d::Zero()); }
   /// x_world = R · x + position, R = Rz · Ry · Rx.
   calib::Pose pose(const Vector3d& position_mm) {
-    const Vector3d angles = vector("rotation_deg", Vector3d::Zero()) * (M_PI / 180);
+    const Vector3d angles = rotation_deg() * (M_PI / 180);
     const auto turn = [&](int axis) {
       return calib::rotation_from_vector(Vector3d(angles[axis] * Vector3d::Unit(axis)));
     };
@@ -250,14 +251,25 @@ SurfacePtr read_surface(Keys& keys) {
 
 double read_time(Keys& key) { return yaml::number(key.file(), key.get("time_s", "a number"), key.path("time_s")); }
 
+/// Between two poses the skin turns by the shortest way: one of half a turn and more would go the other way, or nowhere.
+void check_turn(Keys& key, const Vector3d& before_deg) {
+  const double turn_deg = (key.rotation_deg() - before_deg).lpNorm<1>();  // at least the angle of both rotations
+  if (turn_deg < 180) return;
+  key.fail("rotation_deg", fmt::format("turns by {:g} degrees from the pose before, summed over the axes", turn_deg),
+           "less than 180: poses in between");
+}
+
 MovingSurfacePtr read_poses(Keys& motion, SurfacePtr surface) {
   const Vector3d about = motion.vector("about_mm", Vector3d::Zero());
   std::vector<TimedPose> poses;
+  Vector3d before_deg = Vector3d::Zero();
   for (const YAML::Node& item : motion.list("poses", "a list of {time_s, shift_mm, rotation_deg}")) {
     Keys key(motion.file(), item, motion.path("poses"));
     const double time_s = read_time(key);
     const calib::Pose pose = key.pose(key.vector("shift_mm", Vector3d::Zero()));
     poses.push_back({time_s, pose.translation_mm, pose.rotation});
+    check_turn(key, before_deg);
+    before_deg = key.rotation_deg();
     key.finish();
   }
   return make_moving(std::move(surface), about, poses);
