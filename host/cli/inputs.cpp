@@ -29,8 +29,6 @@ constexpr int kSmallestHeight = 16;
 /// %, so that half a skin stays half a skin when it is rounded to two digits.
 constexpr double kAboutHalf = 47;
 
-/// A skin of which less is supervised is meant otherwise, or not seen as it is meant.
-constexpr double kLittleSupervised = 0.5;
 /// How far the centre of a camera whose image size is not told may be from the middle of an image: of its size.
 constexpr double kLargestOffCentre = 0.2;
 

@@ -17,6 +17,9 @@
 
 namespace horopter::cli {
 
+/// Of what the left camera sees of a skin. One of which less is supervised is meant otherwise, or not seen as it is meant.
+inline constexpr double kLittleSupervised = 0.5;
+
 /// The profiles and the largest images that they take, for help.
 std::string profile_sizes();
 /// Throws FileError when the profile does not hold an image of this size.

@@ -180,7 +180,7 @@ ExitStatus plan_thickness(const ThicknessOptions& options) {
   const ScanGeometry geometry = scans_of(profile, cameras.left().width_px, cameras.left().height_px).front();
   const ViewLimits view = view_limits(profile, options.decision);
   const Timing timing = options.timing.timing(profile, options.decision, geometry.height);
-  const double images_per_s = timing.images_per_s;
+  const double images_per_s = 1 / timing.longest_s();  // at least
   const double detection_s = detection_time_s(timing);
 
   std::optional<OutputDirectory> output;

@@ -67,9 +67,14 @@ struct PlannedCapability {
   CapabilityPlan capability;
   Timing timing;
   double stopping_s;
+  double fast_mm;  ///< at the worst place, of what moves at kIsoHandSpeed_m_s, and at --speed at least
+  double slow_mm;  ///< at kHandSpeed_m_s
 
   double response_s() const { return detection_time_s(timing) + stopping_s; }
-  std::optional<IsoDistance> iso() const { return iso_13855_distance(response_s(), capability.largest_mm); }
+  double supervised_share() const {
+    return static_cast<double>(thickness.supervised) / static_cast<double>(thickness.left_sees);
+  }
+  std::optional<IsoDistance> iso() const { return iso_13855_distance(response_s(), fast_mm, slow_mm); }
 };
 
 void refuse_what_has_no_place(const std::string& skin) {
@@ -99,7 +104,8 @@ PlannedCapability plan(const CapabilityOptions& options) {
   const double tolerance_px = d95_px(settings);
   Timing timing = options.timing.timing(profile, settings.decision, geometry.height);
   timing.alarm_frames = settings.alarm_frames.of;
-  check_alarm_frames(options.skin, rig, profile, left.width_px, left.height_px, timing.images_per_s, settings);
+  check_alarm_frames(options.skin, rig, profile, left.width_px, left.height_px, timing.images_per_s, settings,
+                     timing.longest_periods);
   ThicknessPlan thickness;
   try {
     thickness = plan_thickness(skin->cameras(), *skin->surface(), profile, geometry, tolerance_px, view);
@@ -109,15 +115,23 @@ PlannedCapability plan(const CapabilityOptions& options) {
   const Crossing crossing{.decision = settings.decision,
                           .body = options.body,
                           .object_limit_px = static_cast<double>(object_limit(settings, profile)),
-                          .step_mm = options.speed_mm_s / timing.images_per_s,
+                          .step_mm = options.speed_mm_s * timing.longest_s(),
                           .images = settings.alarm_frames.needed,
                           .object_limit_mm2 = half_disc_mm2(settings)};
   CapabilityPlan capability = plan_capability(thickness, profile, crossing);
+  const auto worst_mm = [&](double speed_m_s) {
+    Crossing faster = crossing;
+    faster.step_mm = speed_m_s * 1e3 * timing.longest_s();
+    if (faster.step_mm <= crossing.step_mm) return capability.largest_mm;
+    return plan_capability(thickness, profile, faster).largest_mm;
+  };
+  const double fast_mm = worst_mm(kIsoHandSpeed_m_s), slow_mm = worst_mm(kHandSpeed_m_s);
   return {profile,      geometry,
           settings,     object,
           tolerance_px, std::move(thickness),
           crossing,     std::move(capability),
-          timing,       options.timing.stopping_ms * 1e-3};
+          timing,       options.timing.stopping_ms * 1e-3,
+          fast_mm,      slow_mm};
 }
 
 /// A size; null where none is.
@@ -130,8 +144,11 @@ void print_found(const CapabilityOptions& options, const PlannedCapability& plan
              plan.profile.name, name_of(plan.settings.decision), plan.timing.images_per_s, plan.d95_px);
   fmt::print("object     {}\n", object_text(plan.object, plan.settings, plan.profile));
   if (found.supervised == 0) return;
-  fmt::print("skin       {:.1f} to {:.1f} mm thick, {:.1f} mm in the mean\n", plan.thickness.across.smallest,
-             plan.thickness.across.largest, plan.thickness.across.mean);
+  fmt::print(
+      "skin       {:.1f} to {:.1f} mm thick, {:.1f} mm in the mean; {:.1f} % of what the left camera sees of it is "
+      "supervised\n",
+      plan.thickness.across.smallest, plan.thickness.across.largest, plan.thickness.across.mean,
+      100 * plan.supervised_share());
   const std::string shape =
       options.body == Body::ball ? "a ball" : fmt::format("a rod of which {:g} mm lie in the skin", kRodLength_mm);
   fmt::print("body       {}, textured, at {:g} mm/s: it moves {:.1f} mm from image to image\n", shape,
@@ -139,10 +156,10 @@ void print_found(const CapabilityOptions& options, const PlannedCapability& plan
   fmt::print("smallest   {} at the best place, {} at the median, {} at the worst\n", size_text(found.smallest_mm),
              size_text(found.median_mm), size_text(found.largest_mm));
   for (const double mm : kAsked_mm) {
-    fmt::print("  {:3g} mm   found at {:5.1f} % of the skin\n", mm, 100 * found.share_found(mm));
+    fmt::print("  {:3g} mm   found at {:5.1f} % of what is supervised\n", mm, 100 * found.share_found(mm));
   }
   if (const double none = 1 - found.share_found(kLargestBody_mm); none > 0) {
-    fmt::print("  none up to {:g} mm at {:.1f} % of the skin: it is too thin for the speed, or the object too large\n",
+    fmt::print("  none up to {:g} mm at {:.1f} % of it: it is too thin for the speed, or the object too large\n",
                kLargestBody_mm, 100 * none);
   }
 }
@@ -199,6 +216,7 @@ Json to_json(const CapabilityOptions& options, const PlannedCapability& plan) {
       {"speed_mm_s", options.speed_mm_s},
       {"images_per_s", plan.timing.images_per_s},
       {"supervised_pixels", found.supervised},
+      {"pixels_of_the_skin", plan.thickness.left_sees},
       {"detection_capability_mm",
        {{"smallest", size_json(found.smallest_mm)},
         {"median", size_json(found.median_mm)},
@@ -215,7 +233,8 @@ Json to_json(const CapabilityOptions& options, const PlannedCapability& plan) {
   json["response"]["total_ms"] = plan.response_s() * 1e3;
   json["safety_distance_mm"] = nullptr;
   if (const auto iso = plan.iso()) {
-    json["safety_distance_mm"] = {{"k_m_s", iso->k_m_s}, {"c", iso->c_mm}, {"s", iso->distance_mm}};
+    json["safety_distance_mm"] = {
+        {"k_m_s", iso->k_m_s}, {"d", iso->capability_mm}, {"c", iso->c_mm}, {"s", iso->distance_mm}};
   }
   return json;
 }
@@ -266,19 +285,20 @@ void print_response(const PlannedCapability& plan) {
 }
 
 void print_distance(const PlannedCapability& plan) {
-  const double mm = plan.capability.largest_mm;
   const auto iso = plan.iso();
   if (!iso) {
     fmt::print(
-        "distance   none by ISO 13855:2010: it has C for a detection capability of up to {:g} mm, and here it is {}\n",
-        kIsoArm_mm, size_text(mm));
+        "distance   none by ISO 13855:2010: it has C for a detection capability of up to {:g} mm, and here it is {}, of what "
+        "moves at {} m/s and more\n",
+        kIsoArm_mm, size_text(plan.slow_mm), kHandSpeed_m_s);
     return;
   }
+  const double mm = iso->capability_mm;
   const std::string formula =
       mm <= kIsoHand_mm ? "C = 8 (d - 14) mm, 0 at least, for d up to 40 mm" : "C = 850 mm for d above 40, up to 70 mm";
   fmt::print(
       "distance   {:.0f} mm by ISO 13855:2010, S = K T + C: K {:.1f} m/s, T {:.1f} ms, C {:.0f} mm\n"
-      "           {}; d {:.1f} mm, the worst place; approach at right angles to the skin\n",
+      "           {}; d {:.1f} mm, at K (--speed where that is more), at the worst place; approach at right angles to the skin\n",
       iso->distance_mm, iso->k_m_s, plan.response_s() * 1e3, iso->c_mm, formula, mm);
 }
 
@@ -299,6 +319,11 @@ ExitStatus plan_capability(const CapabilityOptions& options) {
   if (planned.capability.supervised > 0 && planned.capability.share_found(kHand_mm) < 1) {
     warn(fmt::format("a {} of {:g} mm is not found at {:.1f} % of this skin", name_of(options.body), kHand_mm,
                      100 * (1 - planned.capability.share_found(kHand_mm))));
+  }
+  if (planned.capability.supervised > 0 && planned.supervised_share() < kLittleSupervised) {
+    warn(fmt::format(
+        "{}: of what the left camera sees of this skin {:.0f} % is supervised; the figures are of that alone",
+        options.skin, 100 * planned.supervised_share()));
   }
   warn_of_coats(planned);
   add_warnings(json);
@@ -364,7 +389,8 @@ void add_plan_capability(CLI::App& plan, Outcome& outcome) {
       "worst direction. The figures are for a body with texture, all of it before supervised skin, and a good frame.\n"
       "Other surfaces, and light that changes, are measured: host/src/plan/walk_table.def and\n"
       "hands_table.def, made by `horopter study walk`.\n"
-      "S = K T + C is ISO 13855:2010, for detection zones across the way of approach: d is the largest figure of the skin.\n"
+      "S = K T + C is ISO 13855:2010, for detection zones across the way of approach: d is the largest figure of the skin, for\n"
+      "what moves at K.\n"
       "Exit status 1: nothing of the skin is supervised, or so little that `map` refuses the cameras.\n\n"
       "Example: horopter plan capability --rig rig.yaml --skin skin.yaml --object 40mm --stopping-ms 120 --draw body.png");
   command->callback([options, &outcome] { outcome.status = plan_capability(*options); });

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "horopter/base/error.hpp"
+#include "horopter/monitor/pairing.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
 
@@ -28,7 +29,9 @@ Timing TimingOptions::timing(const MachineProfile& profile, Decision decision, i
   }
   std::optional<double> monitor_s;
   if (monitor_ms) monitor_s = *monitor_ms * 1e-3;
-  return {profile, decision, rows, rate, exposure_s, monitor_s};
+  Timing timing{profile, decision, rows, rate, exposure_s, monitor_s};
+  if (monitor_s) timing.longest_periods = monitor::kLongestPeriods;
+  return timing;
 }
 
 void add_timing(CLI::App& command, TimingOptions& options) {

@@ -107,7 +107,9 @@ TEST_CASE("plan capability: the smallest body, the response time and the distanc
       of({"--speed", "100", "--object", "40mm", "--fps", "25", "--exposure-ms", "4", "--monitor-ms", "60"});
   REQUIRE(live["response"]["items"].size() == 4);
   CHECK(live["response"]["items"][3]["item"] == "live monitor, to its client");
-  CHECK(live["response"]["total_ms"].get<double>() == Approx(40 + 4 + 40 + 60));
+  CHECK(live["response"]["total_ms"].get<double>() == Approx(60 + 4 + 40 + 60));  // images 1.5 periods apart
+  CHECK(live["detection_capability_mm"]["largest"].get<double>() >
+        of({"--speed", "100", "--object", "40mm", "--fps", "25"})["detection_capability_mm"]["largest"].get<double>());
   // A rod shows more than a ball; a larger limit and a faster body need larger ones; so does a thinner skin.
   const auto median = [](const json& report) { return report["detection_capability_mm"]["median"].get<double>(); };
   CHECK(median(of({"--speed", "100", "--object", "40mm", "--body", "rod"})) < median(slow));
@@ -124,10 +126,20 @@ TEST_CASE("plan capability: the smallest body, the response time and the distanc
   CHECK(median(of({"--speed", "1000", "--object", "40mm", "--fps", "200"})) <
         median(of({"--speed", "1000", "--object", "40mm"})));
   // A rod of an arm, still: the standard has a distance.
-  const json arm = of({"--speed", "0", "--body", "rod", "--object", "40mm", "--stopping-ms", "100"});
+  const auto arm_at = [&](const char* speed) {
+    return of({"--speed", speed, "--body", "rod", "--object", "40mm", "--stopping-ms", "100", "--fps", "1500"});
+  };
+  const json arm = arm_at("0");
   REQUIRE(arm["detection_capability_mm"]["largest"].get<double>() <= 40);
-  CHECK(arm["safety_distance_mm"]["c"].get<double>() ==
-        Approx(std::max(0.0, 8 * (arm["detection_capability_mm"]["largest"].get<double>() - 14))).margin(0.5));
+  // d is that of what moves at K, however slow a body is asked for.
+  const double d_mm = arm["safety_distance_mm"]["d"];
+  CHECK(d_mm > arm["detection_capability_mm"]["largest"].get<double>());
+  CHECK(arm["safety_distance_mm"]["c"].get<double>() == Approx(std::max(0.0, 8 * (d_mm - 14))));
+  const json hand = arm_at(arm["safety_distance_mm"]["k_m_s"] == 2.0 ? "2000" : "1600");
+  CHECK(d_mm == Approx(hand["detection_capability_mm"]["largest"].get<double>()).margin(0.06));
+  CHECK(hand["safety_distance_mm"] == arm["safety_distance_mm"]);
+  // At 60 images a second through this skin no body is certain at a hand's speed: there is no distance, however slow.
+  CHECK(of({"--speed", "0", "--body", "rod", "--object", "40mm"})["safety_distance_mm"].is_null());
   // What was measured stands beside it: four coats, taught and not; and in the warnings, what was missed.
   CHECK(arm["walked"]["found"].size() == 8);
   CHECK(arm["walked"]["false_alarms"].size() == 14);
@@ -150,9 +162,27 @@ TEST_CASE("plan capability: the smallest body, the response time and the distanc
   // So fast that no body is certain: neither figures nor a distance, and it is said.
   const auto fast = box.run(plan + std::vector<std::string>{"--speed", "90000"});
   CHECK(fast.status == 0);
-  CHECK_THAT(fast.out, Catch::Contains("smallest   none") && Catch::Contains("at 100.0 % of the skin") &&
+  CHECK_THAT(fast.out, Catch::Contains("smallest   none") && Catch::Contains("at 100.0 % of it") &&
                            Catch::Contains("none by ISO 13855:2010"));
   CHECK_THAT(fast.err, Catch::Contains("not found at 100.0 % of this skin"));
+}
+
+TEST_CASE("plan capability: a skin of which little is supervised is said to be one") {
+  Sandbox box;
+  const auto of = [&](const std::string& skin) {
+    box.write("skin.yaml", "surface: " + skin + "\n");
+    return box.run(
+        {"plan", "capability", "--rig", kTable, "--skin", "skin.yaml", "--profile", "field", "--object", "40mm"});
+  };
+  const auto whole = of("{type: plane, point_mm: [0, 0, 800], normal: [0, 0, -1]}");
+  CHECK(whole.status == 0);
+  CHECK_THAT(whole.out, Catch::Contains("% of what the left camera sees of it is supervised"));
+  CHECK_THAT(whole.err, !Catch::Contains("the figures are of that alone"));
+  // So near that both cameras see another part of it.
+  const auto near = of("{type: plane, point_mm: [0, 0, 250], normal: [0, 0, -1]}");
+  CAPTURE(near.out);
+  CHECK(near.status == 0);
+  CHECK_THAT(near.err, Catch::Contains("the figures are of that alone"));
 }
 
 TEST_CASE("plan capability: what is refused") {

@@ -59,28 +59,43 @@ TEST_CASE("The response time is the sum of its items, each with its source") {
   CHECK(detection_time_s(timing) == Approx(sum_s - 0.004 + 1 / 60.0));
   timing.decision = Decision::compete;  // larger windows
   CHECK(detection_time_s(timing) > sum_s - 0.004 + 1 / 60.0);
+  // Images that may be farther apart: what waits for the next one waits longer.
+  Timing live{find_profile("vga"), Decision::thesis, 480, 25, 0.004, 0.060, 3};
+  CHECK(detection_time_s(live) == Approx(0.04 + 0.004 + 0.04 + 2 * 0.04 + 0.06));
+  live.longest_periods = 1.5;
+  CHECK(detection_time_s(live) == Approx(0.06 + 0.004 + 0.04 + 2 * 0.06 + 0.06));
 }
 
 TEST_CASE("ISO 13855 has a distance for fingers, hands and arms, and none beyond") {
-  const auto finger = iso_13855_distance(0.1, 14);
+  const auto distance = [](double response_s, double mm) { return iso_13855_distance(response_s, mm, mm); };
+  const auto finger = distance(0.1, 14);
   REQUIRE(finger);
   CHECK(finger->c_mm == 0);
   CHECK(finger->distance_mm == Approx(200));
-  CHECK(iso_13855_distance(0.01, 14)->distance_mm == 100);  // at least
-  const auto hand = iso_13855_distance(0.14, 40);
+  CHECK(distance(0.01, 14)->distance_mm == 100);  // at least
+  const auto hand = distance(0.14, 40);
   CHECK(hand->c_mm == Approx(208));
   CHECK(hand->distance_mm == Approx(488));
   CHECK(hand->k_m_s == 2.0);
   // Beyond 500 mm with 1.6 m/s, but 500 mm at least.
-  CHECK(iso_13855_distance(0.15, 40)->distance_mm == Approx(500));
-  CHECK(iso_13855_distance(0.15, 40)->k_m_s == 1.6);
-  CHECK(iso_13855_distance(0.25, 40)->distance_mm == Approx(608));
-  CHECK(iso_13855_distance(0.1, 40.1)->c_mm == 850);
-  CHECK(iso_13855_distance(0.1, 40.1)->distance_mm == Approx(1010));
-  CHECK(iso_13855_distance(0.1, 70)->distance_mm == Approx(1010));
+  CHECK(distance(0.15, 40)->distance_mm == Approx(500));
+  CHECK(distance(0.15, 40)->k_m_s == 1.6);
+  CHECK(distance(0.25, 40)->distance_mm == Approx(608));
+  CHECK(distance(0.1, 40.1)->c_mm == 850);
+  CHECK(distance(0.1, 40.1)->distance_mm == Approx(1010));
+  CHECK(distance(0.1, 70)->distance_mm == Approx(1010));
+  // What moves faster must be larger. Where the figure of 2.0 m/s gives no 500 mm, that of 1.6 m/s holds, and 500 mm.
+  CHECK(iso_13855_distance(0.05, 30, 20)->capability_mm == 30);
+  CHECK(iso_13855_distance(0.05, 30, 20)->distance_mm == Approx(100 + 128));
+  CHECK(iso_13855_distance(0.2, 30, 20)->capability_mm == 20);
+  CHECK(iso_13855_distance(0.2, 30, 20)->distance_mm == Approx(500));
+  CHECK(iso_13855_distance(0.3, 30, 20)->distance_mm == Approx(480 + 48));
+  CHECK(iso_13855_distance(0.05, std::numeric_limits<double>::infinity(), 20)->distance_mm == Approx(500));
+  CHECK(iso_13855_distance(0.05, 60, 50)->c_mm == 850);
+  CHECK_FALSE(iso_13855_distance(0.05, 60, 80));
   for (const double none_mm : {70.1, std::numeric_limits<double>::infinity(), std::nan(""), 0.0, -1.0}) {
     CAPTURE(none_mm);
-    CHECK_FALSE(iso_13855_distance(0.1, none_mm));
+    CHECK_FALSE(distance(0.1, none_mm));
   }
 }
 

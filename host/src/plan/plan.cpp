@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "horopter/plan/plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -57,13 +59,18 @@ std::vector<ResponseItem> detection_items(const Timing& timing) {
   // Lines without blanking are the longest that there can be.
   const auto lines_s = [&](int lines) { return lines * image_s / timing.rows; };
   const std::string hardware = "docs/hardware.md, How long it takes; tb/top/test_frames.cpp";
+  const std::string apart =
+      timing.longest_periods > 1
+          ? fmt::format("; images may be {:g} periods apart without a fault (docs/monitor.md)", timing.longest_periods)
+          : "";
   std::vector<ResponseItem> items{
-      {"wait for the next image to begin", image_s, "image rate: the object came when an image had just begun"},
+      {"wait for the next image to begin", timing.longest_s(),
+       "image rate: the object came when an image had just begun" + apart},
       {"exposure", timing.exposure_s.value_or(image_s),
        timing.exposure_s ? "--exposure-ms" : "no --exposure-ms: the longest that there is, from image to image"},
       {"transfer of the image", image_s, "image rate: the longest that there is, without blanking"}};
   if (timing.alarm_frames > 1) {
-    items.push_back({"further frames that must show it", (timing.alarm_frames - 1) * image_s,
+    items.push_back({"further frames that must show it", (timing.alarm_frames - 1) * timing.longest_s(),
                      "--alarm-frames; rtl/store/horopter_alarm_filter.sv"});
   }
   if (timing.monitor_s) {
@@ -101,15 +108,20 @@ double iso_13855_distance_mm(double response_s) {
   return std::max(kIsoNear_mm, safety_distance_mm(response_s, kHandSpeed_m_s));
 }
 
-std::optional<IsoDistance> iso_13855_distance(double response_s, double capability_mm) {
+std::optional<IsoDistance> iso_13855_distance(double response_s, double fast_mm, double slow_mm) {
   constexpr double kLeast_mm = 100, kHandSupplement = 8, kFinger_mm = 14, kArmSupplement_mm = 850;
-  if (!(capability_mm > 0 && capability_mm <= kIsoArm_mm)) return std::nullopt;
-  const double slow_mm = safety_distance_mm(response_s, kHandSpeed_m_s);
-  if (capability_mm > kIsoHand_mm) return IsoDistance{kHandSpeed_m_s, kArmSupplement_mm, slow_mm + kArmSupplement_mm};
-  const double c_mm = std::max(0.0, kHandSupplement * (capability_mm - kFinger_mm));
-  const double near_mm = safety_distance_mm(response_s, kIsoHandSpeed_m_s) + c_mm;
-  if (near_mm <= kIsoNear_mm) return IsoDistance{kIsoHandSpeed_m_s, c_mm, std::max(kLeast_mm, near_mm)};
-  return IsoDistance{kHandSpeed_m_s, c_mm, std::max(kIsoNear_mm, slow_mm + c_mm)};
+  const auto hand_mm = [&](double capability_mm) {
+    return std::max(0.0, kHandSupplement * (capability_mm - kFinger_mm));
+  };
+  if (fast_mm > 0 && fast_mm <= kIsoHand_mm) {
+    const double near_mm = safety_distance_mm(response_s, kIsoHandSpeed_m_s) + hand_mm(fast_mm);
+    if (near_mm <= kIsoNear_mm)
+      return IsoDistance{kIsoHandSpeed_m_s, hand_mm(fast_mm), std::max(kLeast_mm, near_mm), fast_mm};
+  }
+  if (!(slow_mm > 0 && slow_mm <= kIsoArm_mm)) return std::nullopt;
+  const double way_mm = safety_distance_mm(response_s, kHandSpeed_m_s);
+  if (slow_mm > kIsoHand_mm) return IsoDistance{kHandSpeed_m_s, kArmSupplement_mm, way_mm + kArmSupplement_mm, slow_mm};
+  return IsoDistance{kHandSpeed_m_s, hand_mm(slow_mm), std::max(kIsoNear_mm, way_mm + hand_mm(slow_mm)), slow_mm};
 }
 
 StereoAxis::StereoAxis(const CameraPair& cameras) {
@@ -160,6 +172,7 @@ ThicknessPlan plan_thickness(const CameraPair& cameras, const Surface& surface, 
     cameras.look(surface, rays, geometry.row_step(), limits, looks);
     for (std::size_t x = 0; x < width; ++x) {
       const Look& look = looks[x];
+      if (std::isfinite(hits[x].distance)) ++plan.left_sees;
       if (!geometry.holds(geometry.from_frame(look.source)) || look.reason == Reason::hidden) continue;
       ++plan.shared;
       plan.rows.add(look.reason);

@@ -43,6 +43,9 @@ struct Timing {
   std::optional<double> exposure_s;  ///< nothing: the longest that there is, from image to image
   std::optional<double> monitor_s;   ///< from an image's arrival to the client of a live monitor; nothing: hardware
   int alarm_frames = 1;              ///< over so many a body may be seen until it is an alarm
+  double longest_periods = 1;        ///< that two images may be apart without a fault
+
+  double longest_s() const { return longest_periods / images_per_s; }  ///< from image to image
 };
 /// A part of the response time.
 struct ResponseItem {
@@ -66,12 +69,14 @@ struct IsoDistance {
   double k_m_s = 0;
   double c_mm = 0;
   double distance_mm = 0;
+  double capability_mm = 0;  ///< d, of what moves at K
 };
 inline constexpr double kIsoHand_mm = 40;  ///< up to this detection capability C = 8 (d - 14) mm, 0 at least
 inline constexpr double kIsoArm_mm = 70;   ///< and up to this 850 mm; beyond it the standard has no C
-/// `capability_mm`: d, the smallest body that is found. Up to 40 mm K is 2.0 m/s and S 100 mm at least; where that gives
-/// more than 500 mm, K is 1.6 m/s and S 500 mm at least. Up to 70 mm K is 1.6 m/s. Nothing where the standard has none.
-std::optional<IsoDistance> iso_13855_distance(double response_s, double capability_mm);
+/// d, the smallest body that is found, depends on its speed: `fast_mm` of kIsoHandSpeed_m_s, `slow_mm` of kHandSpeed_m_s. Up
+/// to 40 mm K is 2.0 m/s and S 100 mm at least; where that gives more than 500 mm, K is 1.6 m/s and S 500 mm at least. Up to
+/// 70 mm K is 1.6 m/s. Nothing where the standard has none.
+std::optional<IsoDistance> iso_13855_distance(double response_s, double fast_mm, double slow_mm);
 
 // By the camera model.
 
@@ -98,6 +103,7 @@ struct StereoAxis {
 /// A skin's thickness; mm, over the supervised pixels of a frame, or of an even field.
 struct ThicknessPlan {
   std::int64_t pixels = 0;
+  std::int64_t left_sees = 0;   ///< of the skin
   std::int64_t shared = 0;      ///< the skin where they look is in the right image too, and not hidden
   std::int64_t supervised = 0;  ///< of these, within the limits of the view
   RowCount rows;                ///< as a table for these limits has it
