@@ -184,6 +184,9 @@ TEST_CASE("OpenCV's T has a unit when somebody says so") {
   CHECK(baseline("mm") == Approx(50));
   CHECK(baseline("cm") == Approx(500));
   CHECK(box.run({"calibrate", "--import", "theirs.yml", "--unit", "m"}).status == 3);  // 50 m
+  // What the file says itself is not overruled.
+  CHECK(box.run({"calibrate", "--import", "ours.yml", "--unit", "mm"}).status == 0);
+  check_bad_file(box, {"calibrate", "--import", "ours.yml", "--unit", "cm"}, "ours.yml", "the unit that --unit names");
 }
 
 TEST_CASE("Numbers beyond what images and sensors have are bad files, with a name") {

@@ -165,16 +165,17 @@ std::vector<Storage> open_all(const std::vector<Source>& sources) {
   return files;
 }
 
-/// The unit of T: the caller's, or that of `length_unit` (export.cpp).
+/// The unit of T: that of `length_unit` (export.cpp), or the caller's.
 double unit_mm(const std::vector<Storage>& files, const Entry& t, const std::optional<double>& given_mm) {
-  if (given_mm) return *given_mm;
   const auto entry = find(files, {"length_unit"});
   if (!entry) {
+    if (given_mm) return *given_mm;
     throw FileError(t.source->file, t.key, "a translation without a unit",
                     "to be told: `horopter calibrate --import FILE --unit mm|cm|m -o rig.yaml`");
   }
   const std::string name = entry->node.isString() ? entry->node.string() : "";
   if (name != "mm") throw FileError(entry->source->file, entry->key, "'" + name + "'", "mm");
+  if (given_mm && *given_mm != 1) throw FileError(entry->source->file, entry->key, "mm", "the unit that --unit names");
   return 1;
 }
 
