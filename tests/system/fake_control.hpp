@@ -32,6 +32,7 @@ class FakeControl : public monitor::Control {
       const bool good = !moment.result.alarm && moment.status.causes.empty();
       stops = safe_ && !good;
       if (stops) latched_ = moment.status.causes;
+      if ((safe_ || good_) && !good) ++stops_;
       safe_ = safe_ && good;
       good_ = good;
       moment.arrived = monitor::Clock::now();
@@ -41,6 +42,7 @@ class FakeControl : public monitor::Control {
                               : good_ ? monitor::Restart::possible
                                       : monitor::Restart::needed;
       moment.status.latched = latched_;
+      moment.status.stops = stops_;
       moment.status.teaching = teaching_ > 0;
       if (teaching_ > 0) --teaching_;
       latest_ = std::make_shared<const monitor::Moment>(std::move(moment));
@@ -64,12 +66,16 @@ class FakeControl : public monitor::Control {
     const std::lock_guard lock(mutex_);
     return latest_;
   }
-  bool restart(const monitor::Actor& actor, std::string& why) override {
+  bool restart(const monitor::Actor& actor, std::uint64_t stops, std::string& why) override {
     const std::lock_guard order(order_);
     monitor::Status now;
     {
       const std::lock_guard lock(mutex_);
       asked_.push_back({"restart", actor.name});
+      if (stops != stops_) {
+        why = "Something has stopped it since you looked. Look again.";
+        return false;
+      }
       if (!good_) {
         why = "The last pictures were not good.";
         return false;
@@ -115,6 +121,7 @@ class FakeControl : public monitor::Control {
   monitor::MomentPtr latest_;
   std::vector<monitor::Cause> latched_;
   std::vector<Asked> asked_;
+  std::uint64_t stops_ = 0;
   int teaching_ = 0;
   bool safe_ = false;
   bool good_ = false;

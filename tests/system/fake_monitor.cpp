@@ -91,9 +91,9 @@ int main(int argc, char** argv) {
   configuration.users = argv[2];
   configuration.look_without_login = true;
   configuration.restart_allowed = true;
-  monitor::Web web(configuration, {.control = &control, .log = &log, .metrics = [] { return "horopter_up 1\n"; }});
+  const monitor::Web web(configuration,
+                         {.control = &control, .log = &log, .metrics = [] { return "horopter_up 1\n"; }});
   control.add(log);
-  control.add(web);
 
   std::atomic<const monitor::Moment*> playing = &good;
   std::atomic<bool> ending = false;

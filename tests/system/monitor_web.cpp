@@ -79,7 +79,6 @@ struct Cell {
         configuration,
         monitor::Web::Sources{.control = &control, .log = log.get(), .metrics = [] { return "horopter_up 1\n"; }});
     control.add(*log);
-    control.add(*web);
   }
   explicit Cell(bool restart_allowed) : Cell(allowing(restart_allowed)) {}
 
@@ -93,7 +92,7 @@ struct Cell {
   void stop_it() {
     control.judge(*moment_of(1));
     std::string why;
-    REQUIRE(control.restart({"button", ""}, why));
+    REQUIRE(control.restart({"button", ""}, 0, why));
     control.judge(*moment_of(2, true));
     control.judge(*moment_of(3));
     REQUIRE_FALSE(control.safe());
@@ -298,7 +297,7 @@ TEST_CASE("Safe is shown only where everything says so, and the decision is not 
   cell.control.judge(*moment_of(1));
   CHECK(browser.json("/api/status")["state"] == "not_safe");
   std::string why;
-  REQUIRE(cell.control.restart({"button", ""}, why));
+  REQUIRE(cell.control.restart({"button", ""}, 0, why));
   CHECK(browser.json("/api/status")["state"] == "safe");
   auto old = *moment_of(2);
   cell.control.judge(old);
@@ -313,7 +312,7 @@ TEST_CASE("Safe is shown only where everything says so, and the decision is not 
   FakeControl control;
   const monitor::Web web(strict, {.control = &control, .log = nullptr, .metrics = {}});
   control.judge(*moment_of(1));
-  REQUIRE(control.restart({"button", ""}, why));
+  REQUIRE(control.restart({"button", ""}, 0, why));
   httplib::Client client("127.0.0.1", web.port());
   const auto answer = client.Get("/api/status");
   REQUIRE(answer);
@@ -334,20 +333,25 @@ TEST_CASE("A restart needs the token, the origin, the configuration, and the sto
   CHECK(browser.post("/api/restart", seen, {{"Origin", "null"}}, browser.token()) == 403);
   CHECK(browser.post("/api/restart", seen, {{"Sec-Fetch-Site", "cross-site"}}, browser.token()) == 403);
   CHECK(browser.post("/api/restart", Json::object()) == 400);
-  CHECK(browser.post("/api/restart", {{"stop", 99}}) == 409);
   CHECK(cell.control.asked().size() == before);
+  CHECK(browser.post("/api/restart", {{"stop", 99}}) == 409);
   CHECK_FALSE(cell.control.safe());
-  // The last pictures are not good: the interlock decides, not the page.
+  // Somebody crossed the skin since the page was looked at: also while it was not safe, and though the pictures are good again.
   cell.control.judge(*moment_of(5, true));
+  const Json crossed{{"stop", browser.json("/api/status")["stop"]}};
   CHECK(browser.post("/api/restart", seen) == 409);
+  CHECK_THAT(browser.said(), Catch::Contains("since you looked"));
+  CHECK(browser.post("/api/restart", crossed) == 409);
   CHECK_THAT(browser.said(), Catch::Contains("The last pictures were not good."));
   cell.control.judge(*moment_of(6));
-  CHECK(browser.post("/api/restart", seen) == 200);
+  CHECK(browser.post("/api/restart", seen) == 409);
+  CHECK_FALSE(cell.control.safe());
+  CHECK(browser.post("/api/restart", crossed) == 200);
   CHECK(cell.control.safe());
-  // Something else stopped it since the page was looked at.
+  // Something else stopped it.
   cell.control.judge(*moment_of(7, true));
   cell.control.judge(*moment_of(8));
-  CHECK(browser.post("/api/restart", seen) == 409);
+  CHECK(browser.post("/api/restart", crossed) == 409);
   CHECK_FALSE(cell.control.safe());
 
   Cell without(false);

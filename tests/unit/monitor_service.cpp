@@ -206,8 +206,13 @@ struct Bench {
     for (int i = 0; i < 10 && status.restart != Restart::possible; ++i) status = judge();
     REQUIRE(status.restart == Restart::possible);
     std::string why;
-    REQUIRE(service->restart({"anna", "here"}, why));
+    REQUIRE(service->restart({"anna", "here"}, status.stops, why));
     return judge();
+  }
+
+  /// By somebody who has looked just now.
+  bool restart(const std::string& who, std::string& why) {
+    return service->restart({who, "here"}, service->status().stops, why);
   }
 
   horopter::TemporaryDirectory directory;
@@ -234,7 +239,7 @@ TEST_CASE("safe only after a restart by somebody, and after an alarm only after 
   Bench bench;
   std::string why;
   CHECK(names_of(bench.service->status().causes) == std::vector<std::string>{"starting"});
-  CHECK_FALSE(bench.service->restart({"anna", ""}, why));
+  CHECK_FALSE(bench.restart("anna", why));
   CHECK_FALSE(why.empty());
   Status status = bench.judge();
   CHECK_FALSE(status.safe);
@@ -244,14 +249,14 @@ TEST_CASE("safe only after a restart by somebody, and after an alarm only after 
   }
   CHECK(status.restart == Restart::possible);
   CHECK(status.causes.empty());
-  REQUIRE(bench.service->restart({"anna", "here"}, why));
+  REQUIRE(bench.restart("anna", why));
   status = bench.judge();
   CHECK(status.safe);
   CHECK(status.restart == Restart::not_needed);
   CHECK(bench.service->safe_state().at(Clock::now()).safe);
   REQUIRE(bench.recorder.wait_for_event("released"));
   CHECK(bench.recorder.last_change().by == "anna");
-  CHECK_FALSE(bench.service->restart({"anna", ""}, why));
+  CHECK_FALSE(bench.restart("anna", why));
 
   status = bench.judge(true);
   CHECK(status.alarm);
@@ -260,12 +265,40 @@ TEST_CASE("safe only after a restart by somebody, and after an alarm only after 
   CHECK_FALSE(status.objects.empty());
   CHECK_FALSE(bench.service->safe_state().at(Clock::now()).safe);
   REQUIRE(bench.recorder.wait_for_event("stopped"));
-  CHECK_FALSE(bench.service->restart({"anna", ""}, why));
+  CHECK_FALSE(bench.restart("anna", why));
   for (int i = 0; i < 5; ++i) status = bench.judge();
   CHECK_FALSE(status.safe);
   CHECK(names_of(status.latched) == std::vector<std::string>{"alarm"});
   CHECK(bench.release().safe);
   CHECK(bench.recorder.names() == std::vector<std::string>{"noted", "released", "stopped", "released"});
+}
+
+TEST_CASE("an alarm while it is not safe: told once, kept, and nobody restarts it who looked before") {
+  Bench bench;
+  Status seen;
+  SECTION("at the start") {}
+  SECTION("after a stop") {
+    REQUIRE(bench.release().safe);
+    seen = bench.judge(true);
+  }
+  for (int i = 0; i < 10 && seen.restart != Restart::possible; ++i) seen = bench.judge();
+  REQUIRE(seen.restart == Restart::possible);
+  seen = bench.service->status();
+  std::this_thread::sleep_for(kBetweenCauses);
+  const auto told = bench.recorder.events().size();
+  for (int i = 0; i < 3; ++i) CHECK_FALSE(bench.judge(true).safe);
+  REQUIRE(bench.recorder.events().size() == told + 1);
+  CHECK(bench.recorder.events().back().what == "an alarm while it was not safe");
+  Status status;
+  for (int i = 0; i < 10 && status.restart != Restart::possible; ++i) status = bench.judge();
+  REQUIRE(status.restart == Restart::possible);
+  const auto latched = names_of(bench.service->status().latched);
+  CHECK(std::ranges::count(latched, "alarm") == 1);
+  std::string why;
+  CHECK_FALSE(bench.service->restart({"anna", ""}, seen.stops, why));
+  CHECK_THAT(why, Catch::Contains("since you looked"));
+  CHECK_FALSE(bench.judge().safe);
+  CHECK(bench.release().safe);
 }
 
 TEST_CASE("a fault that only the monitor sees takes safe from the machine: nothing but a restart gives it back") {
@@ -321,6 +354,7 @@ TEST_CASE("images of another size are not judged, and named") {
 TEST_CASE("a decision that hangs: not safe, whoever looks, and not by itself again") {
   Bench bench(3s);
   REQUIRE(bench.release().safe);
+  const auto stops = bench.service->status().stops;
   bench.hold.held = true;
   bench.give(bench.images());
   CHECK(eventually([&] { return !bench.service->safe_state().at(Clock::now()).safe; }));
@@ -328,8 +362,9 @@ TEST_CASE("a decision that hangs: not safe, whoever looks, and not by itself aga
   const Status status = bench.service->status();
   CHECK_FALSE(status.safe);
   CHECK(names_of(status.causes) == std::vector<std::string>{"decision_late"});
+  CHECK(status.stops == stops + 1);
   std::string why;
-  CHECK_FALSE(bench.service->restart({"anna", ""}, why));
+  CHECK_FALSE(bench.restart("anna", why));
   bench.hold.held = false;
   bench.recorder.status_of(++bench.pairs);
   for (int i = 0; i < 5; ++i) CHECK_FALSE(bench.judge().safe);
@@ -489,7 +524,7 @@ TEST_CASE("by itself only where the cell says so; then a restart by hand is refu
   CHECK(status.restart_by_itself);
   CHECK_FALSE(bench.judge(true).safe);
   std::string why;
-  CHECK_FALSE(bench.service->restart({"anna", ""}, why));
+  CHECK_FALSE(bench.restart("anna", why));
   CHECK_THAT(why, Catch::Contains("by itself"));
   for (int i = 0; i < 4; ++i) status = bench.judge();
   CHECK(status.safe);

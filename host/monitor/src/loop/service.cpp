@@ -48,6 +48,12 @@ bool same_names(const std::vector<Cause>& a, const std::vector<Cause>& b) {
   return std::ranges::equal(a, b, {}, &Cause::name, &Cause::name);
 }
 
+void add_others(const std::vector<Cause>& causes, std::vector<Cause>& to) {
+  for (const Cause& cause : causes) {
+    if (std::ranges::find(to, cause.name, &Cause::name) == to.end()) to.push_back(cause);
+  }
+}
+
 bool is_good(const FrameResult& result) { return !result.alarm && !result.faults.any(); }
 
 /// The worse one of two fields: what an output says of the pair.
@@ -373,7 +379,10 @@ void Service::publish(Status status, const MomentPtr& moment) {
       status_.latched = status.causes;
     } else {
       status_.latched = before.latched;
+      add_others(status.causes, status_.latched);
     }
+    const bool stops = status.restart == Restart::needed && (before.safe || before.restart == Restart::possible);
+    status_.stops = before.stops + (stops ? 1 : 0);
     status = status_;
   }
   tell(before, status, moment);
@@ -392,8 +401,11 @@ void Service::tell(const Status& before, const Status& status, const MomentPtr& 
   const bool tell_others = others && Clock::now() - causes_told_ >= kBetweenCauses;
   if (tell_others || moment || before.safe != status.safe) told_causes_ = status.causes;
   if (tell_others) causes_told_ = Clock::now();
+  const bool tell_alarm = !before.safe && !before.alarm && status.alarm && Clock::now() - alarm_told_ >= kBetweenCauses;
+  if (tell_alarm || (before.safe && status.alarm)) alarm_told_ = Clock::now();
   for (Part* part : parts_) {
     if (before.safe && !status.safe) part->stopped(status, moment);
+    if (tell_alarm) part->noted(status, {"monitor", ""}, "an alarm while it was not safe");
     if (!before.safe && status.safe) part->released(status, released_by_);
     if (tell_others) part->noted(status, {"monitor", ""}, "not safe for other reasons now");
     if (moment) part->judged(moment);
@@ -439,6 +451,7 @@ void Service::watch() {
       status_.time = std::chrono::system_clock::now();
       status_.safe = false;
       status_.restart = Restart::needed;
+      ++status_.stops;
       status_.causes = status_.latched = causes_of(false, MonitorFault::decision_late, {});
       status = status_;
       untold_stop_ = !telling.owns_lock();
@@ -461,12 +474,14 @@ MomentPtr Service::latest() const {
   return latest_;
 }
 
-bool Service::restart(const Actor& actor, std::string& why) {
+bool Service::restart(const Actor& actor, std::uint64_t stops, std::string& why) {
   const std::lock_guard lock(status_mutex_);
   if (status_.safe) {
     why = "it is safe already";
   } else if (!cell_.settings.interlock.by_register) {
     why = "its configuration lets it restart by itself";
+  } else if (status_.stops != stops) {
+    why = "Something has stopped it since you looked. Look again.";
   } else if (status_.restart != Restart::possible) {
     why = "the last frames were not all without fault and alarm";
   } else {

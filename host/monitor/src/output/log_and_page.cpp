@@ -57,7 +57,6 @@ class LogAndPage final : public Part {
   }
   void stopped(const Status& status, const MomentPtr& moment) override {
     if (log_) log_->stopped(status, moment);
-    if (page_) page_->stopped(status, moment);
   }
   void released(const Status& status, const Actor& by) override {
     if (log_) log_->released(status, by);

@@ -323,7 +323,7 @@ function confirm(title, text, check, word, send) {
 }
 
 function openRestart() {
-  const stop = last.stop;  // the one that is seen now
+  const stop = last.stop;  // as it is seen now
   confirm("Restart", "The machine may move again as soon as you restart. What has crossed the skin is no longer seen.",
     "I have looked: nobody is inside.", "Restart", () => change("/api/restart", { stop }));
 }

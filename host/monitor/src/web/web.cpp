@@ -178,7 +178,6 @@ class Web::Site {
   Site& operator=(const Site&) = delete;
 
   [[nodiscard]] int port() const { return port_; }
-  void stopped() { ++stops_; }
 
  private:
   enum class Needs { nothing, look };
@@ -400,11 +399,8 @@ class Web::Site {
     }
     const auto seen = whole(json, "stop");
     if (!seen) return refuse(response, 400, "Expected the number of the stop that was seen.");
-    if (static_cast<std::uint64_t>(*seen) != stops_) {
-      return refuse(response, 409, "Something has stopped it since you looked. Look again.");
-    }
     std::string why;
-    if (!sources_.control->restart(actor, why)) return refuse(response, 409, why);
+    if (!sources_.control->restart(actor, static_cast<std::uint64_t>(*seen), why)) return refuse(response, 409, why);
     answer(response, 200, {{"done", true}});
   }
 
@@ -422,11 +418,10 @@ class Web::Site {
   }
 
   void tell_status(Response& response) {
-    const std::uint64_t stop = stops_;  // before the status: what comes in between makes a restart fail, not pass
     const Status status = sources_.control->status();
     const MomentPtr latest = sources_.control->latest();
     Json json = status_json(status, age_of(latest), configuration_.decision_limit_ms);
-    json["stop"] = stop;
+    json["stop"] = status.stops;
     json["log"] = nullptr;
     if (sources_.log != nullptr) {
       const auto trouble = sources_.log->trouble();
@@ -504,7 +499,6 @@ class Web::Site {
   int not_noted_ = 0;
   std::mutex hashing_;
   LivePicture picture_;
-  std::atomic<std::uint64_t> stops_ = 0;
   int port_ = 0;
   GuardedServer server_;
   std::thread thread_;
@@ -514,6 +508,5 @@ Web::Web(WebConfiguration configuration, Sources sources)
     : site_(std::make_unique<Site>(std::move(configuration), std::move(sources))) {}
 Web::~Web() = default;
 int Web::port() const { return site_->port(); }
-void Web::stopped(const Status& /*status*/, const MomentPtr& /*moment*/) { site_->stopped(); }
 
 }  // namespace horopter::monitor

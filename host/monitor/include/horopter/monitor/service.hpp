@@ -60,7 +60,7 @@ class Service final : public Control, public CameraSink {
   // Control
   [[nodiscard]] Status status() const override;
   [[nodiscard]] MomentPtr latest() const override;
-  bool restart(const Actor& actor, std::string& why) override;
+  bool restart(const Actor& actor, std::uint64_t stops, std::string& why) override;
   bool teach(int frames, const Actor& actor, std::string& why) override;
 
   // CameraSink
@@ -133,6 +133,7 @@ class Service final : public Control, public CameraSink {
   std::vector<std::string> troubles_;
   std::vector<Cause> told_causes_;
   Clock::time_point causes_told_{};
+  Clock::time_point alarm_told_{};
   std::optional<Actor> restarting_;  ///< the key was given; the next pair shows what came of it
   Actor released_by_{"configuration", ""};
   Actor teacher_;

@@ -64,9 +64,10 @@ struct Status {
   bool safe = false;        ///< as the outputs say it
   bool alarm = false;
   Restart restart = Restart::needed;
+  std::uint64_t stops = 0;  ///< so often it was no longer safe, or a restart no longer possible
   bool restart_by_itself = false;
   std::vector<Cause> causes;   ///< of now; empty while safe
-  std::vector<Cause> latched;  ///< of the last stop, until the restart
+  std::vector<Cause> latched;  ///< of the last stop and since then, until the restart
   std::vector<ObjectState> objects;
   std::vector<CameraState> cameras;  ///< left, right
   std::optional<double> skew_ms;     ///< between the two images of the last pair
@@ -101,8 +102,9 @@ class Control {
   [[nodiscard]] virtual Status status() const = 0;
   /// The last pair; null before the first.
   [[nodiscard]] virtual MomentPtr latest() const = 0;
-  /// False, with the reason in `why`, where it cannot be; true: it was given to the machine's interlock, which decides.
-  virtual bool restart(const Actor& actor, std::string& why) = 0;
+  /// `stops`: those of the status that somebody has looked after. False, with the reason in `why`, where it cannot be;
+  /// true: it was given to the machine's interlock, which decides.
+  virtual bool restart(const Actor& actor, std::uint64_t stops, std::string& why) = 0;
   /// The next `frames` pairs show the zone empty.
   virtual bool teach(int frames, const Actor& actor, std::string& why) = 0;
 };

@@ -2,7 +2,6 @@
 // The page of a running monitor: looks, explains, and passes on what those who may ask for.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -33,7 +32,7 @@ struct WebConfiguration {
   double session_h = 12;
 };
 
-class Web : public Listener {
+class Web {
  public:
   struct Sources {
     Control* control = nullptr;            ///< outlives the page
@@ -43,13 +42,11 @@ class Web : public Listener {
 
   /// Listens when it returns. Throws UsageError for what would not be safe, FileError for users, certificate and key.
   Web(WebConfiguration configuration, Sources sources);
-  ~Web() override;
+  ~Web();
   Web(const Web&) = delete;
   Web& operator=(const Web&) = delete;
 
   [[nodiscard]] int port() const;
-  /// A restart from the page names the stop that was seen: after another one it is refused.
-  void stopped(const Status& status, const MomentPtr& moment) override;
 
  private:
   class Site;
