@@ -6,6 +6,8 @@
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <random>
 #include <set>
 #include <string>
@@ -20,6 +22,7 @@
 #include "horopter/monitor/safe_state.hpp"
 #include "output/gpio.hpp"
 #include "output/modbus.hpp"
+#include "output/ticker.hpp"
 
 using namespace horopter::monitor;
 using horopter::monitor::Clock;
@@ -222,6 +225,58 @@ TEST_CASE("lines follow what may be said, by a thread of their own: a decision t
   CHECK(eventually([&] { return !lines->trouble().empty(); }));
   works = true;
   CHECK(eventually([&] { return lines->trouble().empty(); }));
+}
+
+TEST_CASE("outputs look soon, however long a decision may be old, and just when it is too old") {
+  SECTION("an alarm is not waited for") {
+    SafeState state(4min);
+    std::atomic<bool> said = false;
+    const LinesFollower lines(
+        [&](bool safe, bool) {
+          said = safe;
+          return true;
+        },
+        state);
+    state.decided(Clock::now(), true, false, {});
+    REQUIRE(eventually([&] { return said.load(); }));
+    const auto alarm_at = Clock::now();
+    state.decided(alarm_at, false, true, {});
+    REQUIRE(eventually([&] { return !said; }));
+    CHECK(Clock::now() - alarm_at < 10s);
+  }
+  SECTION("its limit comes between two looks") {
+    constexpr auto limit = 160ms;
+    SafeState state(limit);
+    std::mutex mutex;
+    std::optional<Clock::time_point> too_old;  // of a decision at which it has looked while it was young
+    Clock::time_point next;
+    auto least = Clock::duration::max();  // of many: the computer may be busy
+    int looks = 0;
+    {
+      const Ticker ticker(state, [&](const Signal& signal) {
+        const std::lock_guard lock(mutex);
+        const auto now = Clock::now();
+        if (signal.safe) {
+          too_old = next;
+          return;
+        }
+        if (too_old) {
+          least = std::min(least, now - *too_old);
+          ++looks;
+        }
+        too_old.reset();
+        next = now + 25ms;
+        state.not_safe({});
+        state.catch_up();
+        state.decided(next - limit, true, false, {});
+      });
+      CHECK(eventually([&] {
+        const std::lock_guard lock(mutex);
+        return looks >= 20;
+      }));
+    }
+    CHECK(least < 10ms);
+  }
 }
 
 TEST_CASE("a line with pulses changes while it is safe, and stands still whatever else is so") {

@@ -2,6 +2,7 @@
 // A thread of an output that looks, again and again, at what may be said now: whoever else hangs.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <functional>
@@ -15,7 +16,8 @@ namespace horopter::monitor {
 
 class Ticker {
  public:
-  /// `look` is called so often that a decision which grows too old is seen within an eighth of its limit.
+  /// `look` is called every kLongest, or eight times in the limit of the decision where that is sooner; and as soon as a
+  /// safe one is too old.
   Ticker(const SafeState& state, std::function<void(const Signal&)> look)
       : state_(state), look_(std::move(look)), thread_([this] { run(); }) {}
   ~Ticker() { stop(); }
@@ -33,10 +35,20 @@ class Ticker {
   }
 
  private:
+  static constexpr auto kLongest = std::chrono::milliseconds(20);
+
   void run() {
     constexpr int kLooks = 8;
+    const Clock::duration longest = std::min<Clock::duration>(kLongest, state_.limit() / kLooks);
+    auto next = Clock::now() + longest;
     std::unique_lock lock(mutex_);
-    while (!wake_.wait_for(lock, state_.limit() / kLooks, [this] { return stopped_; })) look_(state_.at(Clock::now()));
+    while (!wake_.wait_until(lock, next, [this] { return stopped_; })) {
+      const auto now = Clock::now();
+      const Signal signal = state_.at(now);
+      next = now + longest;
+      if (signal.safe) next = std::min(next, now + (state_.limit() - signal.age) + Clock::duration(1));
+      look_(signal);
+    }
   }
 
   const SafeState& state_;
