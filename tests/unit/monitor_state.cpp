@@ -59,6 +59,30 @@ TEST_CASE("a decision is safe as long as it is young, and not by itself again") 
   CHECK(state.at(kNow + 3 * kLimit).safe);
 }
 
+TEST_CASE("after the computer slept it is not safe, though its clock stood still and the decision looks young") {
+  Clock::duration slept = 5h;
+  SafeState state(kLimit, [&] { return slept; });
+  state.decided(kNow, true, false, {});
+  slept = 5h + 10ms;  // readings differ
+  CHECK(state.at(kNow).safe);
+  SECTION("while it was safe") {}
+  SECTION("while it was not: nobody restarts it for what was seen before") { state.not_safe({}); }
+  slept = 6h;
+  const Signal signal = state.at(kNow);
+  CHECK_FALSE(signal.safe);
+  CHECK(signal.faults.monitor == MonitorFaults(MonitorFault::decision_late).word());
+  CHECK(state.missed());
+  state.decided(kNow, true, false, {});
+  CHECK_FALSE(state.at(kNow).safe);
+  state.not_safe({});
+  state.catch_up();
+  state.decided(kNow, true, false, {});
+  CHECK(state.at(kNow).safe);
+  // The computer's own clocks, while it is awake and busy.
+  const auto before = time_slept();
+  for (int i = 0; i < 10'000; ++i) REQUIRE(std::chrono::abs(time_slept() - before) < 10ms);
+}
+
 TEST_CASE("an alarm, a fault and the end are not safe at once") {
   SafeState state(kLimit);
   state.decided(kNow, true, false, {});

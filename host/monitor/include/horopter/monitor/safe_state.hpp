@@ -6,6 +6,8 @@
 #include <atomic>
 #include <chrono>
 #include <cstdint>
+#include <functional>
+#include <utility>
 
 #include "horopter/monitor/state.hpp"
 
@@ -26,10 +28,15 @@ struct Signal {
   Clock::duration age = Clock::duration::max();  ///< of the last one
 };
 
+/// How long this computer has slept (suspend) since it was switched on: Clock stands still then.
+Clock::duration time_slept();
+
 /// Written by the decision, read by any thread.
 class SafeState {
  public:
-  explicit SafeState(Clock::duration limit) : limit_(limit) {}
+  using TimeSlept = std::function<Clock::duration()>;
+  explicit SafeState(Clock::duration limit, TimeSlept time_slept = monitor::time_slept)
+      : limit_(limit), time_slept_(std::move(time_slept)), slept_(time_slept_().count()) {}
   [[nodiscard]] Clock::duration limit() const { return limit_; }
 
   /// A pair was judged that shows nothing later than this (ImagePair::seen).
@@ -38,16 +45,19 @@ class SafeState {
   void not_safe(FaultWords faults);
   /// Not safe any more, whatever is decided: the monitor ends.
   void end();
-  /// Once somebody was told that the decision is too old it is never safe again, until catch_up().
+  /// Once somebody was told that the decision is too old, or that the computer has slept, it is never safe again, until
+  /// catch_up().
   [[nodiscard]] Signal at(Clock::time_point now) const;
   [[nodiscard]] bool missed() const { return missed_; }
   /// The machine's interlock has been told of it: only a restart makes it safe.
-  void catch_up() { missed_ = false; }
+  void catch_up();
 
  private:
   void write(FaultWords faults);
 
   Clock::duration limit_;
+  TimeSlept time_slept_;
+  std::atomic<Clock::rep> slept_;  ///< that the machine's interlock knows of
   mutable std::atomic<bool> missed_ = false;
   std::atomic<bool> ended_ = false;
   std::atomic<bool> safe_ = false;
