@@ -371,6 +371,21 @@ TEST_CASE("a decision that hangs: not safe, whoever looks, and not by itself aga
   CHECK(bench.release().safe);
 }
 
+TEST_CASE("a decision that came too late, of images that are young: nobody is told that it was released") {
+  Bench bench(3s);
+  REQUIRE(bench.release().safe);
+  std::this_thread::sleep_for(2s);
+  bench.hold.held = true;
+  bench.give(bench.images());
+  REQUIRE(bench.recorder.wait_for_event("stopped"));
+  bench.hold.held = false;
+  CHECK_FALSE(bench.recorder.status_of(++bench.pairs).safe);
+  CHECK_FALSE(bench.judge().safe);
+  CHECK(bench.recorder.last_change().name == "stopped");
+  CHECK(std::ranges::count(bench.recorder.names(), "released") == 1);
+  CHECK(bench.release().safe);
+}
+
 TEST_CASE("images that were long on their way are not safe, however soon they are judged") {
   Bench bench(3s);
   REQUIRE(bench.release().safe);

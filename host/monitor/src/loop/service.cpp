@@ -242,7 +242,7 @@ void Service::judge(ImagePair pair) {
     alarm |= result.alarm;
   }
   const std::uint32_t word = monitor.device().read(reg::status::kAddress);
-  if (Clock::now() - pair.seen() > state_.limit()) {
+  if (state_.missed() || Clock::now() - pair.seen() > state_.limit()) {
     own |= MonitorFault::decision_late;
     pending_ |= MonitorFault::decision_late;  // the machine shall know of it, too
   }
