@@ -113,6 +113,11 @@ monitor::Machine make_machine(const monitor::Cell& cell, const std::optional<cal
   auto device = cell.engine == "native" ? make_live_native_device(profile) : make_picture_device(cell.engine, profile);
   machine.supervisor = std::make_unique<Supervisor>(std::move(device), profile, maps, settings);
   machine.maps = std::move(compiled);
+  // All files have been read: those that run must be those of which every event has the checksum.
+  if (monitor::checksum(cell) != cell.crc) {
+    throw FileError(cell.path.string(), "", "it, its rig or its skin was changed while the monitor began",
+                    "files that stay as they are until it has begun; begin it again");
+  }
   return machine;
 }
 

@@ -327,6 +327,27 @@ TEST_CASE("MQTT by TLS: both show their certificates; a broker of another name, 
   }
 }
 
+TEST_CASE("what runs is what has the checksum: a skin that is changed while the monitor begins is refused") {
+  const Sandbox box;
+  box.write("skin.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -10], [0, 1, 0], [0, 0, 1]]\n");
+  const auto source = [](const std::string& side) {
+    return "  " + side + ": {source: 'gst:multifilesrc location=" + side +
+           "%d.jpg stop-index=0 loop=true caps=image/jpeg,framerate=2/1 ! jpegdec'}\n";
+  };
+  box.write("cell.yaml", "cameras:\n" + source("left") + source("right") +
+                             "  frames_per_s: 2\n  largest_skew_ms: 100\nskin: skin.yaml\nlimits: {object: 100px, "
+                             "decision_ms: 30000}\n");
+  Running monitor(box, {HOROPTER_PROGRAM, "monitor", "cell.yaml", "--json", "--frames", "1"}, "monitor");
+  REQUIRE(monitor.event("noted").is_object());  // it has read the cell; the machine waits for the first images
+  const bool changed = GENERATE(true, false);
+  if (changed) box.write("skin.yaml", box.read("skin.yaml") + "# changed\n");
+  for (const std::string side : {"left", "right"}) fs::copy_file(kData + side + "01.jpg", box / (side + "0.jpg"));
+  const int status = monitor.wait();
+  INFO(monitor.err());
+  CHECK(status == (changed ? 3 : 0));
+  if (changed) CHECK_THAT(monitor.err(), Catch::Contains("was changed while the monitor began"));
+}
+
 TEST_CASE("what is wrong with the cell is said at once") {
   const Sandbox box;
   box.write("skin.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -10], [0, 1, 0], [0, 0, 1]]\n");

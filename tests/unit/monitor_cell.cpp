@@ -181,7 +181,9 @@ TEST_CASE("what a cell must not say is refused: the file, the place, and what wa
 TEST_CASE("the checksum is of the cell, the rig and the skin") {
   const Files files;
   const std::string text = kCameras + kSkin + "rig: rig.yaml\n";
-  const auto crc = files.load(text).crc;
+  const Cell cell = files.load(text);
+  const auto crc = cell.crc;
+  CHECK(checksum(cell) == crc);
   CHECK(files.load(text).crc == crc);
   CHECK(files.load(text + "# changed\n").crc != crc);
   files.write("skin.yaml", "surface: {type: mesh, file: skin.ply}\n");
@@ -194,6 +196,7 @@ TEST_CASE("the checksum is of the cell, the rig and the skin") {
   const auto other_skin = files.load(text).crc;
   CHECK(other_skin != crc);
   files.write("rig.yaml", "cameras: 2\n");
+  CHECK(checksum(cell) != crc);  // as they are now
   CHECK(files.load(text).crc != other_skin);
 }
 

@@ -242,23 +242,27 @@ WebCell read_web(Keys keys) {
   return web;
 }
 
-std::uint32_t checksum(const Cell& cell) {
+/// `own`: the bytes of the cell's file.
+std::uint32_t checksum_of(const Cell& cell, std::span<const std::uint8_t> own) {
   Crc32 crc;
-  const auto add = [&](const std::filesystem::path& path) {
-    const auto bytes = read_file(path, "a file of the cell");
+  const auto add = [&](std::span<const std::uint8_t> bytes) {
     crc.add_word(static_cast<std::uint32_t>(bytes.size()));
-    crc.add(std::span<const std::uint8_t>(bytes));
-    return bytes;
+    crc.add(bytes);
   };
-  add(cell.path);
-  if (!cell.rig.empty()) add(cell.rig);
-  if (!is_table(add(cell.skin))) {
-    for (const std::filesystem::path& mesh : files_named_in(cell.skin)) add(mesh);
+  const auto read = [](const std::filesystem::path& path) { return read_file(path, "a file of the cell"); };
+  add(own);
+  if (!cell.rig.empty()) add(read(cell.rig));
+  const auto skin = read(cell.skin);
+  add(skin);
+  if (!is_table(skin)) {
+    for (const std::filesystem::path& mesh : files_named_in(cell.skin)) add(read(mesh));
   }
   return crc.value();
 }
 
 }  // namespace
+
+std::uint32_t checksum(const Cell& cell) { return checksum_of(cell, read_file(cell.path, kExpected)); }
 
 Cell load_cell(const std::filesystem::path& path) {
   const std::string file = path.string();
@@ -311,7 +315,7 @@ Cell load_cell(const std::filesystem::path& path) {
   if (keys.has("log")) cell.log = read_log(keys.map("log"));
   if (keys.has("web")) cell.web = read_web(keys.map("web"));
   keys.finish();
-  cell.crc = checksum(cell);
+  cell.crc = checksum_of(cell, bytes);
   return cell;
 }
 

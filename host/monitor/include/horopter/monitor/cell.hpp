@@ -88,7 +88,7 @@ struct TeachCell {
 
 struct Cell {
   std::filesystem::path path;
-  std::uint32_t crc = 0;  ///< CRC-32 of the file, the rig's and the skin's
+  std::uint32_t crc = 0;  ///< its checksum() when it was read
   std::string name;
 
   Layout layout = Layout::single;     ///< side_by_side: the left source gives both
@@ -121,6 +121,9 @@ struct Cell {
 /// Throws FileError, with file, line, key, what stands there and what was expected, also where a file that it names is
 /// missing; UsageError for an engine or a profile that this build does not have.
 Cell load_cell(const std::filesystem::path& path);
+
+/// CRC-32 of the cell's file, the rig's and the skin's, as they are now.
+std::uint32_t checksum(const Cell& cell);
 
 /// The longest time between the two images of a pair in which an object that moves across the line of sight goes no
 /// further than the tolerance by which the skin is thick: tolerance · (distance / f) / speed. On the thesis's rig,
