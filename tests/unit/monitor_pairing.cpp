@@ -145,6 +145,16 @@ TEST_CASE("a camera that is late by whole images is told by its numbers, and sta
     if (i > 30) CHECK(faults == Names{"numbers"});
   }
   CHECK(named.count("right_gap") == 1);
+  // Both clocks are set back.
+  for (int i = 40; i < 45; ++i) {
+    CameraFrame left = cameras.frame(i), right = cameras.frame(i);
+    right.number = static_cast<std::uint64_t>(i - late);
+    left.taken -= 1h;
+    right.taken -= 1h;
+    const auto faults = cameras.give(left, right);
+    CHECK(faults.count("numbers") == 1);
+    CHECK(faults.count("left_time_back") == (i == 40 ? 1 : 0));
+  }
 }
 
 TEST_CASE("gaps, repeats and times that go back or jump are faults of their camera") {

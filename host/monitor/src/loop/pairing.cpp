@@ -54,12 +54,13 @@ bool Pairing::check_order(Side side, const CameraFrame& frame, const Last& last)
     ++here.counts.repeated;
     return false;
   }
-  if (step < nanoseconds(0) || (counted && *frame.number < *last.number)) {
+  const bool anew = counted && *frame.number < *last.number;
+  if (step < nanoseconds(0) || anew) {
     faults_ |= of(side, MonitorFault::left_time_back);
     // What waits is of the time before.
     here.counts.dropped += here.waiting.size();
     here.waiting.clear();
-    number_offset_.reset();
+    if (anew) number_offset_.reset();  // a clock that was set says nothing of the numbers
     return true;
   }
   const auto arrival_step = frame.arrived - last.arrived;
