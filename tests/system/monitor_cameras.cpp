@@ -292,6 +292,17 @@ TEST_CASE("an image that is shorter than its size is lost; JPEG in pieces is an 
              Catch::Contains("in pieces"));
 }
 
+TEST_CASE("images without times are an error: nobody knows how old they are") {
+  const std::string caps = " ! video/x-raw,format=GRAY8,width=64,height=32,framerate=10/1";
+  const std::string source = "gst:fakesrc sizetype=fixed sizemax=2048 filltype=zero format=time";
+  Sink sink;
+  const auto thread = start_camera(Side::left, Layout::single, settings(source + caps), sink);
+  REQUIRE(sink.wait([](Sink& s) { return !s.lost_.empty() || !s.frames_[Side::left].empty(); }));
+  CHECK_THAT(sink.lost_, Catch::Contains("its images have no times"));
+  const auto timed = open_grabber(settings(source + " is-live=true do-timestamp=true datarate=20480" + caps));
+  CHECK(grab(*timed, 2).back().taken_here);
+}
+
 TEST_CASE("both images side by side in one are two") {
   Sink sink;
   const auto thread = start_camera(

@@ -290,13 +290,15 @@ class GstGrabber : public Grabber {
     }
     gst_video_frame_unmap(&video);
     frame.arrived = arrived;
-    frame.taken = arrived.time_since_epoch();
     const GstClockTime running =
         gst_segment_to_running_time(gst_sample_get_segment(&sample), GST_FORMAT_TIME, GST_BUFFER_PTS(buffer));
-    if (GST_CLOCK_TIME_IS_VALID(running)) {
-      frame.taken = nanoseconds_of(base_ + running);
-      frame.taken_here = Clock::time_point(frame.taken);
+    // When it came is no time at which it was taken: it may have been held back.
+    if (!GST_CLOCK_TIME_IS_VALID(running)) {
+      throw CameraError(
+          "GStreamer: its images have no times; expected a pipeline that gives them, as with do-timestamp=true");
     }
+    frame.taken = nanoseconds_of(base_ + running);
+    frame.taken_here = Clock::time_point(frame.taken);
     if (counts_ && GST_BUFFER_OFFSET_IS_VALID(buffer)) frame.number = GST_BUFFER_OFFSET(buffer);
     return frame;
   }
