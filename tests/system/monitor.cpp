@@ -264,6 +264,28 @@ TEST_CASE("MQTT: a state that is kept, a last will, and a broker that goes is na
     CHECK_THAT(stopped["causes"].dump(), Catch::Contains("MQTT broker 127.0.0.1:" + port));
     CHECK(monitor.end(SIGTERM) == 0);
   }
+  SECTION("a broker that hangs and goes: no state of before is said again to the next one") {
+    Running monitor = box.start();
+    REQUIRE(monitor.event("released").is_object());
+    Running listener(box, listen("cells/3/state"), "listener");
+    REQUIRE(eventually([&] { return last_state(listener).value("safe", false); }));
+    broker.send(SIGSTOP);
+    std::this_thread::sleep_for(2500ms);  // of states that it does not take
+    broker.end(SIGKILL);
+    box.write("broker.conf", box.read("broker.conf") + "log_dest stderr\nlog_type all\n");
+    Running next(box, {"/usr/sbin/mosquitto", "-c", "broker.conf"}, "next");
+    const auto got_state = [&](const std::string& duplicate) {
+      std::istringstream lines(next.err());
+      for (std::string line; std::getline(lines, line);) {
+        if (line.find(duplicate) != std::string::npos && line.find("'cells/3/state'") != std::string::npos) return true;
+      }
+      return false;
+    };
+    REQUIRE(eventually([&] { return got_state("(d0,"); }));
+    CHECK_FALSE(got_state("(d1,"));
+    CHECK(monitor.end(SIGTERM) == 0);
+    CHECK(eventually([&] { return next.err().find("Received DISCONNECT") != std::string::npos; }));
+  }
 }
 
 TEST_CASE("MQTT by TLS: both show their certificates; a broker of another name, or of nobody we know, is none") {

@@ -20,13 +20,15 @@ namespace horopter::monitor {
 namespace {
 
 constexpr int kKeepAlive_s = 5;  ///< the shortest that libmosquitto takes
-constexpr int kOnce = 1;         ///< QoS: at least once
+// QoS.
+constexpr int kAtMostOnce = 0;
+constexpr int kOnce = 1;  ///< at least once: after an outage libmosquitto says it again, however old it is
 /// Though nothing changes, the state is said again that often.
 constexpr auto kAgain = std::chrono::seconds(1);
 /// A broker that takes nothing for so long hangs. It is said something once a second.
 constexpr auto kAnswer = std::chrono::seconds(2);
-/// And it must not fill the memory.
-constexpr int kMostUnsent = 100;
+/// And what it does not take must not fill the memory.
+constexpr int kMostWaiting = 100;
 /// At the end, for the last message.
 constexpr auto kLastWait = std::chrono::milliseconds(500);
 
@@ -57,6 +59,7 @@ class MqttPart : public Part {
                              true));
     mosquitto_connect_callback_set(client_.get(), [](mosquitto*, void* self, int code) {
       static_cast<MqttPart*>(self)->answered();
+      static_cast<MqttPart*>(self)->waiting_ = 0;  // of the connection before
       static_cast<MqttPart*>(self)->connected_ = code == 0;
       static_cast<MqttPart*>(self)->changed_ = true;
     });
@@ -108,7 +111,7 @@ class MqttPart : public Part {
       check(mosquitto_tls_set(client, mqtt_.ca_file.c_str(), nullptr, own ? mqtt_.certificate_file.c_str() : nullptr,
                               own ? mqtt_.key_file.c_str() : nullptr, nullptr));
     }
-    mosquitto_publish_callback_set(client, [](mosquitto*, void* self, int) {
+    mosquitto_unsubscribe_callback_set(client, [](mosquitto*, void* self, int) {
       static_cast<MqttPart*>(self)->answered();
       --static_cast<MqttPart*>(self)->waiting_;
     });
@@ -116,13 +119,13 @@ class MqttPart : public Part {
 
   void answered() { answered_ = Clock::now().time_since_epoch().count(); }
 
-  void publish(const std::string& topic, const std::string& text, bool retain) {
-    if (!connected_ || waiting_ >= kMostUnsent) return;
+  void publish(const std::string& topic, const std::string& text, int qos, bool retain) {
+    if (!connected_ || waiting_ >= kMostWaiting) return;
+    mosquitto_publish(client_.get(), nullptr, topic.c_str(), static_cast<int>(text.size()), text.data(), qos, retain);
+    // A question behind it, which every broker answers and nobody else hears: it gives up what it never had.
     if (waiting_ == 0) answered();  // before, it was asked nothing
     ++waiting_;
-    const int code = mosquitto_publish(client_.get(), nullptr, topic.c_str(), static_cast<int>(text.size()),
-                                       text.data(), kOnce, retain);
-    if (code != MOSQ_ERR_SUCCESS) --waiting_;
+    if (mosquitto_unsubscribe(client_.get(), nullptr, state_topic_.c_str()) != MOSQ_ERR_SUCCESS) --waiting_;
   }
 
   void look(const Signal& signal) {
@@ -139,11 +142,11 @@ class MqttPart : public Part {
     auto json = status_json(control_.status(), cell_);
     json["safe"] = safe;
     if (!reason.empty()) json["reason"] = reason;
-    publish(state_topic_, json_line(json), true);
+    publish(state_topic_, json_line(json), kAtMostOnce, true);
   }
 
   void event(const std::string& name, const Status& status, const Actor& actor, const std::string& what) {
-    publish(mqtt_.topic + "/event", json_line(event_json(name, status, cell_, actor, what)), false);
+    publish(mqtt_.topic + "/event", json_line(event_json(name, status, cell_, actor, what)), kOnce, false);
     changed_ = true;
   }
 
@@ -153,7 +156,7 @@ class MqttPart : public Part {
   std::string state_topic_;
   std::unique_ptr<mosquitto, Destroy> client_;
   std::atomic<bool> connected_ = false, changed_ = true;
-  std::atomic<int> waiting_ = 0;
+  std::atomic<int> waiting_ = 0;          ///< questions without an answer
   std::atomic<Clock::rep> answered_ = 0;  ///< at this time
   bool said_safe_ = false;                // of the ticker's thread
   Clock::time_point said_at_{};
