@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -114,12 +115,23 @@ constexpr std::size_t common_fields() {
 template <class To, class From>
 inline constexpr bool feeds = std::is_same_v<To, From> || common_fields<To, From>() == field_count<To>();
 
+/// A count or sum that is too large for a stage is the largest that it has, as in rtl/top/horopter_settings.sv. Fields with
+/// a sign come as the bits of their registers.
+template <class To, class From>
+[[gnu::always_inline]] inline void take(To& to, const From& from) {
+  if constexpr (std::is_same_v<From, int> && requires { To::max(); } && !requires { To::min(); }) {
+    to = from > static_cast<std::int64_t>(To::max().value()) ? To::max() : To(from);
+  } else {
+    to = from;
+  }
+}
+
 template <class To, class From>
 [[gnu::always_inline]] inline To by_name(const From& from) {
   static_assert(feeds<To, From>, "a field is missing: in the source, or as HOROPTER_FIELD in stage_list.def");
   To to;
 #define HOROPTER_FIELD(name) \
-  if constexpr (requires { to.name = from.name; }) to.name = from.name;
+  if constexpr (requires { to.name = from.name; }) take(to.name, from.name);
 #include "stages/stage_list.def"
   return to;
 }

@@ -336,6 +336,13 @@ void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& 
         "--unproven does without being shown",
         skin, 100 * share));
   }
+  // 19/16 of it is what may be undecidable for whatever reason (rtl/top/horopter_agreement_result.sv).
+  if (settings.undecidable_percent * 19 / 16 >= 100) {
+    warn(fmt::format(
+        "an undecidable limit of {:g} %: a skin that lies wholly behind something may read safe; below 84.2 % it "
+        "never does",
+        settings.undecidable_percent));
+  }
   if (rig.empty()) {
     warn(fmt::format("{}: without a rig cameras that are exchanged or moved are not told", skin));
   } else if (!with_knowledge(settings.proof, profile, tables, rig, skin).at_full_resolution) {

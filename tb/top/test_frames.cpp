@@ -170,6 +170,7 @@ void built_with(bool compete, unsigned width, unsigned height) {
     settings.bias = static_cast<int>(rng.below(4));
     settings.boundary = static_cast<int>(rng.below(16));
     settings.sum_limit = static_cast<int>(200 + rng.below(200));
+    if (frame == 3) settings.sum_limit = settings.texture_limit = 0x8000;  // too large for their stages
     settings.alarm_limit = static_cast<int>(frame < 2 ? width * height / 20 : width * height);
     machine.write_limits();
     CHECK(machine.read(reg::decision::kAddress) == (compete ? 1 : 0));

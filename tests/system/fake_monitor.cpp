@@ -108,7 +108,7 @@ int main(int argc, char** argv) {
       std::this_thread::sleep_for(kPeriod);
     }
   });
-  std::cout << web.port() << std::endl;
+  std::cout << web.port() << "\n" << std::flush;
   for (std::string word; std::getline(std::cin, word);) {
     if (word == "good") playing = &good;
     if (word == "alarm") playing = &alarm;

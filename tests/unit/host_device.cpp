@@ -908,12 +908,12 @@ TEST_CASE("An upload says whether the cameras can wait; without a word they can,
   CHECK(mode() == 0);
 }
 
-TEST_CASE("What was taught with one table is forgotten with another: the machine is stopped for it") {
+TEST_CASE("Another table stops a machine that was taught, or that waits for a restart") {
   const auto device = make_native_device(find_profile("vga"));
   const Build build = find_build(*device);
+  Settings settings = Settings{}.without_proof();
   const auto stops = [&](int shift) {
-    const LoadReport report =
-        load(*device, build, small_maps(shift), Settings{}.without_proof(), false, std::chrono::milliseconds(1));
+    const LoadReport report = load(*device, build, small_maps(shift), settings, false, std::chrono::milliseconds(1));
     device->send(textured(kWidth, kHeight, 1), textured(kWidth, kHeight, 2));
     device->receive();
     CHECK(device->read(reg::frame_table_crc::kAddress) == report.tables.front().crc);
@@ -923,14 +923,70 @@ TEST_CASE("What was taught with one table is forgotten with another: the machine
     write_checked(*device, blocks_word({.watch = watch, .teach = teach}));
   };
   stops(0);
-  CHECK_FALSE(stops(1));  // nothing was taught
-  blocks(true, false);
+  CHECK(stops(1));  // somebody must look
   CHECK_FALSE(stops(1));
+  settings.interlock.by_itself = true;
+  CHECK(stops(1));  // a setting
+  CHECK_FALSE(stops(0));
+  blocks(true, false);
+  CHECK_FALSE(stops(0));
   CHECK(stops(2));
   CHECK_FALSE(stops(2));
   blocks(true, true);
   CHECK(stops(1));
   CHECK_FALSE(stops(1));
+}
+
+/// What it answers to the next write into one register is lost, or the board was reset before it.
+class Deaf : public Passing {
+ public:
+  Deaf() : Passing("vga") {}
+  void fail_at(std::uint32_t address, bool reset) {
+    address_ = address;
+    reset_ = reset;
+  }
+  void write(std::uint32_t address, std::uint32_t value) override {
+    Passing::write(address, value);
+    if (address != address_) return;
+    address_ = UINT32_MAX;
+    if (reset_) throw ResetError("reset");
+    throw DeviceError("no answer");
+  }
+
+ private:
+  std::uint32_t address_ = UINT32_MAX;
+  bool reset_ = false;
+};
+
+TEST_CASE("After an error an upload says of the machine what is certain, and that the rest is not known") {
+  Deaf device;
+  const Build build = find_build(device);
+  Settings settings = Settings{}.without_proof();
+  settings.interlock.by_itself = true;
+  const auto fails = [&](std::uint32_t address, bool reset = false) -> std::string {
+    device.fail_at(address, reset);
+    try {
+      load(device, build, small_maps(1), settings, false, std::chrono::milliseconds(1));
+    } catch (const DeviceError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  CHECK_THAT(fails(reg::map_slot::kAddress),
+             Catch::Contains("no answer; the machine was not running, and is not started"));
+  CHECK_THAT(fails(reg::table_select::kAddress), Catch::Contains("is not started"));
+  CHECK_THAT(fails(reg::control::kAddress), Catch::Contains("not known: `horopter status` says it"));
+  CHECK(read_status(device).running());
+  CHECK_THAT(fails(reg::map_slot::kAddress), Catch::Contains("the table that was in use stays in use"));
+  CHECK_THAT(fails(reg::map_slot::kAddress, true), Catch::Contains("reset; what the machine does now is not known"));
+  CHECK_THAT(fails(reg::table_select::kAddress), Catch::Contains("not known"));
+  settings.live = true;
+  CHECK_THAT(fails(reg::control::kAddress), Catch::Contains("not known"));
+  CHECK_FALSE(read_status(device).running());
+  CHECK(fails(UINT32_MAX - 1) == "no error");
+  settings.live = false;
+  CHECK_THAT(fails(reg::mode::kAddress), Catch::Contains("the machine is stopped, and says not safe"));
+  CHECK_FALSE(read_status(device).running());
 }
 
 TEST_CASE("What is left of an upset in AGREEMENT_LIMITS is not written anew") {

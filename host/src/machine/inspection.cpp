@@ -123,6 +123,8 @@ MachineStatus read_status(Device& device) {
     }
   }
   status.tables = read_tables(device, status);
+  // The other registers take a while on a slow line: no older word than theirs says safe.
+  status.words[reg::status::kAddress] = device.read(reg::status::kAddress);
   return status;
 }
 

@@ -63,10 +63,12 @@ void upload_all(Device& device, const Build& build, const MapSet& maps, const st
                   bytes, build.pool_bytes));
 }
 
-/// Where nothing could be decided on one skin says nothing of another. A machine that stops forgets what it was taught.
-bool teaching_is_of_another(Device& device, const std::vector<LoadReport::Table>& tables) {
+/// Where nothing could be decided on one skin says nothing of another; and who stood before one may stand behind another,
+/// where nobody looks. A machine that stops forgets what it was taught, and waits for a restart.
+bool must_stop_for(Device& device, const std::vector<LoadReport::Table>& tables) {
   const auto blocks = device.read(reg::blocks::kAddress);
-  if (reg::blocks::kWatch.get(blocks) == 0 && reg::blocks::kTeach.get(blocks) == 0) return false;
+  const bool taught = reg::blocks::kWatch.get(blocks) != 0 || reg::blocks::kTeach.get(blocks) != 0;
+  if (!taught && reg::interlock::kByItself.get(device.read(reg::interlock::kAddress)) != 0) return false;
   const auto in_use = device.read(reg::frame_table_crc::kAddress);
   return std::ranges::find(tables, in_use, &LoadReport::Table::crc) == tables.end();
 }
@@ -94,12 +96,17 @@ LoadReport load(Device& device, const Build& build, const MapSet& maps, const Se
   check_rule(build, settings.decision);
   LoadReport report;
   bool running = is_running(device);
+  // What an error says of the machine. A write whose answer is lost may have been carried out.
+  constexpr const char* kNotKnown = "what the machine does now is not known: `horopter status` says it";
+  const char* state =
+      running ? "the table that was in use stays in use" : "the machine was not running, and is not started";
   const auto stop = [&] {
     report.stopped = report.stopped || running;
-    running = false;
+    if (running) state = kNotKnown;
     device.write(reg::control::kAddress, 0);
+    if (running) state = "the machine is stopped, and says not safe, until an upload is complete";
+    running = false;
   };
-  const bool was_running = running;
   try {
     if (stop_first) stop();
     const auto slots = free_slots(device);
@@ -116,15 +123,17 @@ LoadReport load(Device& device, const Build& build, const MapSet& maps, const Se
     std::erase_if(words, [&](const RegisterWord& word) {
       return word.address == reg::blocks::kAddress || device.read(word.address) == word.value;
     });
-    if (!words.empty() || teaching_is_of_another(device, report.tables)) stop();
+    if (!words.empty() || must_stop_for(device, report.tables)) stop();
     for (const RegisterWord& word : words) {
       write_checked(device, word);
       report.changed.push_back(register_name(word.address));
     }
+    if (running) state = kNotKnown;
     write_checked(device, {reg::table_select::kAddress, static_cast<std::uint32_t>(report.tables.front().slot)});
     if (!running) {
       device.write(reg::faults_cameras::kAddress, 0xFFFFFFFFU);
       device.write(reg::faults_machine::kAddress, 0xFFFFFFFFU);
+      state = kNotKnown;
       device.write(reg::control::kAddress, reg::control::kEnable.put(1));
       running = true;
     }
@@ -135,11 +144,9 @@ LoadReport load(Device& device, const Build& build, const MapSet& maps, const Se
     }
     report.active = wait_for_table(device, report.tables.front().slot, frame_timeout);
     return report;
+  } catch (const ResetError& error) {
+    throw DeviceError(fmt::format("{}; {}", error.what(), kNotKnown));
   } catch (const DeviceError& error) {
-    const char* state = !was_running && !report.stopped ? "the machine was not running, and is not started"
-                        : report.stopped && !running
-                            ? "the machine is stopped, and says not safe, until an upload is complete"
-                            : "the table that was in use stays in use";
     throw DeviceError(fmt::format("{}; {}", error.what(), state));
   }
 }

@@ -138,7 +138,7 @@ void SerialLink::fail_unanswered() const {
 
 void SerialLink::check(const Answer& answer, const char* what, std::uint16_t address) const {
   if (answer.status == kNoSession) {
-    throw DeviceError(fmt::format(
+    throw ResetError(fmt::format(
         "{}: the board was reset, or another program talks to it; what was sent is lost: try again", name_));
   }
   if (answer.status == kRefused || answer.status == kNoAddress) {

@@ -35,6 +35,11 @@ class DeviceError : public Error {
  public:
   explicit DeviceError(const std::string& message) : Error(ExitStatus::fault, message) {}
 };
+/// The device does what it does after a reset, whatever was set before.
+class ResetError : public DeviceError {
+ public:
+  using DeviceError::DeviceError;
+};
 
 /// The program's exit status after an error of any type.
 inline ExitStatus status_of(const std::exception& error) {
