@@ -325,6 +325,23 @@ TEST_CASE("plan rig: where a zone is entered unseen, and what is refused") {
              Catch::Contains("--zone") && Catch::Contains("exploitation") && Catch::Contains("Example"));
 }
 
+TEST_CASE("plan rig: a way around the rim of what is watched is found also from --from") {
+  Sandbox box;
+  box.write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, -1]}\n");
+  box.write("zone.yaml", "surface: {type: box, centre_mm: [0, 0, 1000], size_mm: [100, 100, 100]}\n");
+  const auto open = box.run({"plan", "rig", "--rig", kTable, "--profile", "field", "--skin", "skin.yaml", "--zone",
+                             "zone.yaml", "--from", "0", "0", "700", "--out", "open"});
+  CAPTURE(open.out, open.err);
+  CHECK(open.status == 1);
+  // Where the way passes the skin, no image shows it.
+  bool around = false;
+  const json report = json::parse(box.read("open/rig.json"));
+  for (const json& place : report["entry"]["path_mm"]) {
+    around |= std::abs(place[0].get<double>()) > 200 || std::abs(place[1].get<double>()) > 150;
+  }
+  CHECK(around);
+}
+
 TEST_CASE("plan --decision compete: what leaves the row is not supervised; cameras are refused as by map") {
   const Sandbox box;
   const auto design = [&](const char* tilt, const char* decision) {

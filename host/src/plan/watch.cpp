@@ -139,6 +139,7 @@ Eigen::AlignedBox3d space_around(const Watch& watch, const Surface& zone, const 
   zone.extend(box);
   if (box.isEmpty()) throw std::invalid_argument("the zone has no ends");
   watch.skin().extend(box);
+  box.extend(watch.field_mm());  // ways lead round its rim, wherever the skin ends
   if (watch.obstacles() != nullptr) watch.obstacles()->extend(box);
   if (search.from_mm) box.extend(*search.from_mm);
   return box;
@@ -209,16 +210,16 @@ Watch::Watch(CameraPair cameras, SurfacePtr skin, SurfacePtr obstacles, const Ma
     }
     const Rays rays = cameras_.rays(points, limits);
     cameras_.look(*skin_, rays, geometry.row_step(), limits, looks);
-    if (obstacles_) skin_->intersect(left_mm, rays.directions, hits);
+    skin_->intersect(left_mm, rays.directions, hits);
     for (std::size_t x = 0; x < static_cast<std::size_t>(width_) * subsample_; ++x) {
       Sight sight = sight_of(looks[x].reason);
       if (sight == Sight::seen && !geometry.holds(geometry.from_frame(looks[x].source))) sight = Sight::outside_right;
-      if (sight == Sight::seen && obstacles_) {
-        const Vector3d place = left_mm + hits[x].distance * rays.directions[x];
-        if (stands_before(obstacles_.get(), left_mm, place) || stands_before(obstacles_.get(), right_mm, place)) {
-          sight = Sight::obstacle;
-        }
+      const Vector3d place = left_mm + hits[x].distance * rays.directions[x];
+      if (sight == Sight::seen && obstacles_ &&
+          (stands_before(obstacles_.get(), left_mm, place) || stands_before(obstacles_.get(), right_mm, place))) {
+        sight = Sight::obstacle;
       }
+      if (sight == Sight::seen) field_mm_.extend(place);
       Sight& pixel = alone[static_cast<std::size_t>(y) * width_ + x / subsample_];
       if (pixel == Sight::seen) pixel = sight;
     }

@@ -45,6 +45,8 @@ class Watch {
   const CameraPair& cameras() const { return cameras_; }
   const Surface& skin() const { return *skin_; }
   const Surface* obstacles() const { return obstacles_.get(); }
+  /// Around all places of the skin that both images show, within the limits.
+  const Eigen::AlignedBox3d& field_mm() const { return field_mm_; }
   int width() const { return width_; }    ///< of the result, pixels
   int height() const { return height_; }  ///< rows
   /// Of a pixel of the result, whose line of sight meets the skin or not.
@@ -58,6 +60,7 @@ class Watch {
   SurfacePtr obstacles_;
   ScanGeometry geometry_;
   int subsample_, width_, height_;
+  Eigen::AlignedBox3d field_mm_;
   std::vector<Sight> pixels_;
 };
 
@@ -88,8 +91,8 @@ struct EntryPlan {
 
 struct EntrySearch {
   double step_mm = 0;    ///< of the lattice; 0: 1/64 of the longest side. Narrower openings may be missed.
-  double margin_mm = 0;  ///< around zone, skin and obstacles; 0: 1/8 of the longest side, at least 3 steps
-  /// Where people are; without it everywhere at the border of the space around zone, skin and obstacles.
+  double margin_mm = 0;  ///< around the space; 0: 1/8 of the longest side, at least 3 steps
+  /// Where people are; without it everywhere at the border of the space around zone, skin and its field, and obstacles.
   std::optional<Eigen::Vector3d> from_mm = {};
 };
 
