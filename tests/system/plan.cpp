@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "sandbox.hpp"
 
@@ -323,6 +324,31 @@ TEST_CASE("plan rig: where a zone is entered unseen, and what is refused") {
             .status == 1);
   CHECK_THAT(box.run({"plan", "rig", "--help"}).out,
              Catch::Contains("--zone") && Catch::Contains("exploitation") && Catch::Contains("Example"));
+}
+
+TEST_CASE("plan rig: people are on their side of the floor, and outside the zone") {
+  Sandbox box;
+  box.write("box.yaml", "surface: {type: box, centre_mm: [0, 0, 800], size_mm: [160, 120, 200]}\n");
+  box.write("table.yaml", "surface: {type: plane, point_mm: [0, 0, 900], normal: [0, 0, -1]}\n");
+  const auto from = [&](const char* x, const char* z) {
+    return box.run({"plan", "rig", "--rig", kTable, "--profile", "field", "--skin", "box.yaml", "--zone", "box.yaml",
+                    "--obstacle", "table.yaml", "--step", "15", "--from", x, "0", z});
+  };
+  // Its nearest points of the lattice lie under the table, from where nobody comes.
+  for (const char* z : {"890", "895", "899.5"}) {
+    const auto above = from("400", z);
+    CAPTURE(z, above.out, above.err);
+    CHECK(above.status == 1);
+    CHECK_THAT(above.out, Catch::Contains("can be entered unseen"));
+  }
+  for (const auto& [x, z, message] :
+       {std::tuple{"400", "900", "--from 400 0 900 lies on an obstacle"},
+        std::tuple{"0", "800", "--from 0 0 800 lies in the zone"}, std::tuple{"75", "705", "lies in the zone"}}) {
+    const auto refused = from(x, z);
+    CAPTURE(refused.out);
+    CHECK(refused.status == 2);
+    CHECK_THAT(refused.err, Catch::Contains(message));
+  }
 }
 
 TEST_CASE("plan rig: a way around the rim of what is watched is found also from --from") {

@@ -10,7 +10,10 @@
 #include <numeric>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <utility>
+
+#include "horopter/base/error.hpp"
 
 namespace horopter {
 namespace {
@@ -109,10 +112,17 @@ class Lattice {
     return {i % size_[0], i / size_[0] % size_[1], i / size_[0] / size_[1]};
   }
   Vector3d place(std::size_t index) const { return origin_ + step_ * at(index).cast<double>(); }
-  std::size_t nearest(const Vector3d& place) const {
-    const Vector3i p = ((place - origin_) / step_).array().round().cast<int>().max(0).min(size_.array() - 1);
-    return static_cast<std::size_t>(p[0]) +
-           static_cast<std::size_t>(size_[0]) * (p[1] + static_cast<std::size_t>(size_[1]) * p[2]);
+  /// The corners of the cell around a place.
+  std::array<std::size_t, 8> around(const Vector3d& place) const {
+    const Vector3i low = ((place - origin_) / step_).array().floor().cast<int>().max(0).min(size_.array() - 2);
+    std::array<std::size_t, 8> corners{};
+    for (int i = 0; i < 8; ++i) {
+      const Vector3i p = low + Vector3i(i & 1, i >> 1 & 1, i >> 2);
+      corners[static_cast<std::size_t>(i)] =
+          static_cast<std::size_t>(p[0]) +
+          static_cast<std::size_t>(size_[0]) * (p[1] + static_cast<std::size_t>(size_[1]) * p[2]);
+    }
+    return corners;
   }
   /// The neighbour in one of six directions.
   std::optional<std::size_t> neighbour(std::size_t index, int direction) const {
@@ -143,6 +153,45 @@ Eigen::AlignedBox3d space_around(const Watch& watch, const Surface& zone, const 
   if (watch.obstacles() != nullptr) watch.obstacles()->extend(box);
   if (search.from_mm) box.extend(*search.from_mm);
   return box;
+}
+
+/// Whether a place is inside a body. Ways from outside meet it; ways from inside do not, or meet it from behind.
+bool is_inside(const Surface& body, const Vector3d& place) {
+  Eigen::AlignedBox3d box;
+  body.extend(box);
+  const double far = 2 * box.extend(place).sizes().norm();
+  for (int direction = 0; direction < 6; ++direction) {
+    Vector3d way(0.0137, 0.0071, 0.0033);  // off the edges of what is built along axes
+    way[direction / 2] += direction % 2 == 0 ? -1 : 1;
+    way *= far;
+    const Vector3d back = -way;
+    Hit out, in;
+    body.intersect(place, {&way, 1}, {&out, 1});
+    body.intersect(place + way, {&back, 1}, {&in, 1});
+    const bool from_behind = !std::isfinite(out.distance) || out.normal.dot(way) > 0;
+    if (in.distance < 1 && from_behind) return true;
+  }
+  return false;
+}
+
+/// The points of the lattice around where people are that lie on their side of everything. Throws UsageError.
+std::vector<std::size_t> beside(const Vector3d& from, const Lattice& lattice, const Watch& watch, const Surface& zone) {
+  const std::string what = fmt::format("--from {:g} {:g} {:g}", from.x(), from.y(), from.z());
+  const std::vector<SurfacePtr> parts = zone.parts();
+  if (is_inside(zone, from) || std::ranges::any_of(parts, [&](auto& part) { return is_inside(*part, from); })) {
+    throw UsageError(what + " lies in the zone; expected a place outside");
+  }
+  std::vector<std::size_t> starts;
+  for (const std::size_t corner : lattice.around(from)) {
+    const Vector3d place = lattice.place(corner);
+    const auto between = [&](const Surface& surface) { return crosses(surface, from, place, kWholeStep); };
+    if (between(zone) || between(watch.skin())) continue;
+    if (watch.obstacles() == nullptr || !between(*watch.obstacles())) starts.push_back(corner);
+  }
+  if (!starts.empty()) return starts;
+  throw UsageError(
+      what +
+      " lies on an obstacle or in it, or is shut in there; expected a place where people are, or a smaller --step");
 }
 
 /// Places not more than two steps apart belong to one opening.
@@ -284,7 +333,7 @@ EntryPlan plan_entries(const Watch& watch, const Surface& zone, const EntrySearc
     queue.push_back(from[index]);
   };
   if (search.from_mm) {
-    start(lattice.nearest(*search.from_mm));
+    for (const std::size_t corner : beside(*search.from_mm, lattice, watch, zone)) start(corner);
   } else {
     for (std::size_t i = 0; i < lattice.points(); ++i) {
       if (lattice.on_border(i)) start(i);

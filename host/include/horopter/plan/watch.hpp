@@ -98,7 +98,8 @@ struct EntrySearch {
 
 /// Floods the space around a zone on a lattice: a step is seen when it crosses the skin at a place that is seen,
 /// impossible when it crosses an obstacle, and an entry when it crosses the zone's surface unseen. The zone may be the
-/// skin itself. Throws std::invalid_argument for a zone without ends, and for a lattice of more than 10 million points.
+/// skin itself. Throws std::invalid_argument for a zone without ends, and for a lattice of more than 10 million points;
+/// UsageError where people are in the zone, or have no place beside obstacles.
 EntryPlan plan_entries(const Watch& watch, const Surface& zone, const EntrySearch& search = {});
 
 }  // namespace horopter
