@@ -152,9 +152,13 @@ Json to_json(const EntryPlan& plan) {
   }
   Json path = Json::array();
   for (const auto& place : plan.path_mm) path.push_back(to_json(place));
-  return {{"step_mm", plan.step_mm},         {"space_mm", {to_json(plan.space_mm.min()), to_json(plan.space_mm.max())}},
-          {"places", plan.zone_mm.size()},   {"unseen", plan.unseen_mm.size()},
-          {"openings", std::move(openings)}, {"path_mm", std::move(path)}};
+  return {{"step_mm", plan.step_mm},
+          {"surely_found_mm", plan.surely_found_mm()},
+          {"space_mm", {to_json(plan.space_mm.min()), to_json(plan.space_mm.max())}},
+          {"places", plan.zone_mm.size()},
+          {"unseen", plan.unseen_mm.size()},
+          {"openings", std::move(openings)},
+          {"path_mm", std::move(path)}};
 }
 
 void print(const RigSkin& skin, const Views& views) {
@@ -180,7 +184,7 @@ void print(const RigSkin& skin, const Views& views) {
 
 void print(const EntryPlan& plan) {
   if (plan.unseen_mm.empty()) {
-    fmt::print("zone     nowhere entered unseen, by openings of {:.3g} mm and more\n", plan.step_mm);
+    fmt::print("zone     nowhere entered unseen, by openings of {:.3g} mm and more\n", plan.surely_found_mm());
     return;
   }
   fmt::print("zone     can be entered unseen through {:.1f} % of its surface ({} of {} places, {:.3g} mm apart):\n",
@@ -298,10 +302,11 @@ struct Plan {
   double distance_mm = 0;  ///< at which the rig is looked at
 };
 
-/// A lattice that passes beside the zone enters it nowhere.
+/// A lattice that passes beside a part of the zone enters it nowhere.
 void check_step(const EntryPlan& entries, const Surface& zone) {
   Eigen::AlignedBox3d box;
   zone.extend(box);
+  if (box.isEmpty()) return;  // of a union, what has no ends
   const Eigen::Vector3d sizes = box.sizes();
   double smallest = sizes.maxCoeff();
   for (const double size : sizes) {
@@ -309,8 +314,8 @@ void check_step(const EntryPlan& entries, const Surface& zone) {
   }
   if (entries.step_mm <= smallest && !entries.zone_mm.empty()) return;
   throw UsageError(fmt::format(
-      "the zone is {:.4g} x {:.4g} x {:.4g} mm, and is entered in steps of {:.4g} mm, which pass beside it; expected "
-      "--step {:.3g} or less; without it a step is 1/64 of the space, which ends at --from",
+      "the zone, or a part of it, is {:.4g} x {:.4g} x {:.4g} mm, and is entered in steps of {:.4g} mm, which pass beside "
+      "it; expected --step {:.3g} or less; without it a step is 1/64 of the space, which ends at --from",
       sizes.x(), sizes.y(), sizes.z(), entries.step_mm, std::min(smallest, entries.step_mm) / 4));
 }
 
@@ -344,6 +349,7 @@ Plan plan_of(RigOptions& options, const RigInstallation& installation) {
       throw FileError(options.zone, "surface", error.what(), "a zone with ends, or a larger --step");
     }
     check_step(*plan.entries, *zone);
+    for (const SurfacePtr& part : zone->parts()) check_step(*plan.entries, *part);
   }
   return plan;
 }
@@ -485,8 +491,9 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
   rig->add_option("--from", options->from_mm, "Where people are (default: everywhere around zone, skin and obstacles)")
       ->expected(3)
       ->type_name("X Y Z");
-  rig->add_option("--step", options->search.step_mm,
-                  "Narrower openings are not looked for, mm (default: 1/64 of the space)")
+  rig->add_option(
+         "--step", options->search.step_mm,
+         "Of the search, mm: openings of 1.75 steps are found, narrower ones may be missed (default: 1/64 of the space)")
       ->check(above_zero())
       ->type_name("MM");
   rig->add_option("--out", options->out,

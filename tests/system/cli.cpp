@@ -1112,4 +1112,12 @@ TEST_CASE("plan rig: a lattice that passes beside the zone is refused") {
   CHECK(refused.status == 2);
   CHECK_THAT(refused.err, Catch::Contains("200 x 200 x 200 mm") && Catch::Contains("--step 50 or less"));
   CHECK(box.run(plan + std::vector<std::string>{"--step", "190"}).status != 2);
+  // Of a union each part.
+  box.write("zone.yaml",
+            "surface: {type: union, surfaces: [{type: box, centre_mm: [0, 0, 1000], size_mm: [200, 200, 200]},\n"
+            "  {type: box, centre_mm: [150, 0, 1000], size_mm: [10, 10, 10]}]}\n");
+  const auto small = box.run(plan + std::vector<std::string>{"--step", "190"});
+  CAPTURE(small.out);
+  CHECK(small.status == 2);
+  CHECK_THAT(small.err, Catch::Contains("a part of it, is 10 x 10 x 10 mm"));
 }

@@ -303,7 +303,7 @@ TEST_CASE("plan rig: where a zone is entered unseen, and what is refused") {
                                                        "0", "0", "600", "--step", "8"});
   CAPTURE(closed.out);
   CHECK(closed.status == 0);
-  CHECK_THAT(closed.out, Catch::Contains("nowhere entered unseen, by openings of 8 mm and more"));
+  CHECK_THAT(closed.out, Catch::Contains("nowhere entered unseen, by openings of 14 mm and more"));
 
   const std::vector<std::string> distance{"--distance", "800"};
   CHECK(box.run(rig).status == 2);

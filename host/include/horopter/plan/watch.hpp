@@ -73,6 +73,9 @@ struct Opening {
 
 struct EntryPlan {
   double step_mm = 0;
+  /// An opening as wide as this has an edge of the lattice through it, however it slants. One along the diagonal of the
+  /// lattice's squares needs the most: √3 steps.
+  double surely_found_mm() const { return 1.75 * step_mm; }
   Eigen::AlignedBox3d space_mm;               ///< that was searched
   std::vector<Eigen::Vector3d> zone_mm;       ///< where the lattice meets the zone's surface
   std::vector<Eigen::Vector3d> obstacles_mm;  ///< and obstacles
@@ -90,7 +93,7 @@ struct EntryPlan {
 };
 
 struct EntrySearch {
-  double step_mm = 0;    ///< of the lattice; 0: 1/64 of the longest side. Narrower openings may be missed.
+  double step_mm = 0;    ///< of the lattice; 0: 1/64 of the longest side
   double margin_mm = 0;  ///< around the space; 0: 1/8 of the longest side, at least 3 steps
   /// Where people are; without it everywhere at the border of the space around zone, skin and its field, and obstacles.
   std::optional<Eigen::Vector3d> from_mm = {};
