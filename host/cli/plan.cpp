@@ -104,6 +104,7 @@ struct CamerasAndSkins {
 CamerasAndSkins read_skins(const ThicknessOptions& options) {
   const calib::Rig rig = read_rig(options.rig);
   if (!options.skin.empty()) {
+    refuse_what_has_no_place(options.skin);
     const auto skin = load_rig_skin(options.skin, rig);
     return {skin->cameras(), {{skin->description(), "the skin", "thickness.png", skin->surface()}}};
   }

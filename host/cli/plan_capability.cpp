@@ -77,17 +77,6 @@ struct PlannedCapability {
   std::optional<IsoDistance> iso() const { return iso_13855_distance(response_s(), fast_mm, slow_mm); }
 };
 
-void refuse_what_has_no_place(const std::string& skin) {
-  if (is_table(skin)) {
-    throw FileError(skin, "", "a mapping table does not say where its skin is in space",
-                    "the skin.yaml that it was made from, and its rig");
-  }
-  if (is_moving_skin(skin)) {
-    throw FileError(skin, "motion", "what a skin that moves is capable of changes with its motion",
-                    "a skin without motion: where it begins, where it ends");
-  }
-}
-
 PlannedCapability plan(const CapabilityOptions& options) {
   const calib::Rig rig = read_rig(options.rig);
   refuse_what_has_no_place(options.skin);

@@ -19,6 +19,17 @@ const MachineProfile& profile_for(const std::string& rig, const std::string& pro
   return choose_profile(profile, rig, "cameras", width, height);
 }
 
+void refuse_what_has_no_place(const std::string& file) {
+  if (is_table(file)) {
+    throw FileError(file, "", "a mapping table does not say where its skin is in space",
+                    "the skin.yaml that it was made from, and its rig");
+  }
+  if (is_moving_skin(file)) {
+    throw FileError(file, "motion", "what is planned for a surface that moves changes with its motion",
+                    "a surface without motion: where it begins, where it ends");
+  }
+}
+
 Timing TimingOptions::timing(const MachineProfile& profile, Decision decision, int rows) const {
   const double rate = images_per_s > 0 ? images_per_s : profile.takes_fields() ? 50 : 60;
   std::optional<double> exposure_s;

@@ -15,6 +15,9 @@ namespace horopter::cli {
 /// The build that is named, else the smallest that holds the left camera's images. Throws FileError.
 const MachineProfile& profile_for(const std::string& rig, const std::string& profile, const calib::Camera& left);
 
+/// Throws FileError for a mapping table, and for a surface that moves: a skin's, a zone's, an obstacle's.
+void refuse_what_has_no_place(const std::string& file);
+
 /// How long things take.
 struct TimingOptions {
   double images_per_s = 0;  ///< 0: as cameras of the thesis and of today have it

@@ -25,6 +25,7 @@
 #include "horopter/skin/skin_file.hpp"
 #include "inputs.hpp"
 #include "numbers.hpp"
+#include "plan_inputs.hpp"
 #include "progress.hpp"
 #include "thickness.hpp"
 #include "warnings.hpp"
@@ -281,6 +282,7 @@ RigInstallation install(RigOptions& options) {
   RigInstallation result{
       rig, options.rig.empty() ? "the rig" : options.rig, {rig.cameras[0], rig.cameras[1]}, {}, nullptr, {}, {}};
   if (!options.skin.empty()) {
+    refuse_what_has_no_place(options.skin);
     const auto skin = load_rig_skin(options.skin, rig);
     result.cameras = skin->cameras();
     result.skins.push_back({skin->description(), skin->surface()});
@@ -319,12 +321,18 @@ void check_step(const EntryPlan& entries, const Surface& zone) {
       sizes.x(), sizes.y(), sizes.z(), entries.step_mm, std::min(smallest, entries.step_mm) / 4));
 }
 
+SurfacePtr load_still(const std::string& file) {
+  SurfacePtr surface = load_surface(file);  // first, for its errors
+  refuse_what_has_no_place(file);
+  return surface;
+}
+
 Plan plan_of(RigOptions& options, const RigInstallation& installation) {
-  const SurfacePtr zone = options.zone.empty() ? nullptr : load_surface(options.zone);
+  const SurfacePtr zone = options.zone.empty() ? nullptr : load_still(options.zone);
   SurfacePtr obstacles;
   if (!options.obstacles.empty()) {
     std::vector<SurfacePtr> parts;
-    for (const std::string& file : options.obstacles) parts.push_back(load_surface(file));
+    for (const std::string& file : options.obstacles) parts.push_back(load_still(file));
     obstacles = make_union(std::move(parts));
   }
   if (!options.from_mm.empty()) options.search.from_mm.emplace(options.from_mm.data());
@@ -482,8 +490,9 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
       ->capture_default_str()
       ->type_name("PX");
   add_decision(*rig, options->decision);
-  rig->add_option("--zone", options->zone,
-                  "What must not be entered unseen: a file with `surface:` as in skin.yaml, or the skin's own file")
+  rig->add_option(
+         "--zone", options->zone,
+         "What must not be entered unseen: a file with `surface:` as in skin.yaml, or the skin's own file; nothing moves")
       ->type_name("FILE");
   rig->add_option("--obstacle", options->obstacles,
                   "Files with `surface:`: floor, walls, tables. Nobody passes them, and they hide what is behind")

@@ -326,6 +326,24 @@ TEST_CASE("plan rig: where a zone is entered unseen, and what is refused") {
              Catch::Contains("--zone") && Catch::Contains("exploitation") && Catch::Contains("Example"));
 }
 
+TEST_CASE("plan: what moves has no one place to be planned at") {
+  Sandbox box;
+  const std::string still =
+      box.write("still.yaml", "surface: {type: box, centre_mm: [0, 0, 800], size_mm: [99, 99, 99]}\n");
+  const std::string moving = box.write(
+      "moving.yaml",
+      box.read("still.yaml") +
+          "motion: {frame_rate_per_s: 50, object_speed_m_s: 0.1, poses: [{time_s: 1, shift_mm: [0, 0, 9]}]}\n");
+  const std::vector<std::string> rig{"plan", "rig", "--rig", kTable, "--profile", "field"};
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"plan", "thickness", "--rig", kTable, "--skin", moving},
+        rig + std::vector<std::string>{"--skin", moving},
+        rig + std::vector<std::string>{"--skin", still, "--zone", moving},
+        rig + std::vector<std::string>{"--skin", still, "--zone", still, "--obstacle", still, moving}}) {
+    check_bad_file(box, arguments, "moving.yaml", "a surface that moves");
+  }
+}
+
 TEST_CASE("plan rig: people are on their side of the floor, and outside the zone") {
   Sandbox box;
   box.write("box.yaml", "surface: {type: box, centre_mm: [0, 0, 800], size_mm: [160, 120, 200]}\n");
