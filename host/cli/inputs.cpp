@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -75,26 +76,38 @@ std::vector<Hit> meet(const Surface& surface, const RigSkin& skin, const Rays& r
   return hits;
 }
 
-/// Says which surfaces of a union no line of sight meets first: these are not watched.
+/// Says which surfaces of a union are not watched: no line of sight of the left camera meets them first, or where one does,
+/// the right camera does not see it so.
 void check_parts(const std::string& file, const RigSkin& skin, int image_width, int image_height) {
   const std::vector<SurfacePtr> parts = skin.surface()->parts();
   if (parts.empty()) return;
   constexpr int kPlaces = 128;
+  const ScanGeometry image{image_width, image_height, Scan::progressive};
   const Rays rays = spread_rays(skin, kPlaces, image_width, image_height);
   const std::vector<Hit> first = meet(*skin.surface(), skin, rays);
+  std::vector<Look> looks(rays.size());
+  skin.cameras().look(*skin.surface(), rays, image.row_step(), {}, looks);
   for (std::size_t part = 0; part < parts.size(); ++part) {
     const std::vector<Hit> hits = meet(*parts[part], skin, rays);
-    bool met = false, watched = false;
+    bool met = false;
+    std::array<int, kReasonCount> met_first{};
     for (std::size_t i = 0; i < hits.size(); ++i) {
-      met |= std::isfinite(hits[i].distance);
-      watched |= std::isfinite(hits[i].distance) && hits[i].distance <= first[i].distance;
+      if (!std::isfinite(hits[i].distance)) continue;
+      met = true;
+      if (hits[i].distance > first[i].distance) continue;
+      const bool outside = looks[i].reason == Reason::none && !image.holds(looks[i].source);
+      ++met_first[static_cast<std::size_t>(outside ? Reason::outside : looks[i].reason)];
     }
-    if (watched) continue;
-    warn(fmt::format(
-        "{}: nothing watches surface {} of the union ({}): {}", file, part + 1, parts[part]->description(),
-        met ? "for the left camera it is hidden behind the others. Where it shall be watched too, it needs a "
-              "skin of its own"
-            : "the left camera does not see it, or sees it smaller than 1/128 of the image"));
+    if (met_first[static_cast<std::size_t>(Reason::none)] > 0) continue;
+    const auto most = std::ranges::max_element(met_first);
+    const std::string why =
+        *most > 0 ? fmt::format("where the left camera sees it, most of it is {}",
+                                reason_text(static_cast<Reason>(most - met_first.begin())))
+        : met ? "for the left camera it is hidden behind the others. Where it shall be watched too, it needs a skin of "
+                "its own"
+              : "the left camera does not see it, or sees it smaller than 1/128 of the image";
+    warn(fmt::format("{}: nothing watches surface {} of the union ({}): {}", file, part + 1, parts[part]->description(),
+                     why));
   }
 }
 

@@ -119,6 +119,12 @@ TEST_CASE("A surface of a union that others hide, or that is not in view, is sai
   check_unwatched(kMap, "box", "does not see it");
   box.write("skin.yaml", of("{type: box, centre_mm: [0, 0, 800], size_mm: [99, 99, 99]}"));
   CHECK_THAT(box.run(kMap).err, !Catch::Contains("nothing watches"));
+  // The left image shows it at its border, in column 25; the right one does not, it would be at -40.
+  box.write("rig.yaml", two_cameras(640, 480, 500, "-100, 0, 0"));
+  box.write("skin.yaml", of("{type: ellipsoid, centre_mm: [-460, 0, 780], half_axes_mm: [20, 20, 20]}"));
+  check_unwatched(kMap, "ellipsoid", "most of it is outside the right image");
+  box.write("skin.yaml", of("{type: ellipsoid, centre_mm: [-300, 0, 780], half_axes_mm: [20, 20, 20]}"));
+  CHECK_THAT(box.run(kMap).err, !Catch::Contains("nothing watches"));
 }
 
 TEST_CASE("A rig without image size is taken for images that it may be of") {
