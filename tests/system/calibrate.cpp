@@ -195,6 +195,8 @@ TEST_CASE("points: two cameras are a rig, with its picture and exports") {
                                                             "--export-opencv", "rig.yml", "--export-ros", "ros"});
   CHECK(result["baseline_mm"].get<double>() == Approx(kBaselineMm).epsilon(0.01));
   CHECK(result["rms_px"]["stereo"].get<double>() < 0.05);
+  CHECK(result["baseline_sd_mm"].get<double>() > 0);
+  CHECK(result["standard_deviations"]["relative"]["ry_deg"].get<double>() > 0);
   CHECK(result["parameters"]["right"]["f_mm"].get<double>() == Approx(6).epsilon(0.02));
   const cv::Mat picture = cv::imread((box / "residuals.png").string());
   CHECK(picture.cols >= 2 * kWidth);
@@ -219,6 +221,10 @@ TEST_CASE("points: one plane says what it cannot know") {
 TEST_CASE("points: bad input never makes a rig") {
   Sandbox box;
   with_points(box);
+  box.write("noisy.txt", seen(points_at({0, 80}), 0.4, 0, 10));
+  for (const std::string method : {"dlt", "tsai", "full"}) {
+    check_refused(box, from_points({"noisy.txt"}, method), 1, "camera: the points do not fit: RMS");
+  }
   const std::string good = seen(points_at({0, 80}));
   const auto lines = [&](int from, int count) {
     std::istringstream stream(good);

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // One camera from points: the published data with its reference results, exact synthetic points, noise against the
 // covariance, and bad input.
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 
 #include "horopter/calib/error.hpp"
 #include "horopter/calib/points.hpp"
+#include "horopter/calib/report.hpp"
 #include "host_temporary.hpp"
 #include "shared_data.hpp"
 
@@ -233,6 +235,34 @@ TEST_CASE("spread of repeated calibrations is what the covariance says, which is
   // 20 trials know a deviation to 16 %; the bound itself is tested by `horopter study calibration`.
   CHECK(std::sqrt(f_square / kTrials) == Approx(f_sd / kTrials).epsilon(0.5));
   CHECK(std::sqrt(cx_square / kTrials) == Approx(cx_sd / kTrials).epsilon(0.5));
+}
+
+TEST_CASE("two cameras from points: the spread of their relative pose is what the report says") {
+  const Camera left = camera_at(tilted());
+  const Pose relative{rotation_from_vector({0.02, -0.15, 0.01}), {-150, 4, 8}};
+  const Camera right = camera_at(relative * tilted());
+  constexpr int kTrials = 40;
+  double baseline_square = 0, baseline_sd = 0, turn_square = 0, turn_sd = 0;
+  for (unsigned trial = 0; trial < kTrials; ++trial) {
+    const auto of = [&](const Camera& camera, unsigned seed) {
+      return calibrate_points(seen(camera, {0, 50, 100}, 0.05, seed), kSensor, PointMethod::full);
+    };
+    const Report report = report_of(std::array{of(left, 200 + trial), of(right, 300 + trial)});
+    CHECK(report.usable);
+    baseline_square += std::pow(*report.baseline_mm - relative.translation_mm.norm(), 2);
+    baseline_sd += report.baseline_sd_mm;
+    const Parameter& turn = report.relative[1];
+    REQUIRE(turn.name == "ry_deg");
+    turn_square += std::pow(turn.value - euler_from_rotation_deg(relative.rotation).y(), 2);
+    turn_sd += turn.sd;
+  }
+  // 40 trials know a deviation to 11 %.
+  CHECK(std::sqrt(baseline_square / kTrials) == Approx(baseline_sd / kTrials).epsilon(0.35));
+  CHECK(std::sqrt(turn_square / kTrials) == Approx(turn_sd / kTrials).epsilon(0.35));
+  // Of Tsai's two steps the first does not know how well it knows the pose.
+  const auto points = seen(left, {0, 50, 100}, 0.05);
+  const auto two_steps = calibrate_points(points, kSensor, PointMethod::tsai);
+  CHECK_FALSE(std::isfinite(report_of(std::array{two_steps, two_steps}).baseline_sd_mm));
 }
 
 TEST_CASE("points that do not determine a camera are refused by name") {

@@ -6,6 +6,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "camera/lens_limit.hpp"
@@ -208,7 +209,9 @@ void calibrate_linearly(std::span<const PointPair> points, const Sensor& sensor,
   JointProblem problem = problem_of(points, tsai, physical.world_to_camera);
   FreeParameters& free = problem.cameras[0].free;
   free[P::f] = free[P::scale] = free[P::cx] = free[P::cy] = true;
-  result.parameters = list_parameters(problem, covariance(problem), true);
+  const JointCovariance sd = covariance(problem);
+  result.parameters = list_parameters(problem, sd, true);
+  result.pose_covariance = sd.views[0];
   result.parameters.push_back({"skew_px", physical.skew_px, 0, false});
   result.parameters.push_back({"matrix_rms_px", *result.matrix_rms_px, 0, false});
   result.tz_over_f = physical.world_to_camera.translation_mm.z() / tsai.f_mm;
@@ -311,6 +314,8 @@ void take_solution(JointProblem problem, bool pose_free, PointCalibration& resul
   if (!pose_free) problem.views[0].free = {false, false, false, false, false, true};
   const JointCovariance sd = covariance(problem);
   result.parameters = list_parameters(problem, sd, pose_free);
+  result.pose_covariance = sd.views[0];
+  if (!pose_free) result.pose_covariance.setConstant(std::numeric_limits<double>::infinity());  // the linear step's
   for (Parameter& parameter : result.parameters) {
     if (parameter.name == "tz_mm") parameter.free = true;
   }

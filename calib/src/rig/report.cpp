@@ -9,12 +9,16 @@
 #include <opencv2/imgproc.hpp>
 
 #include "camera/parameter_list.hpp"
+#include "camera/rotation.hpp"
+#include "rig/judge.hpp"
 
 namespace horopter::calib {
 namespace {
 
+using namespace detail;
 using Eigen::Vector2d;
 using nlohmann::json;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// JSON has neither infinity nor NaN.
 json finite(double value) { return std::isfinite(value) ? json(value) : json(nullptr); }
@@ -53,6 +57,27 @@ std::string parameter_text(const Parameter& parameter) {
   const bool small = std::abs(parameter.value) < 1e-3 && parameter.value != 0;
   return small ? fmt::format("{:.4e} ± {:.1e}", parameter.value, parameter.sd)
                : fmt::format("{:.{}f} ± {:.{}f}", parameter.value, digits, parameter.sd, digits);
+}
+
+/// The limits of a camera from images hold for one from points.
+void judge(const CameraReport& own, const Camera& camera, bool coplanar, Report& report) {
+  const auto sd = [&](const char* name) { return std::ranges::find(own.parameters, name, &Parameter::name)->sd; };
+  // What one plane cannot tell the warning one_plane says.
+  if (!coplanar) judge_intrinsics(camera, sd("fy_px"), std::max(sd("cx_px"), sd("cy_px")), report);
+  judge_fit(camera.name + ": the points", own.rms_px, camera.width_px,
+            "are they in one unit, and each pixel that of its point?", report);
+}
+
+/// Of the second camera in the first's coordinates. Given the points, the two cameras are independent.
+Matrix6 relative_covariance(const Pose& relative, const Pose& first, const Matrix6& of_first,
+                            const Matrix6& of_second) {
+  // Both poses change by a small rotation d and a translation s: R by d₂ − R·d₁, and t = t₂ − R·t₁ with it.
+  Matrix6 turned = Matrix6::Zero();
+  turned.topLeftCorner<3, 3>() = turned.bottomRightCorner<3, 3>() = relative.rotation;
+  Matrix6 by_second = Matrix6::Identity();
+  by_second.bottomLeftCorner<3, 3>() = cross_matrix(relative.rotation * first.translation_mm);
+  const Matrix6 by_first = by_second * turned;
+  return by_second * of_second * by_second.transpose() + by_first * of_first * by_first.transpose();
 }
 
 }  // namespace
@@ -105,13 +130,19 @@ Report report_of(std::span<const PointCalibration> cameras) {
   if (cameras.size() > 1) {
     const Pose relative = report.rig.between(0, 1);
     report.baseline_mm = relative.translation_mm.norm();
-    detail::append_pose(report.relative, relative, Eigen::Matrix<double, 6, 6>::Zero(), true);
+    const Matrix6 covariance = relative_covariance(relative, cameras[0].camera.world_to_camera,
+                                                   cameras[0].pose_covariance, cameras[1].pose_covariance);
+    const Eigen::Vector3d direction = relative.translation_mm.normalized();
+    report.baseline_sd_mm = std::sqrt(direction.dot(covariance.bottomRightCorner<3, 3>() * direction));
+    append_pose(report.relative, relative, covariance, true);
     if (are_exchanged(report.rig.cameras[0], report.rig.cameras[1])) {
       report.warnings.push_back(fmt::format("left_right_exchanged: {} stands to the left of {}", report.cameras[1].name,
                                             report.cameras[0].name));
     }
   }
-  report.usable = true;
+  for (std::size_t i = 0; i < cameras.size(); ++i)
+    judge(report.cameras[i], report.rig.cameras[i], cameras[i].coplanar, report);
+  report.usable = report.problems.empty();
   return report;
 }
 

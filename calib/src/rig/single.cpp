@@ -221,13 +221,4 @@ Single calibrate_single(const ViewCamera& camera, const Measured& measured) {
   return std::move(*best);
 }
 
-std::string focal_problem(const std::string& name, const Intrinsics& intrinsics, double f_sd_px) {
-  const double f_px = std::get<BrownConradyIntrinsics>(intrinsics).fy_px;
-  if (f_sd_px < 0.05 * f_px) return "";  // written so that a NaN is a problem
-  return fmt::format(
-      "{}: f and the distance of the target cannot be told apart (f = {:.0f} ± {:.0f} px): its plane is too nearly "
-      "parallel to the image in all views; tilt it by 30 degrees or so, in different directions",
-      name, f_px, f_sd_px);
-}
-
 }  // namespace horopter::calib::detail

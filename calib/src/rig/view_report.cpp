@@ -9,6 +9,7 @@
 #include "camera/lens_limit.hpp"
 #include "camera/parameter_list.hpp"
 #include "horopter/calib/error.hpp"
+#include "rig/judge.hpp"
 #include "rig/view_steps.hpp"
 
 namespace horopter::calib::detail {
@@ -19,11 +20,6 @@ using Eigen::Vector3d;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using P = CameraParameters;
 
-/// The largest residual of a usable rig: px, or a share of the width of the image, whichever is more.
-constexpr double kLargestRmsPx = 1.5;
-constexpr double kLargestRmsShare = 0.002;
-/// Share of the width to which the image centre must be known.
-constexpr double kCentreShare = 0.05;
 /// Share of width and height over which targets should reach.
 constexpr double kCoverage = 0.5;
 /// Fewer views, or pairs of images, than this get a warning.
@@ -164,22 +160,6 @@ void report_views(const Solution& solution, Report& report) {
   }
 }
 
-/// Are f and the image centre known well enough?
-void judge_intrinsics(const Solution& solution, std::size_t c, Report& report) {
-  const auto& covariance = solution.sd.cameras[c];
-  const ViewCamera& camera = solution.camera(c);
-  const std::string focal =
-      focal_problem(camera.name, solution.problem().cameras[c].intrinsics, std::sqrt(covariance(P::f, P::f)));
-  const double centre_sd = std::sqrt(std::max(covariance(P::cx, P::cx), covariance(P::cy, P::cy)));
-  if (!focal.empty()) {
-    report.problems.push_back(focal);
-  } else if (!(centre_sd < kCentreShare * camera.width_px)) {
-    report.problems.push_back(
-        fmt::format("{}: the image centre is known to {:.0f} px only: more views, tilted in different directions",
-                    camera.name, centre_sd));
-  }
-}
-
 std::size_t count_used(const JointProblem& problem, std::size_t c) {
   return static_cast<std::size_t>(std::ranges::count_if(
       problem.observations, [&](const auto& o) { return o.used && o.camera == static_cast<int>(c); }));
@@ -246,15 +226,6 @@ void report_baseline(const Solution& solution, Report& report) {
   }
 }
 
-void judge_fit(const Solution& solution, Report& report) {
-  const double largest = std::max(kLargestRmsPx, kLargestRmsShare * solution.camera(0).width_px);
-  if (report.errors.rms_px < largest) return;
-  report.problems.push_back(fmt::format(
-      "the views do not fit one rig: RMS {:.2f} px; are the images of a pair taken at one time, and is the target "
-      "flat and as described?",
-      report.errors.rms_px));
-}
-
 }  // namespace
 
 Report report_of(const Measured& measured, const Placed& placed) {
@@ -271,11 +242,14 @@ Report report_of(const Measured& measured, const Placed& placed) {
   report.errors = merge(errors);
   report_views(solution, report);
   for (std::size_t c = 0; c < measured.cameras.size(); ++c) {
-    judge_intrinsics(solution, c, report);
+    const auto& sd = solution.sd.cameras[c];
+    judge_intrinsics(report.rig.cameras[c], std::sqrt(sd(P::f, P::f)),
+                     std::sqrt(std::max(sd(P::cx, P::cx), sd(P::cy, P::cy))), report);
     judge_views(solution, c, report);
   }
   if (measured.cameras.size() > 1) report_baseline(solution, report);
-  judge_fit(solution, report);
+  judge_fit("the views", report.errors.rms_px, measured.cameras.front().width_px,
+            "are the images of a pair taken at one time, and is the target flat and as described?", report);
   report.usable = report.problems.empty();
   return report;
 }

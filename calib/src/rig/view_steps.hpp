@@ -38,9 +38,6 @@ struct Single {
 /// Throws CalibrationError when no camera explains any of the views.
 Single calibrate_single(const ViewCamera& camera, const Measured& measured);
 
-/// Says why f and the distance of the targets are known only together. Empty when f is known.
-std::string focal_problem(const std::string& name, const Intrinsics& intrinsics, double f_sd_px);
-
 /// All cameras and views as one problem, whose observations remember where they come from.
 struct Placed {
   struct Origin {

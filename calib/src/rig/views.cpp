@@ -11,6 +11,7 @@
 
 #include "camera/parameter_list.hpp"
 #include "horopter/calib/error.hpp"
+#include "rig/judge.hpp"
 #include "rig/view_steps.hpp"
 
 namespace horopter::calib {
@@ -93,8 +94,9 @@ void check_input(const Measured& measured) {
 void blame_focal_length(const std::vector<Single>& singles, const Measured& measured) {
   for (std::size_t c = 0; c < singles.size(); ++c) {
     const JointCovariance alone = covariance(singles[c].problem);
-    const std::string problem = focal_problem(measured.cameras[c].name, singles[c].problem.cameras[0].intrinsics,
-                                              std::sqrt(alone.cameras[0](P::f, P::f)));
+    const std::string problem =
+        focal_problem(measured.cameras[c].name, CameraModel(singles[c].problem.cameras[0].intrinsics).fy_px(),
+                      std::sqrt(alone.cameras[0](P::f, P::f)));
     if (!problem.empty()) throw CalibrationError(problem);
   }
 }

@@ -80,6 +80,8 @@ struct PointCalibration {
   Camera camera;
   bool coplanar = false;
   std::vector<Parameter> parameters;
+  /// Of a small rotation about the camera's axes (radians) and of the translation (mm); infinite: not determined.
+  Eigen::Matrix<double, 6, 6> pose_covariance = Eigen::Matrix<double, 6, 6>::Zero();
   double tz_over_f = 0;
   double tz_over_f_sd = 0;
   PointErrors errors;

@@ -43,7 +43,7 @@ struct Report {
   std::optional<PointErrors> withheld;  ///< over points that took no part
   std::vector<Parameter> relative;      ///< pose of the second camera in the first's coordinates
   std::optional<double> baseline_mm;
-  double baseline_sd_mm = 0;
+  double baseline_sd_mm = 0;  ///< not finite: not determined
   std::vector<ViewReport> views;
   int iterations = 0;
   double seconds = 0;
