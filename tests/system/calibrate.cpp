@@ -519,6 +519,8 @@ TEST_CASE("opencv-doc's chessboards: the figures of OpenCV or better, in less th
     for (const json& view : result["views"]) CHECK(view["used"] == true);
     CHECK(result["rms_px"]["stereo"].get<double>() <= rms_px);
     CHECK(std::abs(result["baseline_mm"].get<double>() - 99.81) < 0.2);
+    CHECK_FALSE(names(result["warnings"], "coverage: "));
+    CHECK_FALSE(names(result["warnings"], "poor_fit: "));
   }
   // Part of a chessboard is not a smaller chessboard.
   fs::remove(box / "rig.yaml");

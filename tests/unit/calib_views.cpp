@@ -112,6 +112,46 @@ TEST_CASE("noise: RMS and errors are what noise and covariance say") {
   }
 }
 
+TEST_CASE("a rig that fits poorly is said to, and one that does not fit is none") {
+  const Truth truth;
+  const auto with_noise = [&](double rms_px) {
+    return calibrate_views(synthetic(truth, 10, rms_px / std::sqrt(2.0), 2), board());
+  };
+  CHECK_FALSE(warned(with_noise(0.4), "poor_fit"));
+  const Report poor = with_noise(0.8);
+  CHECK(poor.usable);
+  CHECK(warned(poor, "poor_fit: the views fit poorly: RMS 0."));
+  const Report none = with_noise(2);
+  CHECK_FALSE(none.usable);
+  CHECK(problem(none, "the views do not fit: RMS"));
+}
+
+TEST_CASE("coverage is of the image's parts: targets in two corners are not in the rest") {
+  const Truth truth;
+  const auto with_boards = [&](const std::vector<Vector2d>& corners_px) {
+    std::vector<ViewCamera> cameras = synthetic(truth, 2 * static_cast<int>(corners_px.size()), 0.1, 4);
+    cameras.pop_back();
+    // 210 x 130 px each, tilted either way.
+    for (std::size_t view = 0; view < cameras[0].views.size(); ++view) {
+      const Vector2d corner = corners_px[view % corners_px.size()];
+      const double turn = view < corners_px.size() ? 0.5 : -0.5;
+      Pose pose;
+      pose.rotation = rotation_from_vector({turn, 0.3 * (static_cast<double>(view % 3) - 1), 0.05});
+      const Vector2d sight = *truth.left.undistort(corner);
+      const Vector3d middle = 600 * Vector3d(sight.x(), sight.y(), 1);
+      pose.translation_mm = middle - pose.rotation * Vector3d(120, 75, 0);
+      for (std::size_t i = 0; i < board().size(); ++i) {
+        const auto pixel = truth.left.project(pose * Vector3d(board()[i].x(), board()[i].y(), 0));
+        REQUIRE(pixel);
+        cameras[0].views[view].pixels[i] = *pixel;
+      }
+    }
+    return calibrate_views(cameras, board(), with_terms("k1k2"));
+  };
+  CHECK(warned(with_boards({{120, 90}, {520, 390}}), "coverage: left: the targets were in"));
+  CHECK_FALSE(warned(with_boards({{120, 90}, {520, 390}, {120, 390}, {520, 90}, {320, 240}}), "coverage"));
+}
+
 TEST_CASE("a pair that was not taken at one time is named and left out") {
   const Truth truth;
   auto cameras = synthetic(truth, 7, 0.1, 3);

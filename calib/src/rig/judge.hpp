@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Limits beyond which a calibration is not usable, from images and from points alike: they become problems of its report.
+// Limits beyond which a calibration is not usable, or poor, from images and from points alike: problems and warnings of its
+// report.
 #pragma once
 
 #include <string>

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "camera/lens_limit.hpp"
@@ -20,8 +21,9 @@ using Eigen::Vector3d;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using P = CameraParameters;
 
-/// Share of width and height over which targets should reach.
+/// Share of the image, in tiles, over which targets should be.
 constexpr double kCoverage = 0.5;
+constexpr int kTilesAcross = 8, kTilesDown = 6;
 /// Fewer views, or pairs of images, than this get a warning.
 constexpr std::size_t kFewViews = 4;
 constexpr std::size_t kFewPairs = 2;
@@ -165,6 +167,18 @@ std::size_t count_used(const JointProblem& problem, std::size_t c) {
       problem.observations, [&](const auto& o) { return o.used && o.camera == static_cast<int>(c); }));
 }
 
+/// Share of the image's tiles with points in them.
+double covered(const std::vector<Vector2d>& pixels, const ViewCamera& camera) {
+  std::array<bool, kTilesAcross * kTilesDown> tiles{};
+  for (const Vector2d& pixel : pixels) {
+    const int column =
+        std::clamp(static_cast<int>((pixel.x() + 0.5) / camera.width_px * kTilesAcross), 0, kTilesAcross - 1);
+    const int row = std::clamp(static_cast<int>((pixel.y() + 0.5) / camera.height_px * kTilesDown), 0, kTilesDown - 1);
+    tiles[static_cast<std::size_t>(row * kTilesAcross + column)] = true;
+  }
+  return static_cast<double>(std::ranges::count(tiles, true)) / static_cast<double>(tiles.size());
+}
+
 /// Are the views enough, and do they reach over the image?
 void judge_views(const Solution& solution, std::size_t c, Report& report) {
   const ViewCamera& camera = solution.camera(c);
@@ -178,17 +192,11 @@ void judge_views(const Solution& solution, std::size_t c, Report& report) {
     report.warnings.push_back(
         fmt::format("few_views: {}: {} views; ten, tilted in different directions, are usual", camera.name, used));
   }
-  Vector2d low = Vector2d::Constant(1e9), high = Vector2d::Constant(-1e9);
-  for (const Vector2d& pixel : report.cameras[c].pixels) {
-    low = low.cwiseMin(pixel);
-    high = high.cwiseMax(pixel);
-  }
-  const Vector2d share = (high - low).cwiseQuotient(Vector2d(camera.width_px, camera.height_px));
-  if (share.minCoeff() < kCoverage) {
-    report.warnings.push_back(fmt::format(
-        "coverage: {}: the targets reach over {:.0f} % of the width and {:.0f} % of the height of the image; beyond "
-        "them the lens model is extrapolated",
-        camera.name, 100 * share.x(), 100 * share.y()));
+  const double seen = covered(report.cameras[c].pixels, camera);
+  if (seen < kCoverage) {
+    report.warnings.push_back(
+        fmt::format("coverage: {}: the targets were in {:.0f} % of the image; elsewhere the lens model is extrapolated",
+                    camera.name, 100 * seen));
   }
 }
 
