@@ -59,15 +59,44 @@ void check_cameras(const std::string& skin, const calib::Rig& rig, int image_wid
   }
 }
 
-/// Lines of sight of the left camera to so many places along the row as down, spread over the image.
-Rays spread_rays(const RigSkin& skin, int places, int image_width, int image_height) {
+/// So many pixels along the row as down, spread over the image.
+std::vector<Point> spread_pixels(int places, int image_width, int image_height) {
   std::vector<Point> pixels;
   for (int i = 0; i < places * places; ++i) {
     const int column = i % places;
     const int row = i / places;
     pixels.push_back({(column + 0.5) / places * image_width - 0.5, (row + 0.5) / places * image_height - 0.5});
   }
-  return skin.cameras().rays(pixels);
+  return pixels;
+}
+
+/// Their lines of sight, of the left camera.
+Rays spread_rays(const RigSkin& skin, int places, int image_width, int image_height) {
+  return skin.cameras().rays(spread_pixels(places, image_width, image_height));
+}
+
+/// Says where points so close together do not tell what the rest of the image sees: a fit goes astray beyond its points.
+void check_points(const SkinFile& file, int image_width, int image_height) {
+  constexpr int kPlaces = 32;
+  constexpr double kOfPoint_px = 0.5;  // as well as a person can show a corner
+  constexpr double kLargest_px = 1;
+  const ScanGeometry image{image_width, image_height, Scan::progressive};
+  const std::vector<Point> pixels = spread_pixels(kPlaces, image_width, image_height);
+  std::vector<Look> looks(pixels.size());
+  file.skin->look(pixels, image.row_step(), {}, looks);
+  const std::vector<double> deviations = fit_deviations_px(file.correspondences, pixels, kOfPoint_px);
+  std::size_t worst = 0;
+  double largest_px = 0;
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    if (looks[i].reason != Reason::none || !image.holds(looks[i].source) || !(deviations[i] > largest_px)) continue;
+    largest_px = deviations[i];
+    worst = i;
+  }
+  if (largest_px <= kLargest_px) return;
+  warn(fmt::format(
+      "{}: the points lie too close together: where each is right to {:g} px, the skin is right to {:.1f} px "
+      "at pixel ({:.0f}, {:.0f}) of the left image; expected points spread over the skin",
+      file.path, kOfPoint_px, largest_px, pixels[worst].x, pixels[worst].y));
 }
 
 std::vector<Hit> meet(const Surface& surface, const RigSkin& skin, const Rays& rays) {
@@ -223,6 +252,7 @@ SkinFile load_skin_for(const std::string& skin, const std::optional<calib::Rig>&
                        int image_height) {
   const Point centre{0.5 * (image_width - 1), 0.5 * (image_height - 1)};
   SkinFile file = load_skin(skin, centre, rig ? &*rig : nullptr);
+  if (!file.correspondences.empty()) check_points(file, image_width, image_height);
   if (file.rig.empty()) return file;
   check_cameras(skin, calib::rig_from_yaml(file.rig, skin), image_width, image_height);
   if (const auto* in_space = dynamic_cast<const RigSkin*>(file.skin.get())) {

@@ -127,6 +127,26 @@ TEST_CASE("A surface of a union that others hide, or that is not in view, is sai
   CHECK_THAT(box.run(kMap).err, !Catch::Contains("nothing watches"));
 }
 
+TEST_CASE("Points close together are said to leave the rest of the image to chance") {
+  Sandbox box;
+  const auto skin_of = [&](int x, int y, int width, int height) {
+    std::string text = "surface:\n  type: correspondences\n  points:\n";
+    for (const auto& [dx, dy] : {std::pair{0, 0}, {width, 0}, {width, height}, {0, height}}) {
+      const std::string row = std::to_string(y + dy);
+      text += "  - {left: [" + std::to_string(x + dx) + ", " + row + "], right: [" + std::to_string(x + dx - 20) +
+              ", " + row + "]}\n";
+    }
+    box.write("skin.yaml", text);
+  };
+  const Arguments map{"map", "--skin", "skin.yaml", "--profile", "vga", "--json"};
+  skin_of(300, 200, 30, 30);
+  check_warned(box, map, "the points lie too close together");
+  skin_of(60, 50, 520, 380);
+  const auto spread = box.run(map);
+  CHECK(spread.status == 0);
+  CHECK_THAT(spread.err, !Catch::Contains("too close together"));
+}
+
 TEST_CASE("A rig without image size is taken for images that it may be of") {
   Sandbox box;
   with_pairs(box);

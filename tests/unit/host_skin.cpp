@@ -88,6 +88,32 @@ TEST_CASE("Four points are enough, and met exactly") {
   CHECK(fit_homography(points).largest_px < 1e-8);
 }
 
+TEST_CASE("Beyond its points a fit goes astray, by as much as it is said to") {
+  std::mt19937 random(5);
+  std::normal_distribution<double> noise(0, 0.5);
+  const HomographySkin truth(kTilted);
+  std::vector<Correspondence> points;
+  for (const Point p : {Point{100, 90}, Point{500, 110}, Point{480, 390}, Point{90, 400}, Point{300, 240}}) {
+    points.push_back({p, *truth.source(p)});
+  }
+  const std::vector<Point> left{{300, 240}, {0, 0}, {639, 479}};
+  const std::vector<double> said_px = fit_deviations_px(points, left, 0.5);
+  constexpr int kTrials = 400;
+  for (std::size_t i = 0; i < left.size(); ++i) {
+    double x = 0, y = 0;
+    for (int trial = 0; trial < kTrials; ++trial) {
+      std::vector<Correspondence> wrong = points;
+      for (Correspondence& c : wrong) c.right = {c.right.x + noise(random), c.right.y + noise(random)};
+      const Point source = *HomographySkin(fit_homography(wrong).matrix, left[0]).source(left[i]);
+      const Point right = *truth.source(left[i]);
+      x += std::pow(source.x - right.x, 2) / kTrials;
+      y += std::pow(source.y - right.y, 2) / kTrials;
+    }
+    CHECK(std::sqrt(std::max(x, y)) == Approx(said_px[i]).epsilon(0.15));
+  }
+  CHECK(said_px[1] > 2 * said_px[0]);
+}
+
 TEST_CASE("Points that do not determine a homography are refused") {
   std::vector<Correspondence> points;
   SECTION("three") { points = {{{0, 0}, {0, 0}}, {{9, 0}, {9, 0}}, {{0, 9}, {0, 9}}}; }

@@ -6,7 +6,9 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "horopter/calib/homography.hpp"
 
@@ -152,6 +154,37 @@ HomographyFit fit_homography(std::span<const Correspondence> points) {
   }
   fit.rms_px = std::sqrt(sum / static_cast<double>(points.size()));
   return fit;
+}
+
+std::vector<double> fit_deviations_px(std::span<const Correspondence> points, std::span<const Point> left,
+                                      double point_px) {
+  std::vector<Correspondence> moved(points.begin(), points.end());
+  const auto sources = [&] {
+    std::vector<Point> all(left.size(), {std::nan(""), std::nan("")});
+    try {
+      HomographySkin(fit_homography(moved).matrix, points.front().left).look_around(left, all);
+    } catch (const std::invalid_argument&) {
+      // Its points determine nothing any more.
+    }
+    return all;
+  };
+  const std::vector<Point> unmoved = sources();
+  std::vector<Eigen::Array2d> squares(left.size(), Eigen::Array2d::Zero());
+  for (Correspondence& c : moved) {
+    for (double* coordinate : {&c.right.x, &c.right.y}) {
+      const double before = std::exchange(*coordinate, *coordinate + point_px);
+      const std::vector<Point> all = sources();
+      *coordinate = before;
+      for (std::size_t i = 0; i < left.size(); ++i) {
+        squares[i] += Eigen::Array2d(all[i].x - unmoved[i].x, all[i].y - unmoved[i].y).square();
+      }
+    }
+  }
+  std::vector<double> deviations;
+  for (const Eigen::Array2d& square : squares) {
+    deviations.push_back(square.isNaN().any() ? std::numeric_limits<double>::infinity() : std::sqrt(square.maxCoeff()));
+  }
+  return deviations;
 }
 
 }  // namespace horopter

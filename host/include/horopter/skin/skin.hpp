@@ -133,5 +133,9 @@ struct HomographyFit {
 /// By calib::solve_homography, ≥ 4 points. Throws std::invalid_argument for too few points,
 /// non-finite ones, or points that do not determine a homography (all but one on a line).
 HomographyFit fit_homography(std::span<const Correspondence> points);
+/// Standard deviation of the sources of left pixels, along x or y, whichever is larger, when that of each coordinate of the
+/// right points is `point_px`; infinite where an error of that size leaves no source. For points that have a fit.
+std::vector<double> fit_deviations_px(std::span<const Correspondence> points, std::span<const Point> left,
+                                      double point_px);
 
 }  // namespace horopter
