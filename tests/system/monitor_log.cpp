@@ -305,6 +305,29 @@ TEST_CASE("What was removed, and whose end is torn, is told as long as it shows"
     CHECK(reading.events.front().number > 1);
     CHECK(events_of(reading, "stop").size() == 1);
   }
+  // What stayed in between is not among what was removed before it and behind it.
+  const auto kept = files_in(box / "log", ".jsonl").front();
+  REQUIRE_THAT(read_text(kept), Catch::Contains("\"kind\":\"stop\""));
+  fs::rename(kept, box / "aside");
+  fs::rename(box / "log" / "pictures", box / "pictures");
+  const auto without = monitor::read_log(box / "log", true).problems;
+  REQUIRE(without.size() == 1);
+  CHECK_THAT(without[0],
+             Catch::StartsWith("Events 1 to ") && Catch::EndsWith("no record tells that they were removed."));
+  fs::rename(box / "aside", kept);
+  fs::rename(box / "pictures", box / "log" / "pictures");
+  // After another stop it goes itself; then those that told of it.
+  EventLog log(settings);
+  play(log, 7000, 7150, 7075);
+  for (int i = 0; i < 3000; ++i) {
+    log.note("login_refused", kAnna, "Log-in refused. " + std::string(1000, 'x'));
+    if (i % 100 != 99) continue;
+    REQUIRE(log.flush(kLong));
+    const auto reading = monitor::read_log(box / "log", true);
+    CAPTURE(i, reading.problems);
+    REQUIRE(reading.problems.empty());
+  }
+  CHECK_FALSE(fs::exists(kept));
 }
 
 TEST_CASE("A removal that a kill has interrupted is no damage, and is ended at the next start") {

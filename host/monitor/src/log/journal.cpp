@@ -399,6 +399,18 @@ Json Journal::still_told(std::span<const Part> going) {
   return earlier;
 }
 
+/// With what was removed right behind it: who told of that may go before the next record that stays.
+Removal Journal::with_neighbours(Removal removal) const {
+  for (const Part& part : parts_) {
+    for (const Removal& told : part.removals) {
+      if (told.first > removal.last + 1 || told.last <= removal.last) continue;
+      removal.last = told.last;
+      removal.sha256 = told.sha256;
+    }
+  }
+  return removal;
+}
+
 bool Journal::make_room(std::uint64_t bytes) {
   if (bytes_ + bytes <= limit_bytes_) return true;
   if (removing_) return false;
@@ -424,13 +436,14 @@ bool Journal::make_room(std::uint64_t bytes) {
     const std::vector<Part> row(parts_.begin() + static_cast<std::ptrdiff_t>(begin),
                                 parts_.begin() + static_cast<std::ptrdiff_t>(end));
     Record told;
-    const std::int64_t first = begin == 0 ? row.front().first : parts_[begin - 1].last + 1;
+    const Removal all =
+        with_neighbours({begin == 0 ? 1 : parts_[begin - 1].last + 1, row.back().last, row.back().sha256});
     Json removed{
         {"kind", "removed"},
-        {"text", fmt::format("The oldest events, {} to {}, were removed: the log is full.", first, row.back().last)},
-        {"first", first},
-        {"last", row.back().last},
-        {"sha256", row.back().sha256}};
+        {"text", fmt::format("The oldest events, {} to {}, were removed: the log is full.", all.first, all.last)},
+        {"first", all.first},
+        {"last", all.last},
+        {"sha256", all.sha256}};
     if (Json earlier = still_told(row); !earlier.empty()) removed["earlier"] = std::move(earlier);
     if (append(std::move(removed), false, told) != 0) break;
     for (const Part& part : row) {

@@ -97,6 +97,7 @@ class Journal {
   };
   static void take_tellings(Part& part, const Record& record);
   [[nodiscard]] Json still_told(std::span<const Part> going);
+  [[nodiscard]] Removal with_neighbours(Removal removal) const;
 
   void read();
   void remove_leftovers();

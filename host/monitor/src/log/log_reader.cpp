@@ -131,11 +131,19 @@ class Check {
     return std::ranges::any_of(
         removals_, [&](const Removal& removal) { return number >= removal.first && number <= removal.last; });
   }
+  /// All of them, from `first` up to the next one: told at once or piece by piece.
   [[nodiscard]] bool was_removed(std::int64_t first, const Record& next) const {
-    return std::ranges::any_of(removals_, [&](const Removal& removal) {
-      return (removal.first <= first || first == 1) && removal.last == next.number - 1 &&
-             removal.sha256 == next.previous;
-    });
+    std::int64_t begin = next.number;  // from here on it is told
+    const auto goes_on = [&](const Removal& removal) {
+      return removal.first < begin && removal.last >= begin - 1 &&
+             (begin < next.number || removal.sha256 == next.previous);
+    };
+    while (begin > first) {
+      const auto found = std::ranges::find_if(removals_, goes_on);
+      if (found == removals_.end()) return false;
+      begin = found->first;
+    }
+    return begin < next.number;
   }
 
   const fs::path& directory_;
