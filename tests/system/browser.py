@@ -217,6 +217,20 @@ def check(page, tell, shoot):
     page.wait_for_state("SAFE")
     assert not page.at("unanswered").is_displayed()
 
+    # Pictures whose answers do not end: the last one is not shown as live, and the next one is asked for.
+    def is_veiled():
+        return page.at("picture").find_element("xpath", "..").find_element("class name", "veil").value_of_css_property("visibility") == "visible"
+    for hangs in ("new Promise(late)", "window.usual(path, options).then((answer) => { answer.blob = () => new Promise(late); return answer; })"):
+        page.wait("a live picture", lambda: not is_veiled())
+        page.driver.execute_script(
+            "window.fetch = (path, options) => {"
+            "  const late = (_, fail) => options.signal.addEventListener('abort', () => fail(new Error('late')));"
+            f"  return path === '/api/picture' ? {hangs} : window.usual(path, options); }};")
+        page.wait("an old picture", is_veiled)
+        assert page.at("state").text == "SAFE"
+        page.driver.execute_script("window.fetch = window.usual;")
+    page.wait("a live picture", lambda: not is_veiled())
+
     tell("blind")
     page.wait("a fault by name", lambda: "left_late" in page.at("cause-list").text and page.at("state").text == "NOT SAFE")
     tell("good")
@@ -231,8 +245,7 @@ def check(page, tell, shoot):
     # No decision comes any more: the page does not go on saying safe.
     tell("quiet")
     page.wait("an old decision", lambda: page.at("state").text == "NOT SAFE" and "too old" in page.at("reason").text)
-    page.wait("an old picture", lambda: page.at("picture").find_element("xpath", "..").find_element("class name", "veil")
-              .value_of_css_property("visibility") == "visible")
+    page.wait("an old picture", is_veiled)
     tell("good")
     page.wait_for_state("SAFE")
     # The script of the page hangs: the state is covered all the same.

@@ -11,6 +11,7 @@ let session = { may_look: false, token: null };
 let sessionIsOld = true;
 let last = null;      // the last status
 let lastAsked = null; // when it was asked for: performance.now()
+let pictureTaken = -Infinity;  // by the same clock, not later than this
 let beat = false;
 let newestEvent = null;
 let shownEvents = [];
@@ -36,14 +37,11 @@ function row(cells, className) {
   return tr;
 }
 
-async function ask(path, options = {}) {
+// The time is that of the whole answer, not of its headers: what has been read by then stays.
+function ask(path, options = {}) {
   const stop = new AbortController();
-  const timer = setTimeout(() => stop.abort(), options.within || ANSWER_WITHIN_MS);
-  try {
-    return await fetch(path, { cache: "no-store", credentials: "same-origin", redirect: "error", ...options, signal: stop.signal });
-  } finally {
-    clearTimeout(timer);
-  }
+  setTimeout(() => stop.abort(), options.within || ANSWER_WITHIN_MS);
+  return fetch(path, { cache: "no-store", credentials: "same-origin", redirect: "error", ...options, signal: stop.signal });
 }
 
 async function change(path, body) {
@@ -83,10 +81,10 @@ function age() {
 
 function showState() {
   if (!session.may_look) return show("none", "Log in to see the state.");
-  if (!last || lastAsked === null || performance.now() - lastAsked > ANSWER_WITHIN_MS + STATUS_EVERY_MS) {
-    setPictureOld(true);
-    return show("none");
-  }
+  const silent = !last || lastAsked === null || performance.now() - lastAsked > ANSWER_WITHIN_MS + STATUS_EVERY_MS;
+  const old = silent || !(performance.now() - pictureTaken <= 2 * OLD_AFTER_MS);
+  document.body.dataset.picture = old ? "old" : "live";
+  if (silent) return show("none");
   const limit = Math.max(OLD_AFTER_MS, last.limit_ms);
   if (last.state === "safe" && !(age() <= limit)) return show("old");
   if (last.state === "alarm") {
@@ -99,10 +97,6 @@ function showState() {
     if (last.restart === "possible") return show("not_safe", "All is in order again. It waits for a restart.");
   }
   show(STATES[last.state] ? last.state : "none");
-}
-
-function setPictureOld(old) {
-  document.body.dataset.picture = old ? "old" : "live";
 }
 
 function number(value, digits, unit) {
@@ -224,7 +218,7 @@ async function readPicture() {
   const asked = performance.now();
   const answer = await ask("/api/picture");
   if (!answer.ok) {
-    setPictureOld(true);
+    pictureTaken = -Infinity;
     return;
   }
   const ageMs = Number(answer.headers.get("X-Horopter-Age-Ms"));
@@ -236,7 +230,7 @@ async function readPicture() {
   picture.hidden = false;
   at("no-picture").hidden = true;
   if (before.startsWith("blob:")) URL.revokeObjectURL(before);
-  setPictureOld(!(performance.now() - asked + ageMs <= 2 * OLD_AFTER_MS));
+  pictureTaken = asked - ageMs;
   at("picture-facts").textContent = `pair ${frame}`;
 }
 
