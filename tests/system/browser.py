@@ -165,10 +165,12 @@ def check(page, tell, shoot):
     page.log_in("otto")
     restart(page)
     page.wait("no cause", lambda: not page.at("causes").is_displayed())
+    assert page.driver.title == "Cell 3, palletizer", page.driver.title
     shoot("safe")
 
     tell("alarm")
     page.wait_for_state("ALARM")
+    assert page.driver.title == "ALARM – Cell 3, palletizer", page.driver.title
     page.wait("the cause", lambda: "Something is in the skin" in page.at("cause-list").text)
     page.wait("what to do", lambda: "look whether somebody is inside" in page.at("cause-list").text)
     page.wait("objects", lambda: page.at("objects").is_displayed())

@@ -69,7 +69,8 @@ function show(state, reason) {
   if (at("state").textContent !== word) at("state").textContent = word;
   const text = reason || usual;
   if (at("reason").textContent !== text) at("reason").textContent = text;
-  document.title = `${word} – ${session.title || "Horopter"}`;
+  // A title stays where the page is hidden or hangs, and nothing covers it: it never says that it is safe.
+  document.title = (state === "safe" ? "" : `${word} – `) + (session.title || "Horopter");
   if (state !== "safe") document.body.dataset.safe = "no"; else document.body.dataset.safe = "yes";
 }
 
