@@ -152,6 +152,14 @@ void warn_of_nobody(const monitor::Cell& cell) {
   }
 }
 
+/// Two lines say nothing of who sets them.
+void warn_of_lines(const monitor::Cell& cell) {
+  if (!cell.outputs.gpio || cell.outputs.gpio->pulse_line >= 0) return;
+  warn(
+      "outputs.gpio has no pulse_line: a monitor that is stopped or killed may leave safe_line at 1, and nothing shows it; "
+      "expected `pulse_line: …`, and on it a relay that falls off when it stands still");
+}
+
 /// What could only be said with the first image, if at all. Throws FileError.
 void check_files(const monitor::Cell& cell, bool has_rig) {
   const std::string scheme = "files:";
@@ -173,6 +181,8 @@ void check_files(const monitor::Cell& cell, bool has_rig) {
 
 ExitStatus run_monitor(const MonitorOptions& options) {
   const monitor::Cell cell = monitor::load_cell(options.cell);
+  warn_of_lines(cell);
+  monitor::set_outputs_not_safe(cell);
   const auto rig = read_rig_option(cell.rig.string());
   check_skin_file(cell.skin.string());
   check_files(cell, rig.has_value());

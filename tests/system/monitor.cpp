@@ -409,4 +409,15 @@ TEST_CASE("what is wrong with the cell is said at once") {
   const int by_monitor =
       wanted_rate(error_of("left01.jpg", "right01.jpg", "rig: rig.yaml\nlimits: {alarm_frames: 2/3}\n"));
   CHECK(std::abs(by_monitor - 1.5 * by_run) < 2.5);
+
+  // The lines come before the machine, which these limits would refuse.
+  for (const std::string pulse : {"", ", pulse_line: 22"}) {
+    const std::string lines =
+        error_of("left01.jpg", "right01.jpg",
+                 "rig: rig.yaml\nlimits: {alarm_frames: 2/3}\noutputs: {gpio: {chip: /dev/no-chip, "
+                 "safe_line: 17, unsafe_line: 27" +
+                     pulse + "}}\n");
+    CHECK_THAT(lines, Catch::Contains("outputs.gpio: no chip /dev/no-chip"));
+    CHECK(Catch::contains(lines, "outputs.gpio has no pulse_line") == pulse.empty());
+  }
 }

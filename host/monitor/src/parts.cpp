@@ -9,6 +9,10 @@
 
 namespace horopter::monitor {
 
+void set_outputs_not_safe(const Cell& cell) {
+  if (cell.outputs.gpio) set_gpio_not_safe(*cell.outputs.gpio, cell);
+}
+
 std::vector<std::unique_ptr<Part>> make_parts(const Cell& cell, const SafeState& state, Control& control, Lines lines) {
   std::vector<std::unique_ptr<Part>> parts;
   parts.push_back(make_lines(cell, lines));

@@ -20,6 +20,32 @@ struct CloseChip {
   }
 };
 
+struct Requested {
+  std::shared_ptr<gpiod_chip> chip;
+  std::array<gpiod_line*, 3> lines{};  ///< safe, not safe, pulse
+};
+
+/// All are not safe then.
+Requested request(const GpioCell& gpio, const Cell& cell) {
+  const auto fail = [&](const std::string& what) {
+    throw FileError(cell.path.string(), "outputs.gpio", fmt::format("{} ({})", what, std::strerror(errno)),
+                    "a chip of this computer and two of its lines that nobody uses");
+  };
+  Requested requested{.chip = {gpiod_chip_open_lookup(gpio.chip.c_str()), CloseChip()}};
+  if (requested.chip == nullptr) fail(fmt::format("no chip {}", gpio.chip));
+  const std::array offsets{gpio.safe_line, gpio.unsafe_line, gpio.pulse_line};
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    if (offsets.at(i) < 0) continue;
+    gpiod_line* const line = gpiod_chip_get_line(requested.chip.get(), static_cast<unsigned>(offsets.at(i)));
+    const int at_first = i == 1 ? 1 : 0;  // not safe
+    if (line == nullptr || gpiod_line_request_output(line, "horopter", at_first) != 0) {
+      fail(fmt::format("line {} of {}", offsets.at(i), gpio.chip));
+    }
+    requested.lines.at(i) = line;
+  }
+  return requested;
+}
+
 }  // namespace
 
 LinesFollower::LinesFollower(SetLines set, const SafeState& state, SetPulse pulse)
@@ -45,25 +71,11 @@ void LinesFollower::put(bool safe) {
 
 std::string LinesFollower::trouble() const { return failed_ ? "the GPIO lines cannot be set" : ""; }
 
+void set_gpio_not_safe(const GpioCell& gpio, const Cell& cell) { request(gpio, cell); }
+
 std::unique_ptr<Part> make_gpio(const GpioCell& gpio, const Cell& cell, const SafeState& state) {
-  const auto fail = [&](const std::string& what) {
-    throw FileError(cell.path.string(), "outputs.gpio", fmt::format("{} ({})", what, std::strerror(errno)),
-                    "a chip of this computer and two of its lines that nobody uses");
-  };
-  const std::shared_ptr<gpiod_chip> chip(gpiod_chip_open_lookup(gpio.chip.c_str()), CloseChip());
-  if (chip == nullptr) fail(fmt::format("no chip {}", gpio.chip));
-  std::array<gpiod_line*, 3> lines{};
-  const std::array offsets{gpio.safe_line, gpio.unsafe_line, gpio.pulse_line};
-  for (std::size_t i = 0; i < lines.size(); ++i) {
-    if (offsets.at(i) < 0) continue;
-    lines.at(i) = gpiod_chip_get_line(chip.get(), static_cast<unsigned>(offsets.at(i)));
-    const int at_first = i == 1 ? 1 : 0;  // not safe
-    if (lines.at(i) == nullptr || gpiod_line_request_output(lines.at(i), "horopter", at_first) != 0) {
-      fail(fmt::format("line {} of {}", offsets.at(i), gpio.chip));
-    }
-  }
-  const auto set = [chip, lines](std::size_t i, bool value) {
-    return gpiod_line_set_value(lines.at(i), value ? 1 : 0) == 0;
+  const auto set = [requested = request(gpio, cell)](std::size_t i, bool value) {
+    return gpiod_line_set_value(requested.lines.at(i), value ? 1 : 0) == 0;
   };
   SetPulse pulse;
   if (gpio.pulse_line >= 0) pulse = [set](bool level) { return set(2, level); };

@@ -39,6 +39,9 @@ class LinesFollower : public Part {
   Ticker ticker_;  // the last: its thread uses the others
 };
 
+/// Once: a monitor that was killed may have left them safe, and a driver that keeps what was released keeps this, too.
+/// Throws as make_gpio() does.
+void set_gpio_not_safe(const GpioCell& gpio, const Cell& cell);
 /// Throws FileError for a chip or lines that cannot be had.
 std::unique_ptr<Part> make_gpio(const GpioCell& gpio, const Cell& cell, const SafeState& state);
 

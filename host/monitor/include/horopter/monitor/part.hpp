@@ -25,6 +25,9 @@ class Part : public Listener {
 /// Where events are printed.
 enum class Lines { text, json };
 
+/// What others may have left safe. Before the machine is made, which may take long. Throws FileError.
+void set_outputs_not_safe(const Cell& cell);
+
 /// All that cell.yaml names, and the lines on standard output. They must go before the service that they were made for.
 std::vector<std::unique_ptr<Part>> make_parts(const Cell& cell, const SafeState& state, Control& control, Lines lines);
 
