@@ -28,7 +28,7 @@ constexpr auto kAgain = std::chrono::seconds(1);
 /// A broker that takes nothing for so long hangs. It is said something once a second.
 constexpr auto kAnswer = std::chrono::seconds(2);
 /// And what it does not take must not fill the memory.
-constexpr int kMostWaiting = 100;
+constexpr int kMostUnanswered = 100;
 /// At the end, for the last message.
 constexpr auto kLastWait = std::chrono::milliseconds(500);
 
@@ -120,7 +120,7 @@ class MqttPart : public Part {
   void answered() { answered_ = Clock::now().time_since_epoch().count(); }
 
   void publish(const std::string& topic, const std::string& text, int qos, bool retain) {
-    if (!connected_ || waiting_ >= kMostWaiting) return;
+    if (!connected_ || waiting_ >= kMostUnanswered) return;
     mosquitto_publish(client_.get(), nullptr, topic.c_str(), static_cast<int>(text.size()), text.data(), qos, retain);
     // A question behind it, which every broker answers and nobody else hears: it gives up what it never had.
     if (waiting_ == 0) answered();  // before, it was asked nothing
