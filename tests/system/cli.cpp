@@ -448,29 +448,41 @@ TEST_CASE("The hardware and the native engine write the same pictures") {
 }
 #endif
 
-TEST_CASE("A skin that moves takes no videos with a hole in time, though both have it") {
-  Sandbox box;
-  with_pairs(box, 5);
-  box.write("rig.yaml", rig_text());
-  box.write("moving.yaml",
-            "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n"
-            "motion: {frame_rate_per_s: 50, object_speed_m_s: 1.6, poses: [{time_s: 0.06, shift_mm: [0, 0, 100]}]}\n");
+const char* const kMoving =
+    "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n"
+    "motion: {frame_rate_per_s: 50, object_speed_m_s: 1.6, poses: [{time_s: 0.06, shift_mm: [0, 0, 100]}]}\n";
+constexpr int kRecorded = 5;
+
+/// left.mkv and right.mkv of with_pairs(box, kRecorded).
+void record(const Sandbox& box, double images_per_s) {
   for (const std::string side : {"left", "right"}) {
-    cv::VideoWriter video((box / (side + ".mkv")).string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 50,
+    cv::VideoWriter video((box / (side + ".mkv")).string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), images_per_s,
                           {200, 120});
     REQUIRE(video.isOpened());
-    for (int i = 0; i < 5; ++i) video.write(cv::imread((box / (side + std::to_string(i) + ".png")).string()));
+    for (int i = 0; i < kRecorded; ++i) video.write(cv::imread((box / (side + std::to_string(i) + ".png")).string()));
   }
+}
+/// Both, from image `first` on.
+void delay(const Sandbox& box, int first, int by_ms) {
+  for (const std::string name : {"left.mkv", "right.mkv"}) {
+    std::string bytes = box.read(name);
+    horopter::delay_images(bytes, first, kRecorded, by_ms);
+    box.write(name, bytes);
+  }
+}
+
+TEST_CASE("A skin that moves takes no videos with a hole in time, though both have it") {
+  Sandbox box;
+  with_pairs(box, kRecorded);
+  box.write("rig.yaml", rig_text());
+  box.write("moving.yaml", kMoving);
+  record(box, 50);
   std::vector<std::string> arguments = run_arguments("left.mkv", "right.mkv", "moving.yaml");
   for (const char* more : {"--rig", "rig.yaml", "--still-scene"}) arguments.emplace_back(more);
   const auto whole = box.run(arguments);
   CAPTURE(whole.err);
   CHECK(whole.status == 0);
-  for (const std::string name : {"left.mkv", "right.mkv"}) {
-    std::string bytes = box.read(name);
-    horopter::delay_images(bytes, 3, 5, 20);
-    box.write(name, bytes);
-  }
+  delay(box, 3, 20);
   const auto holed = box.run(arguments);
   CHECK(holed.status == 3);
   CHECK_THAT(holed.err, Catch::Contains("left.mkv#3: images are missing before it: 1"));
@@ -481,17 +493,7 @@ TEST_CASE("A video that comes at another rate than it is told is refused where t
   with_pairs(box, 5);
   box.write("rig.yaml", rig_text());
   box.write("wall.yaml", "surface: {type: plane, point_mm: [0, 0, 1000], normal: [0, 0, -1]}\n");
-  box.write("moving.yaml",
-            "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n"
-            "motion: {frame_rate_per_s: 50, object_speed_m_s: 1.6, poses: [{time_s: 0.06, shift_mm: [0, 0, 100]}]}\n");
-  const auto record = [&](double images_per_s) {
-    for (const std::string side : {"left", "right"}) {
-      cv::VideoWriter video((box / (side + ".mkv")).string(), cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), images_per_s,
-                            {200, 120});
-      REQUIRE(video.isOpened());
-      for (int i = 0; i < 5; ++i) video.write(cv::imread((box / (side + std::to_string(i) + ".png")).string()));
-    }
-  };
+  box.write("moving.yaml", kMoving);
   const auto run = [&](const std::string& skin, const std::vector<std::string>& more) {
     const auto result = box.run(
         run_arguments("left.mkv", "right.mkv", skin) +
@@ -505,37 +507,27 @@ TEST_CASE("A video that comes at another rate than it is told is refused where t
     CHECK(result.status == 3);
     CHECK_THAT(result.err, Catch::Contains(message));
   };
-  record(25);
+  record(box, 25);
   CHECK(run("wall.yaml", {"--frame-rate", "25"}).status != 3);
   refused(run("wall.yaml", {"--frame-rate", "50"}), "left.mkv#0: the video has 25 results a second; expected 50");
   refused(run("moving.yaml", {}), "left.mkv#0: the video has 25 results a second; expected 50");
   CHECK(run("moving.yaml", {"--profile", "field"}).status != 3);  // two results of each image
   // Images that come a little later, time and again: none is missing, and the skin would be ever earlier than its robot.
-  record(50);
-  for (const std::string name : {"left.mkv", "right.mkv"}) {
-    std::string bytes = box.read(name);
-    for (int i = 1; i < 5; ++i) horopter::delay_images(bytes, i, 5, 8);
-    box.write(name, bytes);
-  }
+  record(box, 50);
+  for (int i = 1; i < kRecorded; ++i) delay(box, i, 8);
   refused(run("moving.yaml", {}), "by the video's times; expected 0.0");
   // An alarm by more than one frame: a hand is seen once less for each image that is missing.
   const std::vector<std::string> two{"--alarm-frames", "2/3", "--frame-rate", "50"};
   CHECK(run("wall.yaml", two).status != 3);
-  for (const std::string name : {"left.mkv", "right.mkv"}) {
-    std::string bytes = box.read(name);
-    horopter::delay_images(bytes, 3, 5, 12);
-    box.write(name, bytes);
-  }
+  delay(box, 3, 12);
   refused(run("wall.yaml", two), "left.mkv#3: images are missing before it: 1");
 }
 
 TEST_CASE("--teach with a skin that moves: all of its way") {
   Sandbox box;
-  with_pairs(box, 5);
+  with_pairs(box, kRecorded);
   box.write("rig.yaml", rig_text());
-  box.write("moving.yaml",
-            "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n"
-            "motion: {frame_rate_per_s: 50, object_speed_m_s: 1.6, poses: [{time_s: 0.06, shift_mm: [0, 0, 100]}]}\n");
+  box.write("moving.yaml", kMoving);
   const auto run = [&](const char* pairs) {
     return box.run({"run", "--left", "left*.png", "--right", "right*.png", "--skin", "moving.yaml", "--rig", "rig.yaml",
                     "--still-scene", "--out", "out", "--teach", pairs});
@@ -550,9 +542,7 @@ TEST_CASE("A skin that moves: every frame names its table and time") {
   Sandbox box;
   with_pairs(box, 5);
   box.write("rig.yaml", rig_text());
-  const std::string motion =
-      "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n"
-      "motion: {frame_rate_per_s: 50, object_speed_m_s: 1.6, poses: [{time_s: 0.06, shift_mm: [0, 0, 100]}]}\n";
+  const std::string motion = kMoving;
   box.write("moving.yaml", motion);
   const std::vector<std::string> arguments{
       "run",         "--left", "left*.png", "--right", "right*.png",   "--skin",
@@ -1086,9 +1076,7 @@ TEST_CASE("A skin that moves takes no images with a hole in their numbers") {
   Sandbox box;
   with_pairs(box, 6);
   box.write("rig.yaml", rig_text());
-  box.write("moving.yaml",
-            "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, 1]}\n"
-            "motion: {frame_rate_per_s: 50, object_speed_m_s: 1.6, poses: [{time_s: 0.06, shift_mm: [0, 0, 100]}]}\n");
+  box.write("moving.yaml", kMoving);
   const auto run = [](const std::string& skin) {
     return run_arguments("left*.png", "right*.png", skin) + std::vector<std::string>{"--rig", "rig.yaml"};
   };
