@@ -124,7 +124,7 @@ class Agreement {
     u<6> patch_limit;       // 1/8 px: the same at full resolution (patches.hpp)
     u<5> on_skin_limit;     // largest share of places, or of cells, on the skin, in 1/32; 31 = never
     u<8> on_skin_cells;     // so many cells on the skin are never too many: 4
-    u<1> alarm_before;      // the frame before showed an alarm
+    u<1> alarm_before;      // the frame before showed an alarm, and that counted
     u<1> same_table;        // the frame before had the same mapping table
     s<16> epipolar_slope;   // displacement across the rows of a shift along them, at the first cell: 2^-15
     s<16> epipolar_column;  // its change from column to column: 2^-20
@@ -352,6 +352,10 @@ class Agreement {
   static constexpr int first_row = 8;         // row of cells with which the first one that can be explained is done
   static constexpr int box = 5;               // cells around a place that must be seen
   static constexpr int lag = middle + 2 + 2;  // rows from a cell to its place in the map
+  // In the first rows of the next frame the sweep has nothing else to do: then so many more of the lowest rows are
+  // compared, and drawn. Those below them have no whole window.
+  static constexpr int late_rows = middle - 1;
+  static constexpr int late_drawn = late_rows + 2;
   static constexpr int least_textured = 40;
   static constexpr std::size_t column_count = static_cast<std::size_t>(columns);
   static constexpr std::size_t map_cells = static_cast<std::size_t>(columns * rows);
@@ -464,7 +468,10 @@ class Agreement {
     const Index count(shr<bits_for(cell - 1)>(config.height));
     row_starts_ = true;
     least_ = last >= reach ? Index(reach) : last;
-    map_row_ = row <= lag ? MapIndex(0) : MapIndex(map_row_ + map_width_);
+    const bool follows = proven_ && count > first_row;
+    late_ = follows && row < late_rows;
+    draws_late_ = follows && row < late_drawn;
+    map_row_ = row <= lag && !draws_late_ ? MapIndex(0) : MapIndex(map_row_ + map_width_);
     map_width_ = cells_of(config.width);
     first_rows_ = row <= middle;
     patches_.start_row(row >= middle, row == middle);
@@ -665,7 +672,7 @@ class Agreement {
     const CellCodes codes = fresh_.read(x_);
     LeftColumn left = left_.read(x_);
     RightColumn right = right_codes_.read(x_);
-    const bool rows_above = row_ != 0;
+    const bool rows_above = row_ != 0 || late_;
     for (std::size_t a = left.age.size() - 1; a > 0; --a) left.age[a] = left.age[a - 1];
     for (std::size_t a = right.age.size() - 1; a > 0; --a) right.age[a] = right.age[a - 1];
     for (std::size_t a = 1; a < left.age.size(); ++a) left.age[a].valid = left.age[a].valid && rows_above;
@@ -971,7 +978,7 @@ class Agreement {
       l.left_turn = left_turns_.read(x_);
       l.right_turn = right_turns_.read(l.partner);
     }
-    const bool enough_rows = row_ >= first_row;
+    const bool enough_rows = row_ >= first_row || late_;
     l.supervised = here.supervised && enough_rows;
     l.textured = l.supervised && here.textured;
     l.of_skin = here.of_skin;
@@ -1000,7 +1007,7 @@ class Agreement {
   void match(const Looked& looked, const Step& left, const Step& right) {
     if (looked.explained) shown_right_.write(looked.partner, Shown{true, looked.nearer});
     if (!looked.inside) return;
-    const auto turned = moments_.take(row_ == 0 && x_ == 0, looked.explained, left, right);
+    const auto turned = moments_.take(row_ == 0 && x_ == 0, looked.explained && !late_, left, right);
     left_turns_.write(x_, turned[0]);
     right_turns_.write(x_, turned[1]);
   }
@@ -1038,7 +1045,7 @@ class Agreement {
     change_.nearer = u<1>(looked.nearer && looked.of_skin);
     change_.on_skin = u<1>(looked.on_skin);
     change_.skin_supervised = u<1>(looked.supervised && looked.of_skin);
-    const bool both_strong = looked.explained && looked.left_turn.strong && looked.right_turn.strong;
+    const bool both_strong = looked.explained && !late_ && looked.left_turn.strong && looked.right_turn.strong;
     change_.turned_left = u<1>(both_strong && looked.left_turn.turned);
     change_.turned_right = u<1>(both_strong && looked.right_turn.turned);
   }
@@ -1098,7 +1105,8 @@ class Agreement {
     const Centre centre = centres_.tap(1);
     centres_.push({inside && column.above[1].textured, column.above[1].of_skin});
     const bool few = t < 2;
-    const bool region_seen = good_known_ && good_.bit(static_cast<int>(cat(region_row_, region_column()).value()));
+    const u<3> region_row = draws_late_ ? u<3>(region_rows - 1) : region_row_;
+    const bool region_seen = good_known_ && good_.bit(static_cast<int>(cat(region_row, region_column()).value()));
     const bool is_proven = few ? region_seen : u<7>(e + shl<1>(e)) >= t;
     const bool is_seen = few ? region_seen : u<7>(around + shl<1>(around)) >= t;
     const bool is_nearer = shl<1>(n) > around;
@@ -1107,8 +1115,8 @@ class Agreement {
       change_.skin_textured = u<1>(centre.of_skin);
       change_.skin_unproven = u<1>(centre.of_skin && !is_proven);
     }
-    if (row_ >= lag && x_ >= 4 && x_ <= last_ + lit<4>()) {
-      map_.write(place_in_map(write_half_, MapIndex(map_row_ + (x_ - lit<4>()))),
+    if ((row_ >= lag || draws_late_) && x_ >= 4 && x_ <= last_ + lit<4>()) {
+      map_.write(place_in_map(draws_late_ ? read_half_ : write_half_, MapIndex(map_row_ + (x_ - lit<4>()))),
                  MapCell{is_seen, is_seen && is_nearer});
     }
   }
@@ -1289,7 +1297,8 @@ class Agreement {
     const bool next_row = begins && began_ && at_cell_end_;
     at_cell_end_ = seen_y_ == cell - 1 && seen_rows_left_ != 0;  // a beat early: rows are long
     seen_base_ = first ? MapIndex(0) : MapIndex(seen_base_ + (next_row ? MapIndex(width) : MapIndex(0)));
-    seen_rows_left_ = first ? (count > lag + 1 ? Index(count - lit<lag + 1>()) : Index(0))
+    constexpr int below = lag - late_drawn;
+    seen_rows_left_ = first ? (count > below + 1 ? Index(count - lit<below + 1>()) : Index(0))
                             : Index(seen_rows_left_ - u<1>(was_next_row_));
     was_next_row_ = next_row;
     if (first) {
@@ -1360,6 +1369,7 @@ class Agreement {
   bool in_row_ = false, next_cell_ = false, row_starts_ = false, first_rows_ = false;
   bool final_row_ = false;
   bool lower_half_ = false;
+  bool late_ = false, draws_late_ = false;  // the row belongs to the frame before
   template <int STRIDE>
   using ColumnSum = HorizontalSum<window, Score::width, STRIDE, Scalar, ColumnCount::width>;
   ColumnSum<1> middle_sum_;

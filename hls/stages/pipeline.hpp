@@ -39,9 +39,10 @@ using hls::CompeteSettings;
 
 /// The registers that decide what a frame's result is.
 struct Settings : hls::StageSettings {
-  int lookahead = 0;   // rows
-  int forget = 0;      // the frame before taught what went blind, but had a fault or an alarm
-  int same_table = 1;  // the frame before had the same one
+  int lookahead = 0;         // rows
+  int forget = 0;            // the frame before taught what went blind, but had a fault or an alarm
+  int same_table = 1;        // the frame before had the same one
+  int alarm_discounted = 0;  // the frame before showed an alarm that ALARM_FRAMES did not count
 
   /// ⌊p · 15·k² / 100⌋.
   static constexpr int sum_limit_for(int percent, int window) { return percent * 15 * window * window / 100; }
@@ -81,7 +82,7 @@ struct FrameSettings : Settings {
       : Settings(settings), width(result_width), height(result_height) {}
   int width;
   int height;
-  int alarm_before = 0;  // the frame before showed an alarm
+  int alarm_before = 0;  // the frame before showed an alarm, and that counted
 };
 
 struct Run {
@@ -275,7 +276,7 @@ class Pipeline {
   void begin(const ImageView& image, const TableView& table, const Settings& settings) {
     compete_ = settings.compete != 0;
     FrameSettings of_stages(settings, image.width / P.subsample, image.height);
-    of_stages.alarm_before = alarm_before_;
+    of_stages.alarm_before = settings.alarm_discounted != 0 ? 0 : alarm_before_;
     if constexpr (P.has_thesis()) thesis_rows_.begin(of_stages);
     if constexpr (P.has_compete()) compete_rows_.begin(of_stages);
     blind_config_ = stages::chain::by_name<typename stages::Blind<P>::Config>(of_stages);

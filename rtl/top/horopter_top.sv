@@ -1014,7 +1014,7 @@ module horopter_top #(
       .cfg_patch_limit_i(sampled_registration.patches),
       .cfg_on_skin_limit_i(sampled_registration.on_skin),
       .cfg_on_skin_cells_i(sampled_registration.on_skin_cells),
-      .cfg_alarm_before_i(frame_status.seen),
+      .cfg_alarm_before_i(frame_status.alarm),
       .cfg_same_table_i(same_table_q),
       .cfg_epipolar_slope_i(sampled_epipolar.slope),
       .cfg_epipolar_column_i(sampled_epipolar.column),

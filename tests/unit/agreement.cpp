@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Clear is earned: the stage `agreement` on scenes of known depth, on what is no scene, and with each check taken away.
 #include <catch2/catch.hpp>
+#include <numeric>
 
 #include "agreement_scenes.hpp"
 
@@ -97,6 +98,39 @@ TEST_CASE("what both cameras cannot see together is not seen") {
   const Answer answer = last_of(2, config, left, right);
   CHECK(answer.verdict.disagree);
   CHECK(answer.seen_share < (what == "half covered" ? 0.6 : 0.3));
+}
+
+TEST_CASE("what is seen of the lowest rows is what both cameras see there") {
+  Small::Config config = defaults(320, 240);
+  config.compete = GENERATE(0, 1);
+  const bool left_covered = GENERATE(false, true);
+  const int covered_px = GENERATE(40, 48, 56, 80);
+  CAPTURE(config.compete, left_covered, covered_px);
+  const Picture world = scene(320, 240, 1);
+  const Picture other = scene(320, 240, 9);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const Picture right = seen(world, shifted(-20, 0), 3);
+  const auto covered = [&](Picture picture) {
+    const auto from = static_cast<std::ptrdiff_t>((240 - covered_px) * 320);
+    std::copy(other.grey.begin() + from, other.grey.end(), picture.grey.begin() + from);
+    return picture;
+  };
+  // The filters and their windows take the last rows.
+  const std::size_t end = config.compete != 0 ? 240 - 12 : 240 - 9;
+  const auto stage = std::make_unique<Small>();
+  const auto mean_seen = [&](bool covers) {
+    Answer answer;
+    for (int i = 0; i < 3; ++i) {
+      answer = frame(*stage, config, covers && left_covered ? covered(left) : left,
+                     covers && !left_covered ? covered(right) : right);
+    }
+    return std::accumulate(answer.seen_of_row.begin() + static_cast<std::ptrdiff_t>(end) - 24,
+                           answer.seen_of_row.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
+           24;
+  };
+  CHECK(mean_seen(false) > 0.8);
+  CHECK(mean_seen(true) < 0.5);
+  CHECK(mean_seen(false) > 0.8);
 }
 
 TEST_CASE("too little in all, in too many regions, or around too many places: each says that the cameras disagree") {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <functional>
@@ -123,6 +124,7 @@ struct Answer {
   int verdicts = 0;
   double seen_share = 0;
   double nearer_share = 0;
+  std::array<double, kSmall.height> seen_of_row{};  ///< share of the pixels of a row of the image
   int places = 0;  // of a round at full resolution
   double across_px = 0;
   int displaced = 0;  // more than half of them, by one of three ways
@@ -139,6 +141,7 @@ inline Answer frame(Small& stage, const Small::Config& config, const Picture& le
   Answer answer;
   int seen = 0;
   int nearer = 0;
+  const int later = config.compete != 0 ? compete_offset<kSmall>.rows : thesis_offset<kSmall>.rows;
   for (int y = 0; y < left.height + kSmall.flush_rows(); ++y) {
     for (int x = 0; x < left.width; ++x) {
       Small::In in;
@@ -169,6 +172,10 @@ inline Answer frame(Small& stage, const Small::Config& config, const Picture& le
       if (y >= 24 && y < left.height && x >= 24) {
         seen += out.marks.seen;
         nearer += out.marks.nearer;
+      }
+      const int row = y - later;
+      if (row >= 0 && row < left.height && x >= 24) {
+        answer.seen_of_row[static_cast<std::size_t>(row)] += out.marks.seen / (left.width - 24.0);
       }
     }
   }

@@ -342,7 +342,7 @@ void NativeDevice::reset_stream() {
   frame_ = {};
   hold();
   alarms_seen_ = kAllSeen;
-  taught_ = taught_before_ = forget_ = dim_ = false;
+  taught_ = taught_before_ = forget_ = alarm_discounted_ = dim_ = false;
   taught_frames_ = 0;
   active_slot_ = kNoTable;
   same_table_ = false;
@@ -427,6 +427,7 @@ native::Settings NativeDevice::settings() const {
   static_cast<hls::StageSettings&>(s) = stage_settings(word);
   s.lookahead = static_cast<int>(word(reg::lookahead::kAddress));
   s.forget = forget_ ? 1 : 0;
+  s.alarm_discounted = alarm_discounted_ ? 1 : 0;
   s.same_table = same_table_ ? 1 : 0;
   s.dim = s.dim != 0 && s.teach != 0 && !dim_ ? 1 : 0;
   // Without a table nothing is undecidable.
@@ -531,6 +532,7 @@ FrameStreams NativeDevice::receive() {
   taught_before_ = teaches;
   forget_ = faults.has(Fault::teaching) && (result.alarm || faults.without(Fault::teaching).any());
   const bool good = !faults.any() && !(result.alarm && alarm_counts());
+  alarm_discounted_ = result.alarm && good;
   alarms_seen_ = faults.any() ? kAllSeen : alarms_seen_ << 1U | static_cast<std::uint32_t>(result.alarm);
   if (good) {
     safe_ = good_before_ && released();

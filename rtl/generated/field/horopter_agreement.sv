@@ -3,7 +3,7 @@
 //
 // Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 3098 bits, pipeline 832 bits, memories 66591 bits.
+// State 3100 bits, pipeline 842 bits, memories 66591 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -72,22 +72,22 @@ module horopter_agreement (
   assign s3_en = en_i & valid_s3_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2347;
-  assign not_2347 = ~cfg_prove_i;
-  logic [5:0] sum_2560;
-  assign sum_2560 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_3582;
-  assign difference_3582 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_3775;
-  assign not_3775 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_3833;
-  assign difference_3833 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_4080;
-  assign less_4080 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_4081;
-  assign sum_4081 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
-  logic [7:0] select_4082;
-  assign select_4082 = less_4080 ? {sum_4081, cfg_height_i[5:3]} : 8'h0;
+  logic not_2356;
+  assign not_2356 = ~cfg_prove_i;
+  logic [5:0] sum_2569;
+  assign sum_2569 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic less_2574;
+  assign less_2574 = 6'h8 < cfg_height_i[8:3];
+  logic [6:0] difference_3601;
+  assign difference_3601 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_3794;
+  assign not_3794 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [6:0] difference_3852;
+  assign difference_3852 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic [5:0] sum_4102;
+  assign sum_4102 = {2'h0, cfg_height_i[8:5]} + 6'h3f;
+  logic [7:0] select_4103;
+  assign select_4103 = (6'h4 < cfg_height_i[8:3]) ? {sum_4102, cfg_height_i[4:3]} : 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic left_first_q;
@@ -156,412 +156,412 @@ module horopter_agreement (
   logic [4:0] patches_column_q;
   logic patches_column_ends_q;
   // hls/stages/census.hpp:42
-  logic [2:0] select_510;
-  assign select_510 = sample_pair_first_q ? 3'h0 : raster_at_x_q;
+  logic [2:0] select_512;
+  assign select_512 = sample_pair_first_q ? 3'h0 : raster_at_x_q;
   // hls/stages/census.hpp:34
   logic row_starts;
   assign row_starts = sample_pair_first_q | raster_row_ended_q;
   // hls/stages/census.hpp:124
-  logic [7:0] select_514;
-  assign select_514 = select_510[0] ? averager_place_q : (row_starts ? 8'h0 : (averager_place_q + 8'h1));
+  logic [7:0] select_516;
+  assign select_516 = select_512[0] ? averager_place_q : (row_starts ? 8'h0 : (averager_place_q + 8'h1));
   // hls/stages/census.hpp:122
-  logic or_518;
-  assign or_518 = row_starts | (averager_inside_q & (~(averager_place_q == 8'hbc)));
-  // hls/stages/census.hpp:124
-  logic select_519;
-  assign select_519 = select_510[0] ? averager_inside_q : or_518;
-  // hls/stages/census.hpp:42
   logic or_520;
-  assign or_520 = sample_pair_first_q | raster_at_live_q;
-  // hls/stages/agreement.hpp:418
-  logic and_522;
-  assign and_522 = select_519 & (select_510[0] & or_520);
+  assign or_520 = row_starts | (averager_inside_q & (~(averager_place_q == 8'hbc)));
+  // hls/stages/census.hpp:124
+  logic select_521;
+  assign select_521 = select_512[0] ? averager_inside_q : or_520;
   // hls/stages/census.hpp:42
-  logic [2:0] select_527;
-  assign select_527 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
-  logic [5:0] select_543;
-  assign select_543 = sample_pair_first_q ? 6'h0 : raster_at_column_q;
+  logic or_522;
+  assign or_522 = sample_pair_first_q | raster_at_live_q;
+  // hls/stages/agreement.hpp:422
+  logic and_524;
+  assign and_524 = select_521 & (select_512[0] & or_522);
+  // hls/stages/census.hpp:42
+  logic [2:0] select_529;
+  assign select_529 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  logic [5:0] select_545;
+  assign select_545 = sample_pair_first_q ? 6'h0 : raster_at_column_q;
   // hls/stages/agreement.hpp:276
   logic [5:0] last;
-  assign last = sample_pair_whole_q ? select_543 : 6'h0;
+  assign last = sample_pair_whole_q ? select_545 : 6'h0;
   // hls/stages/census.hpp:53
-  logic equal_545;
-  assign equal_545 = select_510 == 3'h7;
+  logic equal_547;
+  assign equal_547 = select_512 == 3'h7;
   // hls/stages/census.hpp:58
-  logic equal_546;
-  assign equal_546 = select_527 == 3'h7;
+  logic equal_548;
+  assign equal_548 = select_529 == 3'h7;
   // hls/stages/census.hpp:134
-  logic and_547;
-  assign and_547 = equal_546 & and_522;
-  // hls/stages/agreement.hpp:276
   logic and_549;
-  assign and_549 = sample_pair_whole_q & (equal_545 & and_547);
+  assign and_549 = equal_548 & and_524;
+  // hls/stages/agreement.hpp:276
+  logic and_551;
+  assign and_551 = sample_pair_whole_q & (equal_547 & and_549);
   // hls/stages/agreement.hpp:196
   logic so;
   assign so = run_phase_q == 3'h6;
-  // hls/stages/agreement.hpp:623
-  logic equal_578;
-  assign equal_578 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:594
-  logic or_579;
-  assign or_579 = so | equal_578;
-  // hls/stages/agreement.hpp:592
-  logic [7:0] sum_580;
-  assign sum_580 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
-  // hls/stages/agreement.hpp:594
-  logic [7:0] select_581;
-  assign select_581 = run_shift_q[5] ? x_q : sum_580;
-  logic less_582;
-  assign less_582 = {2'h0, last_q} < select_581;
+  // hls/stages/agreement.hpp:630
+  logic equal_580;
+  assign equal_580 = run_phase_q == 3'h5;
+  // hls/stages/agreement.hpp:601
+  logic or_581;
+  assign or_581 = so | equal_580;
+  // hls/stages/agreement.hpp:599
+  logic [7:0] sum_582;
+  assign sum_582 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+  // hls/stages/agreement.hpp:601
+  logic [7:0] select_583;
+  assign select_583 = run_shift_q[5] ? x_q : sum_582;
+  logic less_584;
+  assign less_584 = {2'h0, last_q} < select_583;
   // hls/stages/agreement.hpp:226
-  logic not_583;
-  assign not_583 = ~less_582;
-  // hls/stages/agreement.hpp:614
-  logic equal_593;
-  assign equal_593 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:615
-  logic equal_594;
-  assign equal_594 = run_phase_q == 3'h2;
+  logic not_585;
+  assign not_585 = ~less_584;
+  // hls/stages/agreement.hpp:621
+  logic equal_595;
+  assign equal_595 = run_phase_q == 3'h3;
+  // hls/stages/agreement.hpp:622
+  logic equal_596;
+  assign equal_596 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:149
-  logic and_595;
-  assign and_595 = equal_594 & not_583;
-  logic select_597;
-  assign select_597 = or_579 ? not_583 : (equal_593 ? not_583 : and_595);
-  // hls/stages/agreement.hpp:798
+  logic and_597;
+  assign and_597 = equal_596 & not_585;
+  logic select_599;
+  assign select_599 = or_581 ? not_585 : (equal_595 ? not_585 : and_597);
+  // hls/stages/agreement.hpp:805
   logic [7:0] x;
   assign x = x_q + 8'hfd;
-  // hls/stages/agreement.hpp:796
-  logic [6:0] sum_611;
-  assign sum_611 = {1'b0, last_q} + 7'h3;
+  // hls/stages/agreement.hpp:803
+  logic [6:0] sum_614;
+  assign sum_614 = {1'b0, last_q} + 7'h3;
   // hls/stages/agreement.hpp:149
-  logic and_616;
-  assign and_616 = equal_593 & (age_q[2] & (ends_cell_q & (~({1'b0, sum_611} < select_581))));
-  logic select_617;
-  assign select_617 = or_579 ? not_583 : and_616;
-  // hls/stages/agreement.hpp:821
+  logic and_619;
+  assign and_619 = equal_595 & (age_q[2] & (ends_cell_q & (~({1'b0, sum_614} < select_583))));
+  logic select_620;
+  assign select_620 = or_581 ? not_585 : and_619;
+  // hls/stages/agreement.hpp:828
   logic [5:0] right;
-  assign right = sum_580[5:0] + 6'h3d;
-  // hls/stages/agreement.hpp:720
-  logic not_647;
-  assign not_647 = ~or_579;
+  assign right = sum_582[5:0] + 6'h3d;
+  // hls/stages/agreement.hpp:727
+  logic not_652;
+  assign not_652 = ~or_581;
   // hls/stages/agreement.hpp:149
-  logic and_650;
-  assign and_650 = not_647 & ((~equal_593) & and_595);
+  logic and_655;
+  assign and_655 = not_652 & ((~equal_595) & and_597);
   // hls/stages/census.hpp:42
-  logic [5:0] select_677;
-  assign select_677 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
+  logic [5:0] select_682;
+  assign select_682 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:276
   logic [5:0] row;
-  assign row = sample_pair_whole_q ? select_677 : 6'h0;
+  assign row = sample_pair_whole_q ? select_682 : 6'h0;
   // hls/stages/patches.hpp:396
-  logic not_1673;
-  assign not_1673 = ~patches_begins_q;
+  logic not_1679;
+  assign not_1679 = ~patches_begins_q;
   // hls/stages/census.hpp:33
-  logic not_1676;
-  assign not_1676 = ~sample_pair_first_q;
+  logic not_1682;
+  assign not_1682 = ~sample_pair_first_q;
   // hls/stages/patches.hpp:366
-  logic and_1677;
-  assign and_1677 = patches_capturing_q & not_1676;
+  logic and_1683;
+  assign and_1683 = patches_capturing_q & not_1682;
   // hls/stages/patches.hpp:368
-  logic equal_1678;
-  assign equal_1678 = {or_520, select_527} == 4'hc;
+  logic equal_1684;
+  assign equal_1684 = {or_522, select_529} == 4'hc;
   // hls/stages/patches.hpp:315
-  logic equal_1680;
-  assign equal_1680 = patches_band_rows_rows_to_next_q == 4'h0;
+  logic equal_1686;
+  assign equal_1686 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/patches.hpp:125
-  logic and_1685;
-  assign and_1685 = (not_1673 & (patches_work_q == 3'h0)) & (~(and_1677 | ((~equal_1678) | (~equal_1680))));
+  logic and_1691;
+  assign and_1691 = (not_1679 & (patches_work_q == 3'h0)) & (~(and_1683 | ((~equal_1684) | (~equal_1686))));
   // hls/stages/patches.hpp:537
-  logic equal_1776;
-  assign equal_1776 = patches_work_q == 3'h4;
+  logic equal_1782;
+  assign equal_1782 = patches_work_q == 3'h4;
   // hls/stages/patches.hpp:516
-  logic not_1777;
-  assign not_1777 = ~equal_1776;
-  // hls/stages/patches.hpp:509
-  logic equal_1778;
-  assign equal_1778 = patches_work_q == 3'h3;
-  // hls/stages/patches.hpp:462
-  logic not_1779;
-  assign not_1779 = ~equal_1778;
-  // hls/stages/patches.hpp:503
-  logic equal_1780;
-  assign equal_1780 = patches_work_q == 3'h2;
-  // hls/stages/patches.hpp:168
-  logic equal_1781;
-  assign equal_1781 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:537
-  logic or_1782;
-  assign or_1782 = equal_1780 | equal_1781;
-  // hls/stages/patches.hpp:464
   logic not_1783;
-  assign not_1783 = ~patches_second_q;
-  // hls/stages/patches.hpp:377
-  logic [4:0] select_1805;
-  assign select_1805 = and_1685 ? 5'h0 : (patches_row_q + 5'h1);
-  // hls/stages/patches.hpp:126
-  logic [4:0] select_1806;
-  assign select_1806 = row_starts ? select_1805 : patches_row_q;
-  // hls/stages/patches.hpp:125
-  logic and_1808;
-  assign and_1808 = and_1677 & (patches_row_q == 5'h1f);
-  // hls/stages/patches.hpp:126
-  logic select_1812;
-  assign select_1812 = row_starts ? (and_1685 | (and_1677 & (~and_1808))) : patches_capturing_q;
-  // hls/stages/agreement.hpp:275
-  logic and_1820;
-  assign and_1820 = not_1777 & (not_1779 & (or_1782 & (patches_second_q & equal_1781)));
-  // hls/stages/patches.hpp:168
-  logic not_1836;
-  assign not_1836 = ~equal_1781;
-  // hls/stages/agreement.hpp:276
-  logic [3:0] select_1852;
-  assign select_1852 = row_starts ? {select_1805[4], select_1805[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  assign not_1783 = ~equal_1782;
+  // hls/stages/patches.hpp:509
+  logic equal_1784;
+  assign equal_1784 = patches_work_q == 3'h3;
   // hls/stages/patches.hpp:462
-  logic and_1862;
-  assign and_1862 = not_1777 & (or_1782 & not_1779);
+  logic not_1785;
+  assign not_1785 = ~equal_1784;
+  // hls/stages/patches.hpp:503
+  logic equal_1786;
+  assign equal_1786 = patches_work_q == 3'h2;
+  // hls/stages/patches.hpp:168
+  logic equal_1787;
+  assign equal_1787 = patches_work_q == 3'h1;
+  // hls/stages/patches.hpp:537
+  logic or_1788;
+  assign or_1788 = equal_1786 | equal_1787;
+  // hls/stages/patches.hpp:464
+  logic not_1789;
+  assign not_1789 = ~patches_second_q;
+  // hls/stages/patches.hpp:377
+  logic [4:0] select_1811;
+  assign select_1811 = and_1691 ? 5'h0 : (patches_row_q + 5'h1);
+  // hls/stages/patches.hpp:126
+  logic [4:0] select_1812;
+  assign select_1812 = row_starts ? select_1811 : patches_row_q;
+  // hls/stages/patches.hpp:125
+  logic and_1814;
+  assign and_1814 = and_1683 & (patches_row_q == 5'h1f);
+  // hls/stages/patches.hpp:126
+  logic select_1818;
+  assign select_1818 = row_starts ? (and_1691 | (and_1683 & (~and_1814))) : patches_capturing_q;
+  // hls/stages/agreement.hpp:275
+  logic and_1826;
+  assign and_1826 = not_1783 & (not_1785 & (or_1788 & (patches_second_q & equal_1787)));
+  // hls/stages/patches.hpp:168
+  logic not_1842;
+  assign not_1842 = ~equal_1787;
+  // hls/stages/agreement.hpp:276
+  logic [3:0] select_1858;
+  assign select_1858 = row_starts ? {select_1811[4], select_1811[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  // hls/stages/patches.hpp:462
+  logic and_1868;
+  assign and_1868 = not_1783 & (or_1788 & not_1785);
   // hls/stages/agreement.hpp:190
-  logic and_1968;
-  assign and_1968 = right_q & (~marks_first_i);
+  logic and_1974;
+  assign and_1974 = right_q & (~marks_first_i);
   // hls/stages/agreement.hpp:276
-  logic [2:0] select_2137;
-  assign select_2137 = sample_pair_whole_q ? (sample_last_q ? 3'h0 : (select_510 + 3'h1)) : raster_at_x_q;
-  logic [2:0] select_2140;
-  assign select_2140 = sample_pair_whole_q ? (sample_last_q ? (select_527 + 3'h1) : select_527) : raster_at_y_q;
-  logic [5:0] select_2143;
-  assign select_2143 = sample_pair_whole_q ? (sample_last_q ? 6'h0 : (select_543 + {5'h0, equal_545})) : raster_at_column_q;
-  logic [5:0] select_2146;
-  assign select_2146 = sample_pair_whole_q ? (sample_last_q ? (select_677 + {5'h0, equal_546}) : select_677) : raster_at_row_q;
-  logic select_2150;
-  assign select_2150 = sample_pair_whole_q ? (sample_last_q ? (or_520 & (~raster_final_row_q)) : or_520) : raster_at_live_q;
+  logic [2:0] select_2146;
+  assign select_2146 = sample_pair_whole_q ? (sample_last_q ? 3'h0 : (select_512 + 3'h1)) : raster_at_x_q;
+  logic [2:0] select_2149;
+  assign select_2149 = sample_pair_whole_q ? (sample_last_q ? (select_529 + 3'h1) : select_529) : raster_at_y_q;
+  logic [5:0] select_2152;
+  assign select_2152 = sample_pair_whole_q ? (sample_last_q ? 6'h0 : (select_545 + {5'h0, equal_547})) : raster_at_column_q;
+  logic [5:0] select_2155;
+  assign select_2155 = sample_pair_whole_q ? (sample_last_q ? (select_682 + {5'h0, equal_548}) : select_682) : raster_at_row_q;
+  logic select_2159;
+  assign select_2159 = sample_pair_whole_q ? (sample_last_q ? (or_522 & (~raster_final_row_q)) : or_522) : raster_at_live_q;
   // hls/stages/census.hpp:52
-  logic [8:0] select_2152;
-  assign select_2152 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [8:0] select_2161;
+  assign select_2161 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:276
-  logic select_2156;
-  assign select_2156 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
-  // hls/stages/agreement.hpp:459
-  logic [6:0] sum_2465;
-  assign sum_2465 = {1'b0, last} + 7'h1;
-  logic equal_2466;
-  assign equal_2466 = {sum_2465[6], cfg_width_i[8:3]} == {1'b0, sum_2465[5:0]};
-  // hls/stages/agreement.hpp:464
-  logic and_2467;
-  assign and_2467 = and_549 & equal_2466;
-  // hls/stages/agreement.hpp:523
-  logic select_2470;
-  assign select_2470 = (and_2467 | (~ends_cell_q)) ? and_2467 : ends_q;
-  // hls/stages/agreement.hpp:529
+  logic select_2165;
+  assign select_2165 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  // hls/stages/agreement.hpp:463
+  logic [6:0] sum_2474;
+  assign sum_2474 = {1'b0, last} + 7'h1;
+  logic equal_2475;
+  assign equal_2475 = {sum_2474[6], cfg_width_i[8:3]} == {1'b0, sum_2474[5:0]};
+  // hls/stages/agreement.hpp:468
+  logic and_2476;
+  assign and_2476 = and_551 & equal_2475;
+  // hls/stages/agreement.hpp:530
+  logic select_2479;
+  assign select_2479 = (and_2476 | (~ends_cell_q)) ? and_2476 : ends_q;
+  // hls/stages/agreement.hpp:536
   logic [2:0] now;
-  assign now = select_2470 ? (and_2467 ? 3'h1 : following_phase_q) : run_phase_q;
-  // hls/stages/agreement.hpp:534
-  logic [5:0] select_2474;
-  assign select_2474 = select_2470 ? (and_2467 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2477;
-  assign select_2477 = select_2470 ? (following_last_shift_q & (~and_2467)) : run_last_shift_q;
-  // hls/stages/agreement.hpp:607
-  logic and_2480;
-  assign and_2480 = run_last_shift_q & equal_593;
-  // hls/stages/agreement.hpp:616
-  logic select_2482;
-  assign select_2482 = equal_593 ? (~run_last_shift_q) : equal_594;
-  // hls/stages/agreement.hpp:620
-  logic equal_2483;
-  assign equal_2483 = run_phase_q == 3'h1;
-  logic not_2486;
-  assign not_2486 = ~select_2482;
-  // hls/stages/agreement.hpp:623
-  logic equal_2488;
-  assign equal_2488 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:607
+  assign now = select_2479 ? (and_2476 ? 3'h1 : following_phase_q) : run_phase_q;
+  // hls/stages/agreement.hpp:541
+  logic [5:0] select_2483;
+  assign select_2483 = select_2479 ? (and_2476 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2486;
+  assign select_2486 = select_2479 ? (following_last_shift_q & (~and_2476)) : run_last_shift_q;
+  // hls/stages/agreement.hpp:614
   logic and_2489;
-  assign and_2489 = final_row_q & so;
-  // hls/stages/agreement.hpp:620
-  logic [1:0] select_2490;
-  assign select_2490 = equal_2488 ? 2'h1 : {2{and_2489}};
-  logic [2:0] select_2492;
-  assign select_2492 = (and_2480 | (select_2482 | equal_2483)) ? (equal_2483 ? 3'h2 : {not_2486, {2{select_2482}}}) : (equal_578 ? 3'h6 : {select_2490[0], select_2490});
-  // hls/stages/agreement.hpp:607
-  logic and_2495;
-  assign and_2495 = select_2482 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
+  assign and_2489 = run_last_shift_q & equal_595;
+  // hls/stages/agreement.hpp:623
+  logic select_2491;
+  assign select_2491 = equal_595 ? (~run_last_shift_q) : equal_596;
+  // hls/stages/agreement.hpp:627
+  logic equal_2492;
+  assign equal_2492 = run_phase_q == 3'h1;
+  logic not_2495;
+  assign not_2495 = ~select_2491;
   // hls/stages/agreement.hpp:630
+  logic equal_2497;
+  assign equal_2497 = run_phase_q == 3'h4;
+  // hls/stages/agreement.hpp:614
+  logic and_2498;
+  assign and_2498 = final_row_q & so;
+  // hls/stages/agreement.hpp:627
+  logic [1:0] select_2499;
+  assign select_2499 = equal_2497 ? 2'h1 : {2{and_2498}};
+  logic [2:0] select_2501;
+  assign select_2501 = (and_2489 | (select_2491 | equal_2492)) ? (equal_2492 ? 3'h2 : {not_2495, {2{select_2491}}}) : (equal_580 ? 3'h6 : {select_2499[0], select_2499});
+  // hls/stages/agreement.hpp:614
+  logic and_2504;
+  assign and_2504 = select_2491 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
+  // hls/stages/agreement.hpp:637
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2498;
-  assign select_2498 = (plan_shift_q[5] & select_2482) ? value : 7'h0;
-  logic [1:0] or_2499;
-  assign or_2499 = {2{so}} | select_2498[5:4];
-  // hls/stages/agreement.hpp:633
-  logic [7:0] select_2500;
-  assign select_2500 = select_2482 ? plan_columns_q : 8'h0;
-  logic [6:0] or_2503;
-  assign or_2503 = select_2500[6:0] | ((equal_2483 | equal_2488) ? whole_q : 7'h0);
-  logic [1:0] or_2504;
-  assign or_2504 = {2{and_2480}} | or_2503[3:2];
-  // hls/stages/agreement.hpp:634
-  logic [6:0] or_2506;
-  assign or_2506 = {or_2503[6:4], or_2504, or_2503[1:0]} | (equal_578 ? drawn_q : 7'h0);
-  logic [4:0] or_2507;
-  assign or_2507 = {5{so}} | {or_2506[6], or_2506[3:0]};
+  logic [6:0] select_2507;
+  assign select_2507 = (plan_shift_q[5] & select_2491) ? value : 7'h0;
+  logic [1:0] or_2508;
+  assign or_2508 = {2{so}} | select_2507[5:4];
   // hls/stages/agreement.hpp:640
-  logic not_2511;
-  assign not_2511 = ~run_shift_q[5];
-  logic [6:0] difference_2513;
-  assign difference_2513 = {1'b0, last_q} - {1'b0, least_q};
-  logic [7:0] select_2514;
-  assign select_2514 = equal_593 ? ({{7{not_2511}}, 1'b1} + run_span_q) : {difference_2513[6], difference_2513};
-  // hls/stages/agreement.hpp:523
-  logic [6:0] select_2518;
-  assign select_2518 = and_2467 ? 7'h0 : following_lowest_q;
-  // hls/stages/agreement.hpp:526
-  logic [7:0] select_2520;
-  assign select_2520 = select_2470 ? {select_2518[6], select_2518} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2509;
+  assign select_2509 = select_2491 ? plan_columns_q : 8'h0;
+  logic [6:0] or_2512;
+  assign or_2512 = select_2509[6:0] | ((equal_2492 | equal_2497) ? whole_q : 7'h0);
+  logic [1:0] or_2513;
+  assign or_2513 = {2{and_2489}} | or_2512[3:2];
+  // hls/stages/agreement.hpp:641
+  logic [6:0] or_2515;
+  assign or_2515 = {or_2512[6:4], or_2513, or_2512[1:0]} | (equal_580 ? drawn_q : 7'h0);
+  logic [4:0] or_2516;
+  assign or_2516 = {5{so}} | {or_2515[6], or_2515[3:0]};
+  // hls/stages/agreement.hpp:647
+  logic not_2520;
+  assign not_2520 = ~run_shift_q[5];
+  logic [6:0] difference_2522;
+  assign difference_2522 = {1'b0, last_q} - {1'b0, least_q};
   logic [7:0] select_2523;
-  assign select_2523 = select_2470 ? (and_2467 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:520
-  logic [5:0] select_2531;
-  assign select_2531 = and_549 ? (equal_2466 ? ((5'he < last[5:1]) ? 6'h1d : last) : least_q) : least_q;
-  // hls/stages/agreement.hpp:473
-  logic [4:0] sum_2532;
-  assign sum_2532 = {1'b0, last[5:2]} + 5'h3;
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_2534;
-  assign select_2534 = and_549 ? (equal_2466 ? {sum_2532, last[1:0]} : whole_q) : whole_q;
-  // hls/stages/agreement.hpp:474
-  logic [4:0] sum_2535;
-  assign sum_2535 = {1'b0, last[5:2]} + 5'h1;
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_2537;
-  assign select_2537 = and_549 ? (equal_2466 ? {sum_2535, last[1:0]} : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:531
-  logic select_2551;
-  assign select_2551 = (ends_cell_q | select_2470) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_593 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:526
-  logic and_2555;
-  assign and_2555 = (~select_2470) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
-  // hls/stages/agreement.hpp:476
-  logic [6:0] sum_2556;
-  assign sum_2556 = {1'b0, row} + 7'h1;
-  // hls/stages/agreement.hpp:460
-  logic select_2558;
-  assign select_2558 = equal_2466 ? ({sum_2556[6], cfg_height_i[8:3]} == {1'b0, sum_2556[5:0]}) : final_row_q;
+  assign select_2523 = equal_595 ? ({{7{not_2520}}, 1'b1} + run_span_q) : {difference_2522[6], difference_2522};
+  // hls/stages/agreement.hpp:530
+  logic [6:0] select_2527;
+  assign select_2527 = and_2476 ? 7'h0 : following_lowest_q;
+  // hls/stages/agreement.hpp:533
+  logic [7:0] select_2529;
+  assign select_2529 = select_2479 ? {select_2527[6], select_2527} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2532;
+  assign select_2532 = select_2479 ? (and_2476 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  // hls/stages/agreement.hpp:527
+  logic [5:0] select_2540;
+  assign select_2540 = and_551 ? (equal_2475 ? ((5'he < last[5:1]) ? 6'h1d : last) : least_q) : least_q;
+  // hls/stages/agreement.hpp:480
+  logic [4:0] sum_2541;
+  assign sum_2541 = {1'b0, last[5:2]} + 5'h3;
+  // hls/stages/agreement.hpp:527
+  logic [6:0] select_2543;
+  assign select_2543 = and_551 ? (equal_2475 ? {sum_2541, last[1:0]} : whole_q) : whole_q;
+  // hls/stages/agreement.hpp:481
+  logic [4:0] sum_2544;
+  assign sum_2544 = {1'b0, last[5:2]} + 5'h1;
+  // hls/stages/agreement.hpp:527
+  logic [6:0] select_2546;
+  assign select_2546 = and_551 ? (equal_2475 ? {sum_2544, last[1:0]} : drawn_q) : drawn_q;
+  // hls/stages/agreement.hpp:538
+  logic select_2560;
+  assign select_2560 = (ends_cell_q | select_2479) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_595 | (slot_q == 3'h6));
+  // hls/stages/agreement.hpp:533
+  logic and_2564;
+  assign and_2564 = (~select_2479) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  // hls/stages/agreement.hpp:483
+  logic [6:0] sum_2565;
+  assign sum_2565 = {1'b0, row} + 7'h1;
+  // hls/stages/agreement.hpp:464
+  logic select_2567;
+  assign select_2567 = equal_2475 ? ({sum_2565[6], cfg_height_i[8:3]} == {1'b0, sum_2565[5:0]}) : final_row_q;
   // hls/stages/patches.hpp:321
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
-  logic [3:0] select_2934;
-  assign select_2934 = row_starts ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
+  logic [3:0] select_2953;
+  assign select_2953 = row_starts ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2935;
-  assign select_2935 = sample_pair_whole_q ? select_2934 : patches_phase_q;
+  logic [3:0] select_2954;
+  assign select_2954 = sample_pair_whole_q ? select_2953 : patches_phase_q;
   // hls/stages/patches.hpp:377
-  logic and_2936;
-  assign and_2936 = not_1676 & equal_1678;
-  logic [8:0] select_2937;
-  assign select_2937 = and_2936 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_2938;
-  assign select_2938 = and_2936 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_2939;
-  assign select_2939 = sample_pair_first_q ? select_2937 : select_2938;
+  logic and_2955;
+  assign and_2955 = not_1682 & equal_1684;
+  logic [8:0] select_2956;
+  assign select_2956 = and_2955 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_2957;
+  assign select_2957 = and_2955 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_2958;
+  assign select_2958 = sample_pair_first_q ? select_2956 : select_2957;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2941;
-  assign select_2941 = sample_pair_whole_q ? (row_starts ? select_2939[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_2943;
-  assign select_2943 = sample_pair_whole_q ? (row_starts ? select_2939[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_2946;
-  assign select_2946 = sample_pair_whole_q ? (equal_1680 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_2948;
-  assign select_2948 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_1680}) : patches_next_band_number_q;
+  logic [3:0] select_2960;
+  assign select_2960 = sample_pair_whole_q ? (row_starts ? select_2958[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_2962;
+  assign select_2962 = sample_pair_whole_q ? (row_starts ? select_2958[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_2965;
+  assign select_2965 = sample_pair_whole_q ? (equal_1686 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_2967;
+  assign select_2967 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_1686}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:334
-  logic equal_2949;
-  assign equal_2949 = phase[3:1] == 3'h0;
+  logic equal_2968;
+  assign equal_2968 = phase[3:1] == 3'h0;
   // hls/stages/patches.hpp:335
-  logic not_2950;
-  assign not_2950 = ~equal_2949;
+  logic not_2969;
+  assign not_2969 = ~equal_2968;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2952;
-  assign select_2952 = sample_pair_whole_q ? (phase + {not_2950, 1'b1, not_2950, equal_2949}) : patches_first_band_rows_to_next_q;
-  // hls/stages/agreement.hpp:470
-  logic equal_2954;
-  assign equal_2954 = row == 6'h3;
+  logic [3:0] select_2971;
+  assign select_2971 = sample_pair_whole_q ? (phase + {not_2969, 1'b1, not_2969, equal_2968}) : patches_first_band_rows_to_next_q;
+  // hls/stages/agreement.hpp:477
+  logic equal_2973;
+  assign equal_2973 = row == 6'h3;
   // hls/stages/patches.hpp:87
-  logic [3:0] select_2958;
-  assign select_2958 = equal_2954 ? ((select_2935 == 4'h6) ? 4'h0 : (select_2935 + 4'h1)) : patches_choosing_rows_to_next_q;
-  logic equal_2959;
-  assign equal_2959 = select_2958 == 4'h0;
-  // hls/stages/agreement.hpp:460
-  logic [3:0] select_2962;
-  assign select_2962 = equal_2466 ? (equal_2959 ? 4'h6 : (select_2958 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_2977;
+  assign select_2977 = equal_2973 ? ((select_2954 == 4'h6) ? 4'h0 : (select_2954 + 4'h1)) : patches_choosing_rows_to_next_q;
+  logic equal_2978;
+  assign equal_2978 = select_2977 == 4'h0;
+  // hls/stages/agreement.hpp:464
+  logic [3:0] select_2981;
+  assign select_2981 = equal_2475 ? (equal_2978 ? 4'h6 : (select_2977 + 4'hf)) : patches_choosing_rows_to_next_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_2964;
-  assign select_2964 = equal_2954 ? 5'h0 : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:460
-  logic [4:0] select_2966;
-  assign select_2966 = equal_2466 ? (select_2964 + {4'h0, equal_2959}) : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:520
-  logic select_2971;
-  assign select_2971 = and_549 ? (equal_2466 ? ((6'h2 < row) & equal_2959) : patches_chooses_q) : patches_chooses_q;
-  logic [4:0] select_2973;
-  assign select_2973 = and_549 ? (equal_2466 ? select_2964 : patches_choosing_band_q) : patches_choosing_band_q;
+  logic [4:0] select_2983;
+  assign select_2983 = equal_2973 ? 5'h0 : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:464
+  logic [4:0] select_2985;
+  assign select_2985 = equal_2475 ? (select_2983 + {4'h0, equal_2978}) : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:527
+  logic select_2990;
+  assign select_2990 = and_551 ? (equal_2475 ? ((6'h2 < row) & equal_2978) : patches_chooses_q) : patches_chooses_q;
+  logic [4:0] select_2992;
+  assign select_2992 = and_551 ? (equal_2475 ? select_2983 : patches_choosing_band_q) : patches_choosing_band_q;
   // hls/stages/patches.hpp:375
-  logic [5:0] sum_2996;
-  assign sum_2996 = {1'b0, select_677[5:1]} + 6'h1;
-  logic less_2997;
-  assign less_2997 = {sum_2996, select_677[0], select_527, 1'b0} < {2'h0, cfg_height_i};
+  logic [5:0] sum_3015;
+  assign sum_3015 = {1'b0, select_682[5:1]} + 6'h1;
+  logic less_3016;
+  assign less_3016 = {sum_3015, select_682[0], select_529, 1'b0} < {2'h0, cfg_height_i};
   // hls/stages/patches.hpp:126
-  logic select_3000;
-  assign select_3000 = row_starts ? (and_1685 ? (~less_2997) : patches_lower_q) : patches_lower_q;
+  logic select_3019;
+  assign select_3019 = row_starts ? (and_1691 ? (~less_3016) : patches_lower_q) : patches_lower_q;
   // hls/stages/patches.hpp:397
-  logic or_3039;
-  assign or_3039 = patches_begins_q | patches_ends_q;
+  logic or_3058;
+  assign or_3058 = patches_begins_q | patches_ends_q;
   // hls/stages/patches.hpp:399
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:191
-  logic select_3044;
-  assign select_3044 = (patches_second_q | patches_begins_q) ? not_1673 : (patches_ends_q & equal_1776);
-  logic and_3045;
-  assign and_3045 = equal_1776 & not_1783;
+  logic select_3063;
+  assign select_3063 = (patches_second_q | patches_begins_q) ? not_1679 : (patches_ends_q & equal_1782);
+  logic and_3064;
+  assign and_3064 = equal_1782 & not_1789;
   // hls/stages/patches.hpp:403
-  logic and_3046;
-  assign and_3046 = not_1836 & and_3045;
-  logic [1:0] select_3048;
-  assign select_3048 = equal_1778 ? 2'h0 : (equal_1780 ? 2'h3 : {equal_1781, and_3046});
+  logic and_3065;
+  assign and_3065 = not_1842 & and_3064;
+  logic [1:0] select_3067;
+  assign select_3067 = equal_1784 ? 2'h0 : (equal_1786 ? 2'h3 : {equal_1787, and_3065});
   // hls/stages/patches.hpp:283
-  logic equal_3050;
-  assign equal_3050 = patches_following_q == 3'h4;
+  logic equal_3069;
+  assign equal_3069 = patches_following_q == 3'h4;
   // hls/stages/patches.hpp:281
-  logic not_3051;
-  assign not_3051 = ~equal_3050;
+  logic not_3070;
+  assign not_3070 = ~equal_3069;
   // hls/stages/patches.hpp:283
-  logic equal_3052;
-  assign equal_3052 = patches_following_q == 3'h3;
+  logic equal_3071;
+  assign equal_3071 = patches_following_q == 3'h3;
   // hls/stages/patches.hpp:279
-  logic not_3053;
-  assign not_3053 = ~equal_3052;
+  logic not_3072;
+  assign not_3072 = ~equal_3071;
   // hls/stages/patches.hpp:287
-  logic not_3055;
-  assign not_3055 = ~(patches_following_q == 3'h2);
-  logic and_3058;
-  assign and_3058 = (~(patches_following_q == 3'h1)) & not_3055;
+  logic not_3074;
+  assign not_3074 = ~(patches_following_q == 3'h2);
+  logic and_3077;
+  assign and_3077 = (~(patches_following_q == 3'h1)) & not_3074;
   // hls/stages/patches.hpp:401
-  logic [1:0] select_3059;
-  assign select_3059 = equal_3052 ? 2'h2 : {and_3058, not_3055};
-  logic [3:0] select_3060;
-  assign select_3060 = equal_3050 ? 4'h2 : {select_3059, {2{not_3053}}};
+  logic [1:0] select_3078;
+  assign select_3078 = equal_3071 ? 2'h2 : {and_3077, not_3074};
+  logic [3:0] select_3079;
+  assign select_3079 = equal_3069 ? 4'h2 : {select_3078, {2{not_3072}}};
   // hls/stages/patches.hpp:409
-  logic not_3063;
-  assign not_3063 = ~or_3039;
+  logic not_3082;
+  assign not_3082 = ~or_3058;
   // hls/stages/patches.hpp:398
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
   // hls/stages/patches.hpp:410
-  logic [11:0] select_3068;
-  assign select_3068 = or_3039 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  logic [11:0] select_3087;
+  assign select_3087 = or_3058 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/patches.hpp:191
-  logic [4:0] select_3070;
-  assign select_3070 = or_3039 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  logic [4:0] select_3089;
+  assign select_3089 = or_3058 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
-  // Memory fresh, 47 x 33, DISTANCE 12, hls/stages/agreement.hpp:1372; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory fresh, 47 x 33, DISTANCE 12, hls/stages/agreement.hpp:1382; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -573,14 +573,14 @@ module horopter_agreement (
   assign fresh_raddr = x_q[5:0];
 `ifndef SYNTHESIS
   logic fresh_re;
-  assign fresh_re = s0_en & and_650;
+  assign fresh_re = s0_en & and_655;
 `endif
   logic [32:0] fresh_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) fresh_rdata_q <= fresh_mem[fresh_raddr];
   end
 
-  // Memory left, 47 x 85, DISTANCE 12, hls/stages/agreement.hpp:1373; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 47 x 85, DISTANCE 12, hls/stages/agreement.hpp:1383; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -592,14 +592,14 @@ module horopter_agreement (
   assign left_raddr = x_q[5:0];
 `ifndef SYNTHESIS
   logic left_re;
-  assign left_re = s0_en & select_597;
+  assign left_re = s0_en & select_599;
 `endif
   logic [84:0] left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 47 x 99, DISTANCE 12, hls/stages/agreement.hpp:1374; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 47 x 99, DISTANCE 12, hls/stages/agreement.hpp:1384; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -608,17 +608,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) right_codes_mem[i] = 99'h0;
 `endif
   logic [5:0] right_codes_raddr;
-  assign right_codes_raddr = or_579 ? x_q[5:0] : (equal_593 ? sum_580[5:0] : x_q[5:0]);
+  assign right_codes_raddr = or_581 ? x_q[5:0] : (equal_595 ? sum_582[5:0] : x_q[5:0]);
 `ifndef SYNTHESIS
   logic right_codes_re;
-  assign right_codes_re = s0_en & select_597;
+  assign right_codes_re = s0_en & select_599;
 `endif
   logic [98:0] right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 47 x 62, DISTANCE 12, hls/stages/agreement.hpp:1375; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 47 x 62, DISTANCE 12, hls/stages/agreement.hpp:1385; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -627,10 +627,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) best_left_mem[i] = 62'h0;
 `endif
   logic [5:0] best_left_raddr;
-  assign best_left_raddr = or_579 ? x_q[5:0] : x[5:0];
+  assign best_left_raddr = or_581 ? x_q[5:0] : x[5:0];
 `ifndef SYNTHESIS
   logic best_left_re;
-  assign best_left_re = s0_en & select_617;
+  assign best_left_re = s0_en & select_620;
 `endif
   logic [61:0] best_left_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -648,7 +648,7 @@ module horopter_agreement (
   assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
 `ifndef SYNTHESIS
   logic patches_right_0_re;
-  assign patches_right_0_re = s0_en & (not_1777 & (not_1779 & (or_1782 & (equal_1781 & not_1783))));
+  assign patches_right_0_re = s0_en & (not_1783 & (not_1785 & (or_1788 & (equal_1787 & not_1789))));
 `endif
   logic [7:0] patches_right_0_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -666,7 +666,7 @@ module horopter_agreement (
   assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
 `ifndef SYNTHESIS
   logic patches_right_1_re;
-  assign patches_right_1_re = s0_en & and_1820;
+  assign patches_right_1_re = s0_en & and_1826;
 `endif
   logic [7:0] patches_right_1_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -684,7 +684,7 @@ module horopter_agreement (
   assign patches_left_raddr = {patches_second_q, patches_code_row_q[3:0], patches_column_q[3:0]};
 `ifndef SYNTHESIS
   logic patches_left_re;
-  assign patches_left_re = s0_en & (not_1777 & (not_1779 & (not_1836 & or_1782)));
+  assign patches_left_re = s0_en & (not_1783 & (not_1785 & (not_1842 & or_1788)));
 `endif
   logic [7:0] patches_left_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -703,7 +703,7 @@ module horopter_agreement (
   assign patches_columns_above_raddr = patches_column_q;
 `ifndef SYNTHESIS
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s0_en & and_1862;
+  assign patches_columns_above_re = s0_en & and_1868;
 `endif
   logic [31:0] patches_columns_above_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -778,71 +778,71 @@ module horopter_agreement (
       patches_column_q <= 5'h0;
       patches_column_ends_q <= 1'b0;
     end else if (s0_en) begin
-      left_first_q <= and_1968 ? left_first_q : marks_first_i;
-      right_q <= (~and_1968) & (~marks_last_i);
+      left_first_q <= and_1974 ? left_first_q : marks_first_i;
+      right_q <= (~and_1974) & (~marks_last_i);
       sample_pair_first_q <= left_first_q;
-      sample_pair_whole_q <= and_1968;
+      sample_pair_whole_q <= and_1974;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= select_2137;
-      raster_at_y_q <= select_2140;
-      raster_at_column_q <= select_2143;
-      raster_at_row_q <= select_2146;
-      raster_at_live_q <= select_2150;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2152 : raster_rows_left_q;
+      raster_at_x_q <= select_2146;
+      raster_at_y_q <= select_2149;
+      raster_at_column_q <= select_2152;
+      raster_at_row_q <= select_2155;
+      raster_at_live_q <= select_2159;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2161 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2156;
-      averager_place_q <= sample_pair_whole_q ? select_514 : averager_place_q;
-      averager_inside_q <= sample_pair_whole_q ? select_519 : averager_inside_q;
+      raster_final_row_q <= select_2165;
+      averager_place_q <= sample_pair_whole_q ? select_516 : averager_place_q;
+      averager_inside_q <= sample_pair_whole_q ? select_521 : averager_inside_q;
       run_phase_q <= now;
-      run_shift_q <= select_2474;
-      run_last_shift_q <= select_2477;
-      run_span_q <= select_2470 ? (and_2467 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2492;
-      following_shift_q <= select_2482 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2495;
+      run_shift_q <= select_2483;
+      run_last_shift_q <= select_2486;
+      run_span_q <= select_2479 ? (and_2476 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2501;
+      following_shift_q <= select_2491 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2504;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2498[6], or_2499, select_2498[3:0]};
-      following_columns_q <= {select_2500[7], or_2507[4], or_2506[5:4], or_2507[3:0]};
-      plan_shift_q <= equal_593 ? (run_shift_q + 6'h1) : (6'h0 - least_q);
-      plan_span_q <= select_2514;
+      following_lowest_q <= {select_2507[6], or_2508, select_2507[3:0]};
+      following_columns_q <= {select_2509[7], or_2516[4], or_2515[5:4], or_2516[3:0]};
+      plan_shift_q <= equal_595 ? (run_shift_q + 6'h1) : (6'h0 - least_q);
+      plan_span_q <= select_2523;
       plan_columns_q <= (plan_span_q < 8'h3) ? 8'h6 : (plan_span_q + 8'h3);
-      x_q <= select_2520;
-      columns_left_q <= select_2523;
-      last_q <= and_549 ? (equal_2466 ? last : last_q) : last_q;
-      least_q <= select_2531;
-      whole_q <= select_2534;
-      drawn_q <= select_2537;
-      age_q <= select_2470 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2470 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2551;
-      ends_q <= and_2555;
-      final_row_q <= and_549 ? select_2558 : final_row_q;
+      x_q <= select_2529;
+      columns_left_q <= select_2532;
+      last_q <= and_551 ? (equal_2475 ? last : last_q) : last_q;
+      least_q <= select_2540;
+      whole_q <= select_2543;
+      drawn_q <= select_2546;
+      age_q <= select_2479 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2479 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2560;
+      ends_q <= and_2564;
+      final_row_q <= and_551 ? select_2567 : final_row_q;
       shift_first_q <= {run_shift_q[5], run_shift_q} == (7'h0 - {1'b0, least_q});
-      patches_phase_q <= select_2935;
-      patches_band_rows_rows_to_next_q <= select_2941;
-      patches_band_rows_number_q <= select_2943;
-      patches_next_band_rows_to_next_q <= select_2946;
-      patches_next_band_number_q <= select_2948;
-      patches_first_band_rows_to_next_q <= select_2952;
-      patches_first_band_number_q <= sample_pair_whole_q ? equal_2949 : patches_first_band_number_q;
-      patches_choosing_rows_to_next_q <= and_549 ? select_2962 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_549 ? select_2966 : patches_choosing_number_q;
-      patches_chooses_q <= select_2971;
-      patches_choosing_band_q <= select_2973;
-      patches_capturing_q <= sample_pair_whole_q ? select_1812 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_q ? select_3000 : patches_lower_q;
-      patches_row_q <= sample_pair_whole_q ? select_1806 : patches_row_q;
-      patches_work_q <= or_3039 ? following : patches_work_q;
-      patches_second_q <= select_3044;
-      patches_following_q <= equal_1776 ? {2'h0, and_3045} : {equal_1778, select_3048};
-      patches_following_beats_q <= {select_3060, not_3051};
-      patches_begins_q <= sample_pair_whole_q & (row_starts & and_1808);
-      patches_ends_q <= not_3063 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3068;
-      patches_code_row_q <= select_3070;
-      patches_column_q <= or_3039 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3063 & (patches_column_q == 5'h1e);
+      patches_phase_q <= select_2954;
+      patches_band_rows_rows_to_next_q <= select_2960;
+      patches_band_rows_number_q <= select_2962;
+      patches_next_band_rows_to_next_q <= select_2965;
+      patches_next_band_number_q <= select_2967;
+      patches_first_band_rows_to_next_q <= select_2971;
+      patches_first_band_number_q <= sample_pair_whole_q ? equal_2968 : patches_first_band_number_q;
+      patches_choosing_rows_to_next_q <= and_551 ? select_2981 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_551 ? select_2985 : patches_choosing_number_q;
+      patches_chooses_q <= select_2990;
+      patches_choosing_band_q <= select_2992;
+      patches_capturing_q <= sample_pair_whole_q ? select_1818 : patches_capturing_q;
+      patches_lower_q <= sample_pair_whole_q ? select_3019 : patches_lower_q;
+      patches_row_q <= sample_pair_whole_q ? select_1812 : patches_row_q;
+      patches_work_q <= or_3058 ? following : patches_work_q;
+      patches_second_q <= select_3063;
+      patches_following_q <= equal_1782 ? {2'h0, and_3064} : {equal_1784, select_3067};
+      patches_following_beats_q <= {select_3079, not_3070};
+      patches_begins_q <= sample_pair_whole_q & (row_starts & and_1814);
+      patches_ends_q <= not_3082 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3087;
+      patches_code_row_q <= select_3089;
+      patches_column_q <= or_3058 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3082 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -866,46 +866,46 @@ module horopter_agreement (
   logic patches_second_s1_q;
   logic [4:0] patches_code_row_s1_q;
   logic [4:0] patches_column_s1_q;
-  logic [2:0] select_510_s1_q;
+  logic [2:0] select_512_s1_q;
   logic row_starts_s1_q;
-  logic [7:0] select_514_s1_q;
-  logic and_522_s1_q;
-  logic equal_528_s1_q;
-  logic [5:0] select_543_s1_q;
+  logic [7:0] select_516_s1_q;
+  logic and_524_s1_q;
+  logic equal_530_s1_q;
+  logic [5:0] select_545_s1_q;
   logic [5:0] last_s1_2_q;
-  logic and_547_s1_q;
   logic and_549_s1_q;
-  logic equal_574_s1_q;
+  logic and_551_s1_q;
+  logic equal_576_s1_q;
   logic so_s1_q;
-  logic equal_578_s1_q;
-  logic or_579_s1_q;
-  logic less_582_s1_q;
-  logic not_583_s1_q;
-  logic equal_593_s1_q;
+  logic equal_580_s1_q;
+  logic or_581_s1_q;
+  logic less_584_s1_q;
+  logic not_585_s1_q;
+  logic equal_595_s1_q;
   logic [6:0] x_s1_2_q;
-  logic select_617_s1_q;
+  logic select_620_s1_q;
   logic [5:0] right_s1_q;
-  logic and_650_s1_q;
+  logic and_655_s1_q;
   logic [5:0] row_s1_q;
-  logic and_1561_s1_q;
-  logic equal_1562_s1_q;
-  logic and_1685_s1_q;
-  logic equal_1776_s1_q;
-  logic not_1777_s1_q;
-  logic equal_1778_s1_q;
-  logic not_1779_s1_q;
-  logic equal_1780_s1_q;
-  logic equal_1781_s1_q;
-  logic or_1782_s1_q;
+  logic and_1567_s1_q;
+  logic equal_1568_s1_q;
+  logic and_1691_s1_q;
+  logic equal_1782_s1_q;
   logic not_1783_s1_q;
-  logic [4:0] select_1806_s1_q;
-  logic select_1812_s1_q;
-  logic [3:0] select_1852_s1_q;
-  logic and_1862_s1_q;
-  logic equal_2466_s1_q;
-  logic and_2467_s1_q;
-  logic or_3039_s1_q;
-  logic not_3063_s1_q;
+  logic equal_1784_s1_q;
+  logic not_1785_s1_q;
+  logic equal_1786_s1_q;
+  logic equal_1787_s1_q;
+  logic or_1788_s1_q;
+  logic not_1789_s1_q;
+  logic [4:0] select_1812_s1_q;
+  logic select_1818_s1_q;
+  logic [3:0] select_1858_s1_q;
+  logic and_1868_s1_q;
+  logic equal_2475_s1_q;
+  logic and_2476_s1_q;
+  logic or_3058_s1_q;
+  logic not_3082_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -928,46 +928,46 @@ module horopter_agreement (
       patches_second_s1_q <= patches_second_q;
       patches_code_row_s1_q <= patches_code_row_q;
       patches_column_s1_q <= patches_column_q;
-      select_510_s1_q <= select_510;
+      select_512_s1_q <= select_512;
       row_starts_s1_q <= row_starts;
-      select_514_s1_q <= select_514;
-      and_522_s1_q <= and_522;
-      equal_528_s1_q <= select_527 == 3'h0;
-      select_543_s1_q <= select_543;
+      select_516_s1_q <= select_516;
+      and_524_s1_q <= and_524;
+      equal_530_s1_q <= select_529 == 3'h0;
+      select_545_s1_q <= select_545;
       last_s1_2_q <= last;
-      and_547_s1_q <= and_547;
       and_549_s1_q <= and_549;
-      equal_574_s1_q <= run_phase_q == 3'h7;
+      and_551_s1_q <= and_551;
+      equal_576_s1_q <= run_phase_q == 3'h7;
       so_s1_q <= so;
-      equal_578_s1_q <= equal_578;
-      or_579_s1_q <= or_579;
-      less_582_s1_q <= less_582;
-      not_583_s1_q <= not_583;
-      equal_593_s1_q <= equal_593;
+      equal_580_s1_q <= equal_580;
+      or_581_s1_q <= or_581;
+      less_584_s1_q <= less_584;
+      not_585_s1_q <= not_585;
+      equal_595_s1_q <= equal_595;
       x_s1_2_q <= x[6:0];
-      select_617_s1_q <= select_617;
+      select_620_s1_q <= select_620;
       right_s1_q <= right;
-      and_650_s1_q <= and_650;
+      and_655_s1_q <= and_655;
       row_s1_q <= row;
-      and_1561_s1_q <= not_647 & and_616;
-      equal_1562_s1_q <= {x[7:6], last_q} == {2'h0, x[5:0]};
-      and_1685_s1_q <= and_1685;
-      equal_1776_s1_q <= equal_1776;
-      not_1777_s1_q <= not_1777;
-      equal_1778_s1_q <= equal_1778;
-      not_1779_s1_q <= not_1779;
-      equal_1780_s1_q <= equal_1780;
-      equal_1781_s1_q <= equal_1781;
-      or_1782_s1_q <= or_1782;
+      and_1567_s1_q <= not_652 & and_619;
+      equal_1568_s1_q <= {x[7:6], last_q} == {2'h0, x[5:0]};
+      and_1691_s1_q <= and_1691;
+      equal_1782_s1_q <= equal_1782;
       not_1783_s1_q <= not_1783;
-      select_1806_s1_q <= select_1806;
+      equal_1784_s1_q <= equal_1784;
+      not_1785_s1_q <= not_1785;
+      equal_1786_s1_q <= equal_1786;
+      equal_1787_s1_q <= equal_1787;
+      or_1788_s1_q <= or_1788;
+      not_1789_s1_q <= not_1789;
       select_1812_s1_q <= select_1812;
-      select_1852_s1_q <= select_1852;
-      and_1862_s1_q <= and_1862;
-      equal_2466_s1_q <= equal_2466;
-      and_2467_s1_q <= and_2467;
-      or_3039_s1_q <= or_3039;
-      not_3063_s1_q <= not_3063;
+      select_1818_s1_q <= select_1818;
+      select_1858_s1_q <= select_1858;
+      and_1868_s1_q <= and_1868;
+      equal_2475_s1_q <= equal_2475;
+      and_2476_s1_q <= and_2476;
+      or_3058_s1_q <= or_3058;
+      not_3082_s1_q <= not_3082;
     end
   end
 
@@ -977,6 +977,8 @@ module horopter_agreement (
   logic moments_starts_q;
   logic [5:0] row_q;
   logic lower_half_q;
+  logic late_q;
+  logic draws_late_q;
   logic [5:0] sums_0_columns_values_0_q;
   logic [5:0] sums_0_columns_values_1_q;
   logic [5:0] sums_0_columns_values_2_q;
@@ -1030,831 +1032,864 @@ module horopter_agreement (
   logic [8:0] region_across_next_q;
   logic [7:0] columns_begin_rest_q;
   logic [6:0] columns_begin_back_q;
+  logic done_q;
+  logic proven_q;
+  logic drew_q;
+  logic said_q;
   // hls/stages/census.hpp:127
-  logic and_523;
-  assign and_523 = sample_pair_whole_s1_q & and_522_s1_q;
-  // hls/stages/agreement.hpp:668
-  logic equal_568;
-  assign equal_568 = row_q == 6'h0;
+  logic and_525;
+  assign and_525 = sample_pair_whole_s1_q & and_524_s1_q;
+  // hls/stages/agreement.hpp:675
+  logic equal_570;
+  assign equal_570 = row_q == 6'h0;
   // hls/stages/patches.hpp:106
-  logic equal_569;
-  assign equal_569 = x_s1_q == 8'h0;
+  logic equal_571;
+  assign equal_571 = x_s1_q == 8'h0;
   // hls/stages/agreement.hpp:259
   logic first;
-  assign first = equal_568 & equal_569;
+  assign first = equal_570 & equal_571;
   // hls/stages/moments.hpp:57
-  logic [11:0] select_572;
-  assign select_572 = moments_starts_q ? 12'h1 : (moments_place_q + {11'h0, moments_taken_q});
-  // hls/stages/agreement.hpp:788
-  logic [10:0] select_573;
-  assign select_573 = first ? 11'h0 : select_572[10:0];
-  // hls/stages/agreement.hpp:1009
-  logic not_575;
-  assign not_575 = ~equal_574_s1_q;
-  // hls/stages/agreement.hpp:201
+  logic [11:0] select_574;
+  assign select_574 = moments_starts_q ? 12'h1 : (moments_place_q + {11'h0, moments_taken_q});
+  // hls/stages/agreement.hpp:795
+  logic [10:0] select_575;
+  assign select_575 = first ? 11'h0 : select_574[10:0];
+  // hls/stages/agreement.hpp:1016
   logic not_577;
-  assign not_577 = ~so_s1_q;
+  assign not_577 = ~equal_576_s1_q;
+  // hls/stages/agreement.hpp:201
+  logic not_579;
+  assign not_579 = ~so_s1_q;
   // hls/stages/agreement.hpp:226
   logic inside_v;
-  assign inside_v = or_579_s1_q & not_583_s1_q;
+  assign inside_v = or_581_s1_q & not_585_s1_q;
   // hls/stages/moments.hpp:63
   logic [11:0] place;
-  assign place = first ? 12'h0 : select_572;
+  assign place = first ? 12'h0 : select_574;
   // hls/stages/moments.hpp:104
-  logic not_587;
-  assign not_587 = ~(12'h66c < place);
-  // hls/stages/agreement.hpp:788
-  logic and_591;
-  assign and_591 = not_575 & (not_577 & (equal_578_s1_q & (inside_v & not_587)));
-  // hls/stages/agreement.hpp:975
-  logic and_607;
-  assign and_607 = (or_579_s1_q & (left_rdata_q[67] & not_583_s1_q)) & (~(row_q[5:3] == 3'h0));
-  // hls/stages/agreement.hpp:966
+  logic not_589;
+  assign not_589 = ~(12'h66c < place);
+  // hls/stages/agreement.hpp:795
+  logic and_593;
+  assign and_593 = not_577 & (not_579 & (equal_580_s1_q & (inside_v & not_589)));
+  // hls/stages/agreement.hpp:982
+  logic and_610;
+  assign and_610 = (or_581_s1_q & (left_rdata_q[67] & not_585_s1_q)) & (late_q | (~(row_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:973
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
-  // hls/stages/agreement.hpp:967
+  // hls/stages/agreement.hpp:974
   logic [7:0] found;
   assign found = x_s1_q + {{2{shift[5]}}, shift};
-  // hls/stages/agreement.hpp:968
-  logic [5:0] select_626;
-  assign select_626 = ({2'h0, last_s1_q} < found) ? 6'h0 : found[5:0];
-  // hls/stages/agreement.hpp:668
-  logic not_747;
-  assign not_747 = ~equal_568;
-  // hls/stages/agreement.hpp:671
-  logic and_748;
-  assign and_748 = left_rdata_q[12] & not_747;
-  logic and_749;
-  assign and_749 = left_rdata_q[30] & not_747;
-  logic and_750;
-  assign and_750 = left_rdata_q[48] & not_747;
-  logic and_751;
-  assign and_751 = left_rdata_q[66] & not_747;
-  // hls/stages/agreement.hpp:672
-  logic and_752;
-  assign and_752 = right_codes_rdata_q[12] & not_747;
-  logic and_753;
-  assign and_753 = right_codes_rdata_q[27] & not_747;
+  // hls/stages/agreement.hpp:975
+  logic [5:0] select_629;
+  assign select_629 = ({2'h0, last_s1_q} < found) ? 6'h0 : found[5:0];
+  // hls/stages/agreement.hpp:676
+  logic or_753;
+  assign or_753 = late_q | (~equal_570);
+  // hls/stages/agreement.hpp:678
   logic and_754;
-  assign and_754 = right_codes_rdata_q[42] & not_747;
+  assign and_754 = left_rdata_q[12] & or_753;
   logic and_755;
-  assign and_755 = right_codes_rdata_q[57] & not_747;
+  assign and_755 = left_rdata_q[30] & or_753;
   logic and_756;
-  assign and_756 = right_codes_rdata_q[72] & not_747;
+  assign and_756 = left_rdata_q[48] & or_753;
   logic and_757;
-  assign and_757 = right_codes_rdata_q[85] & not_747;
-  // hls/stages/agreement.hpp:221
+  assign and_757 = left_rdata_q[66] & or_753;
+  // hls/stages/agreement.hpp:679
+  logic and_758;
+  assign and_758 = right_codes_rdata_q[12] & or_753;
+  logic and_759;
+  assign and_759 = right_codes_rdata_q[27] & or_753;
+  logic and_760;
+  assign and_760 = right_codes_rdata_q[42] & or_753;
+  logic and_761;
+  assign and_761 = right_codes_rdata_q[57] & or_753;
   logic and_762;
-  assign and_762 = left_rdata_q[48] & not_583_s1_q;
+  assign and_762 = right_codes_rdata_q[72] & or_753;
   logic and_763;
-  assign and_763 = right_codes_rdata_q[42] & not_583_s1_q;
-  logic [11:0] select_764;
-  assign select_764 = less_582_s1_q ? 12'h0 : left_rdata_q[47:36];
-  logic [11:0] select_765;
-  assign select_765 = less_582_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_769;
-  assign select_769 = and_762 ? (and_763 ? (~(select_764 ^ select_765)) : 12'h0) : 12'h0;
+  assign and_763 = right_codes_rdata_q[85] & or_753;
+  // hls/stages/agreement.hpp:221
+  logic and_768;
+  assign and_768 = left_rdata_q[48] & not_585_s1_q;
+  logic and_769;
+  assign and_769 = right_codes_rdata_q[42] & not_585_s1_q;
+  logic [11:0] select_770;
+  assign select_770 = less_584_s1_q ? 12'h0 : left_rdata_q[47:36];
+  logic [11:0] select_771;
+  assign select_771 = less_584_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_775;
+  assign select_775 = and_768 ? (and_769 ? (~(select_770 ^ select_771)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_775;
-  assign parity_775 = ^select_769[5:3];
-  logic parity_778;
-  assign parity_778 = ^select_769[8:6];
   logic parity_781;
-  assign parity_781 = ^select_769[11:3];
+  assign parity_781 = ^select_775[5:3];
+  logic parity_784;
+  assign parity_784 = ^select_775[8:6];
+  logic parity_787;
+  assign parity_787 = ^select_775[11:3];
   // hls/stages/agreement.hpp:221
-  logic and_785;
-  assign and_785 = left_rdata_q[66] & not_583_s1_q;
-  logic and_786;
-  assign and_786 = right_codes_rdata_q[57] & not_583_s1_q;
-  logic [11:0] select_787;
-  assign select_787 = less_582_s1_q ? 12'h0 : left_rdata_q[65:54];
-  logic [11:0] select_788;
-  assign select_788 = less_582_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_792;
-  assign select_792 = and_785 ? (and_786 ? (~(select_787 ^ select_788)) : 12'h0) : 12'h0;
+  logic and_791;
+  assign and_791 = left_rdata_q[66] & not_585_s1_q;
+  logic and_792;
+  assign and_792 = right_codes_rdata_q[57] & not_585_s1_q;
+  logic [11:0] select_793;
+  assign select_793 = less_584_s1_q ? 12'h0 : left_rdata_q[65:54];
+  logic [11:0] select_794;
+  assign select_794 = less_584_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_798;
+  assign select_798 = and_791 ? (and_792 ? (~(select_793 ^ select_794)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_795;
-  assign parity_795 = ^select_792[8:6];
-  logic parity_798;
-  assign parity_798 = ^select_792[11:9];
+  logic parity_801;
+  assign parity_801 = ^select_798[8:6];
+  logic parity_804;
+  assign parity_804 = ^select_798[11:9];
   // hls/stages/agreement.hpp:221
-  logic and_802;
-  assign and_802 = left_rdata_q[84] & not_583_s1_q;
-  logic and_803;
-  assign and_803 = right_codes_rdata_q[72] & not_583_s1_q;
-  logic [11:0] select_804;
-  assign select_804 = less_582_s1_q ? 12'h0 : left_rdata_q[83:72];
-  logic [11:0] select_805;
-  assign select_805 = less_582_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_809;
-  assign select_809 = and_802 ? (and_803 ? (~(select_804 ^ select_805)) : 12'h0) : 12'h0;
+  logic and_808;
+  assign and_808 = left_rdata_q[84] & not_585_s1_q;
+  logic and_809;
+  assign and_809 = right_codes_rdata_q[72] & not_585_s1_q;
+  logic [11:0] select_810;
+  assign select_810 = less_584_s1_q ? 12'h0 : left_rdata_q[83:72];
+  logic [11:0] select_811;
+  assign select_811 = less_584_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_815;
+  assign select_815 = and_808 ? (and_809 ? (~(select_810 ^ select_811)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_815;
-  assign parity_815 = ^select_809[2:0];
-  logic parity_818;
-  assign parity_818 = ^select_809[5:3];
   logic parity_821;
-  assign parity_821 = ^select_809[8:0];
+  assign parity_821 = ^select_815[2:0];
+  logic parity_824;
+  assign parity_824 = ^select_815[5:3];
   logic parity_827;
-  assign parity_827 = ^select_809[11:9];
-  logic parity_830;
-  assign parity_830 = ^select_792[2:0];
+  assign parity_827 = ^select_815[8:0];
   logic parity_833;
-  assign parity_833 = ^{select_809[11:9], select_792[5:0]};
+  assign parity_833 = ^select_815[11:9];
   logic parity_836;
-  assign parity_836 = ^{select_809, select_792, select_769[2:0]};
-  logic xor_837;
-  assign xor_837 = parity_781 ^ parity_836;
+  assign parity_836 = ^select_798[2:0];
+  logic parity_839;
+  assign parity_839 = ^{select_815[11:9], select_798[5:0]};
+  logic parity_842;
+  assign parity_842 = ^{select_815, select_798, select_775[2:0]};
+  logic xor_843;
+  assign xor_843 = parity_787 ^ parity_842;
   // hls/stages/count_bits.hpp:23
-  logic or_841;
-  assign or_841 = (select_769[1:0] == 2'h3) | (select_769[2] & (select_769[0] | select_769[1]));
+  logic or_847;
+  assign or_847 = (select_775[1:0] == 2'h3) | (select_775[2] & (select_775[0] | select_775[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_845;
-  assign or_845 = (select_792[7:6] == 2'h3) | (select_792[8] & (select_792[6] | select_792[7]));
-  logic or_849;
-  assign or_849 = (select_792[10:9] == 2'h3) | (select_792[11] & (select_792[9] | select_792[10]));
+  logic or_851;
+  assign or_851 = (select_798[7:6] == 2'h3) | (select_798[8] & (select_798[6] | select_798[7]));
+  logic or_855;
+  assign or_855 = (select_798[10:9] == 2'h3) | (select_798[11] & (select_798[9] | select_798[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_857;
-  assign or_857 = (select_809[7:6] == 2'h3) | (select_809[8] & (~(select_809[7:6] == 2'h0)));
+  logic or_863;
+  assign or_863 = (select_815[7:6] == 2'h3) | (select_815[8] & (~(select_815[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_861;
-  assign or_861 = (select_809[1:0] == 2'h3) | (select_809[2] & (select_809[0] | select_809[1]));
-  logic or_865;
-  assign or_865 = (select_809[4:3] == 2'h3) | (select_809[5] & (select_809[3] | select_809[4]));
+  logic or_867;
+  assign or_867 = (select_815[1:0] == 2'h3) | (select_815[2] & (select_815[0] | select_815[1]));
+  logic or_871;
+  assign or_871 = (select_815[4:3] == 2'h3) | (select_815[5] & (select_815[3] | select_815[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_868;
-  assign parity_868 = ^{or_865, or_861, or_857};
+  logic parity_874;
+  assign parity_874 = ^{or_871, or_867, or_863};
   // hls/stages/count_bits.hpp:23
-  logic or_872;
-  assign or_872 = (select_792[4:3] == 2'h3) | (select_792[5] & (select_792[3] | select_792[4]));
+  logic or_878;
+  assign or_878 = (select_798[4:3] == 2'h3) | (select_798[5] & (select_798[3] | select_798[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_876;
-  assign or_876 = (select_809[10:9] == 2'h3) | (select_809[11] & (select_809[9] | select_809[10]));
-  logic or_880;
-  assign or_880 = (select_792[1:0] == 2'h3) | (select_792[2] & (select_792[0] | select_792[1]));
+  logic or_882;
+  assign or_882 = (select_815[10:9] == 2'h3) | (select_815[11] & (select_815[9] | select_815[10]));
+  logic or_886;
+  assign or_886 = (select_798[1:0] == 2'h3) | (select_798[2] & (select_798[0] | select_798[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_883;
-  assign parity_883 = ^{or_880, or_876, or_872};
-  logic parity_886;
-  assign parity_886 = ^{or_880, or_876, or_872, or_865, or_861, or_857, or_849, or_845, or_841};
+  logic parity_889;
+  assign parity_889 = ^{or_886, or_882, or_878};
+  logic parity_892;
+  assign parity_892 = ^{or_886, or_882, or_878, or_871, or_867, or_863, or_855, or_851, or_847};
   // hls/stages/count_bits.hpp:25
-  logic and_887;
-  assign and_887 = parity_781 & parity_836;
-  logic or_891;
-  assign or_891 = (parity_775 & parity_778) | ((^select_769[11:9]) & (parity_775 | parity_778));
-  logic and_894;
-  assign and_894 = (^{select_792[11:6], select_769[2:0]}) & (parity_821 | parity_833);
-  logic or_895;
-  assign or_895 = (parity_821 & parity_833) | and_894;
+  logic and_893;
+  assign and_893 = parity_787 & parity_842;
+  logic or_897;
+  assign or_897 = (parity_781 & parity_784) | ((^select_775[11:9]) & (parity_781 | parity_784));
+  logic and_900;
+  assign and_900 = (^{select_798[11:6], select_775[2:0]}) & (parity_827 | parity_839);
+  logic or_901;
+  assign or_901 = (parity_827 & parity_839) | and_900;
   // hls/stages/count_bits.hpp:23
-  logic or_902;
-  assign or_902 = (select_769[10:9] == 2'h3) | (select_769[11] & (select_769[9] | select_769[10]));
+  logic or_908;
+  assign or_908 = (select_775[10:9] == 2'h3) | (select_775[11] & (select_775[9] | select_775[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_906;
-  assign or_906 = (select_769[4:3] == 2'h3) | (select_769[5] & (select_769[3] | select_769[4]));
-  logic or_910;
-  assign or_910 = (select_769[7:6] == 2'h3) | (select_769[8] & (select_769[6] | select_769[7]));
+  logic or_912;
+  assign or_912 = (select_775[4:3] == 2'h3) | (select_775[5] & (select_775[3] | select_775[4]));
+  logic or_916;
+  assign or_916 = (select_775[7:6] == 2'h3) | (select_775[8] & (select_775[6] | select_775[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_913;
-  assign parity_913 = ^{or_910, or_906, or_902};
+  logic parity_919;
+  assign parity_919 = ^{or_916, or_912, or_908};
   // hls/stages/count_bits.hpp:25
-  logic or_917;
-  assign or_917 = (parity_795 & parity_798) | ((^select_769[2:0]) & (parity_795 | parity_798));
-  logic or_921;
-  assign or_921 = (parity_815 & parity_818) | ((^select_809[8:6]) & (parity_815 | parity_818));
-  logic or_925;
-  assign or_925 = (parity_827 & parity_830) | ((^select_792[5:3]) & (parity_827 | parity_830));
+  logic or_923;
+  assign or_923 = (parity_801 & parity_804) | ((^select_775[2:0]) & (parity_801 | parity_804));
+  logic or_927;
+  assign or_927 = (parity_821 & parity_824) | ((^select_815[8:6]) & (parity_821 | parity_824));
+  logic or_931;
+  assign or_931 = (parity_833 & parity_836) | ((^select_798[5:3]) & (parity_833 | parity_836));
   // hls/stages/count_bits.hpp:24
-  logic parity_928;
-  assign parity_928 = ^{or_925, or_921, or_917};
-  logic parity_931;
-  assign parity_931 = ^{or_925, or_921, or_917, or_910, or_906, or_902, or_895, or_891, and_887};
-  logic xor_932;
-  assign xor_932 = parity_886 ^ parity_931;
+  logic parity_934;
+  assign parity_934 = ^{or_931, or_927, or_923};
+  logic parity_937;
+  assign parity_937 = ^{or_931, or_927, or_923, or_916, or_912, or_908, or_901, or_897, and_893};
+  logic xor_938;
+  assign xor_938 = parity_892 ^ parity_937;
   // hls/stages/count_bits.hpp:25
-  logic and_933;
-  assign and_933 = parity_886 & parity_931;
-  logic or_937;
-  assign or_937 = (parity_868 & parity_883) | ((^{or_849, or_845, or_841}) & (parity_868 | parity_883));
-  logic or_941;
-  assign or_941 = (parity_913 & parity_928) | ((^{or_895, or_891, and_887}) & (parity_913 | parity_928));
-  logic or_948;
-  assign or_948 = (or_845 & or_849) | (or_841 & (or_845 | or_849));
-  logic or_952;
-  assign or_952 = (or_861 & or_865) | (or_857 & (or_861 | or_865));
-  logic or_956;
-  assign or_956 = (or_876 & or_880) | (or_872 & (or_876 | or_880));
+  logic and_939;
+  assign and_939 = parity_892 & parity_937;
+  logic or_943;
+  assign or_943 = (parity_874 & parity_889) | ((^{or_855, or_851, or_847}) & (parity_874 | parity_889));
+  logic or_947;
+  assign or_947 = (parity_919 & parity_934) | ((^{or_901, or_897, and_893}) & (parity_919 | parity_934));
+  logic or_954;
+  assign or_954 = (or_851 & or_855) | (or_847 & (or_851 | or_855));
+  logic or_958;
+  assign or_958 = (or_867 & or_871) | (or_863 & (or_867 | or_871));
+  logic or_962;
+  assign or_962 = (or_882 & or_886) | (or_878 & (or_882 | or_886));
   // hls/stages/count_bits.hpp:24
-  logic parity_959;
-  assign parity_959 = ^{or_956, or_952, or_948};
+  logic parity_965;
+  assign parity_965 = ^{or_962, or_958, or_954};
   // hls/stages/count_bits.hpp:25
-  logic or_963;
-  assign or_963 = (or_891 & or_895) | (and_887 & (or_891 | or_895));
-  logic or_967;
-  assign or_967 = (or_906 & or_910) | (or_902 & (or_906 | or_910));
-  logic or_971;
-  assign or_971 = (or_921 & or_925) | (or_917 & (or_921 | or_925));
+  logic or_969;
+  assign or_969 = (or_897 & or_901) | (and_893 & (or_897 | or_901));
+  logic or_973;
+  assign or_973 = (or_912 & or_916) | (or_908 & (or_912 | or_916));
+  logic or_977;
+  assign or_977 = (or_927 & or_931) | (or_923 & (or_927 | or_931));
   // hls/stages/count_bits.hpp:24
-  logic parity_974;
-  assign parity_974 = ^{or_971, or_967, or_963};
-  logic parity_977;
-  assign parity_977 = ^{or_971, or_967, or_963, or_956, or_952, or_948, or_941, or_937, and_933};
+  logic parity_980;
+  assign parity_980 = ^{or_977, or_973, or_969};
+  logic parity_983;
+  assign parity_983 = ^{or_977, or_973, or_969, or_962, or_958, or_954, or_947, or_943, and_939};
   // hls/stages/count_bits.hpp:25
-  logic or_981;
-  assign or_981 = (parity_959 & parity_974) | ((^{or_941, or_937, and_933}) & (parity_959 | parity_974));
-  logic or_985;
-  assign or_985 = (or_937 & or_941) | (and_933 & (or_937 | or_941));
-  logic or_989;
-  assign or_989 = (or_952 & or_956) | (or_948 & (or_952 | or_956));
-  logic or_993;
-  assign or_993 = (or_967 & or_971) | (or_963 & (or_967 | or_971));
+  logic or_987;
+  assign or_987 = (parity_965 & parity_980) | ((^{or_947, or_943, and_939}) & (parity_965 | parity_980));
+  logic or_991;
+  assign or_991 = (or_943 & or_947) | (and_939 & (or_943 | or_947));
+  logic or_995;
+  assign or_995 = (or_958 & or_962) | (or_954 & (or_958 | or_962));
+  logic or_999;
+  assign or_999 = (or_973 & or_977) | (or_969 & (or_973 | or_977));
   // hls/stages/count_bits.hpp:24
-  logic parity_998;
-  assign parity_998 = ^{or_993, or_989, or_985, or_981};
+  logic parity_1004;
+  assign parity_1004 = ^{or_999, or_995, or_991, or_987};
   // hls/stages/count_bits.hpp:25
-  logic or_1002;
-  assign or_1002 = (or_989 & or_993) | (or_985 & (or_989 | or_993));
-  logic and_1003;
-  assign and_1003 = or_981 & (^{or_993, or_989, or_985});
+  logic or_1008;
+  assign or_1008 = (or_995 & or_999) | (or_991 & (or_995 | or_999));
+  logic and_1009;
+  assign and_1009 = or_987 & (^{or_999, or_995, or_991});
   // hls/stages/count_bits.hpp:24
-  logic xor_1004;
-  assign xor_1004 = or_1002 ^ and_1003;
+  logic xor_1010;
+  assign xor_1010 = or_1008 ^ and_1009;
   // hls/stages/count_bits.hpp:27
-  logic and_1005;
-  assign and_1005 = or_1002 & and_1003;
+  logic and_1011;
+  assign and_1011 = or_1008 & and_1009;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1006;
-  assign select_1006 = equal_593_s1_q ? {and_1005, xor_1004, parity_998, parity_977, xor_932, xor_837} : 6'h0;
+  logic [5:0] select_1012;
+  assign select_1012 = equal_595_s1_q ? {and_1011, xor_1010, parity_1004, parity_983, xor_938, xor_843} : 6'h0;
   logic [5:0] column;
-  assign column = or_579_s1_q ? 6'h0 : select_1006;
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1017;
-  assign select_1017 = (slot_s1_q[0] ? and_803 : and_786) ? (~(select_764 ^ (slot_s1_q[0] ? select_805 : select_788))) : 12'h0;
-  logic [11:0] select_1018;
-  assign select_1018 = and_762 ? select_1017 : 12'h0;
+  assign column = or_581_s1_q ? 6'h0 : select_1012;
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1023;
+  assign select_1023 = (slot_s1_q[0] ? and_809 : and_792) ? (~(select_770 ^ (slot_s1_q[0] ? select_811 : select_794))) : 12'h0;
+  logic [11:0] select_1024;
+  assign select_1024 = and_768 ? select_1023 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1024;
-  assign parity_1024 = ^select_1018[5:3];
-  logic parity_1027;
-  assign parity_1027 = ^select_1018[8:6];
   logic parity_1030;
-  assign parity_1030 = ^select_1018[11:3];
+  assign parity_1030 = ^select_1024[5:3];
+  logic parity_1033;
+  assign parity_1033 = ^select_1024[8:6];
+  logic parity_1036;
+  assign parity_1036 = ^select_1024[11:3];
   // hls/stages/agreement.hpp:221
-  logic and_1034;
-  assign and_1034 = right_codes_rdata_q[85] & not_583_s1_q;
-  logic [11:0] select_1036;
-  assign select_1036 = less_582_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1040;
-  assign select_1040 = (slot_s1_q[0] ? and_1034 : and_803) ? (~(select_787 ^ (slot_s1_q[0] ? select_1036 : select_805))) : 12'h0;
-  logic [11:0] select_1041;
-  assign select_1041 = and_785 ? select_1040 : 12'h0;
+  logic and_1040;
+  assign and_1040 = right_codes_rdata_q[85] & not_585_s1_q;
+  logic [11:0] select_1042;
+  assign select_1042 = less_584_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1046;
+  assign select_1046 = (slot_s1_q[0] ? and_1040 : and_809) ? (~(select_793 ^ (slot_s1_q[0] ? select_1042 : select_811))) : 12'h0;
+  logic [11:0] select_1047;
+  assign select_1047 = and_791 ? select_1046 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1044;
-  assign parity_1044 = ^select_1041[8:6];
-  logic parity_1047;
-  assign parity_1047 = ^select_1041[11:9];
-  // hls/stages/agreement.hpp:734
-  logic select_1052;
-  assign select_1052 = slot_s1_q[0] ? (right_codes_rdata_q[98] & not_583_s1_q) : and_1034;
-  logic [11:0] select_1054;
-  assign select_1054 = slot_s1_q[0] ? (less_582_s1_q ? 12'h0 : right_codes_rdata_q[97:86]) : select_1036;
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1058;
-  assign select_1058 = and_802 ? (select_1052 ? (~(select_804 ^ select_1054)) : 12'h0) : 12'h0;
+  logic parity_1050;
+  assign parity_1050 = ^select_1047[8:6];
+  logic parity_1053;
+  assign parity_1053 = ^select_1047[11:9];
+  // hls/stages/agreement.hpp:741
+  logic select_1058;
+  assign select_1058 = slot_s1_q[0] ? (right_codes_rdata_q[98] & not_585_s1_q) : and_1040;
+  logic [11:0] select_1060;
+  assign select_1060 = slot_s1_q[0] ? (less_584_s1_q ? 12'h0 : right_codes_rdata_q[97:86]) : select_1042;
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1064;
+  assign select_1064 = and_808 ? (select_1058 ? (~(select_810 ^ select_1060)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1064;
-  assign parity_1064 = ^select_1058[2:0];
-  logic parity_1067;
-  assign parity_1067 = ^select_1058[5:3];
   logic parity_1070;
-  assign parity_1070 = ^select_1058[8:0];
+  assign parity_1070 = ^select_1064[2:0];
+  logic parity_1073;
+  assign parity_1073 = ^select_1064[5:3];
   logic parity_1076;
-  assign parity_1076 = ^select_1058[11:9];
-  logic parity_1079;
-  assign parity_1079 = ^select_1041[2:0];
+  assign parity_1076 = ^select_1064[8:0];
   logic parity_1082;
-  assign parity_1082 = ^{select_1058[11:9], select_1041[5:0]};
+  assign parity_1082 = ^select_1064[11:9];
   logic parity_1085;
-  assign parity_1085 = ^{select_1058, select_1041, select_1018[2:0]};
-  logic xor_1086;
-  assign xor_1086 = parity_1030 ^ parity_1085;
+  assign parity_1085 = ^select_1047[2:0];
+  logic parity_1088;
+  assign parity_1088 = ^{select_1064[11:9], select_1047[5:0]};
+  logic parity_1091;
+  assign parity_1091 = ^{select_1064, select_1047, select_1024[2:0]};
+  logic xor_1092;
+  assign xor_1092 = parity_1036 ^ parity_1091;
   // hls/stages/count_bits.hpp:23
-  logic or_1090;
-  assign or_1090 = (select_1018[1:0] == 2'h3) | (select_1018[2] & (select_1018[0] | select_1018[1]));
+  logic or_1096;
+  assign or_1096 = (select_1024[1:0] == 2'h3) | (select_1024[2] & (select_1024[0] | select_1024[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1094;
-  assign or_1094 = (select_1041[7:6] == 2'h3) | (select_1041[8] & (select_1041[6] | select_1041[7]));
-  logic or_1098;
-  assign or_1098 = (select_1041[10:9] == 2'h3) | (select_1041[11] & (select_1041[9] | select_1041[10]));
+  logic or_1100;
+  assign or_1100 = (select_1047[7:6] == 2'h3) | (select_1047[8] & (select_1047[6] | select_1047[7]));
+  logic or_1104;
+  assign or_1104 = (select_1047[10:9] == 2'h3) | (select_1047[11] & (select_1047[9] | select_1047[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1106;
-  assign or_1106 = (select_1058[7:6] == 2'h3) | (select_1058[8] & (~(select_1058[7:6] == 2'h0)));
+  logic or_1112;
+  assign or_1112 = (select_1064[7:6] == 2'h3) | (select_1064[8] & (~(select_1064[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1110;
-  assign or_1110 = (select_1058[1:0] == 2'h3) | (select_1058[2] & (select_1058[0] | select_1058[1]));
-  logic or_1114;
-  assign or_1114 = (select_1058[4:3] == 2'h3) | (select_1058[5] & (select_1058[3] | select_1058[4]));
+  logic or_1116;
+  assign or_1116 = (select_1064[1:0] == 2'h3) | (select_1064[2] & (select_1064[0] | select_1064[1]));
+  logic or_1120;
+  assign or_1120 = (select_1064[4:3] == 2'h3) | (select_1064[5] & (select_1064[3] | select_1064[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1117;
-  assign parity_1117 = ^{or_1114, or_1110, or_1106};
+  logic parity_1123;
+  assign parity_1123 = ^{or_1120, or_1116, or_1112};
   // hls/stages/count_bits.hpp:23
-  logic or_1121;
-  assign or_1121 = (select_1041[4:3] == 2'h3) | (select_1041[5] & (select_1041[3] | select_1041[4]));
+  logic or_1127;
+  assign or_1127 = (select_1047[4:3] == 2'h3) | (select_1047[5] & (select_1047[3] | select_1047[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1125;
-  assign or_1125 = (select_1058[10:9] == 2'h3) | (select_1058[11] & (select_1058[9] | select_1058[10]));
-  logic or_1129;
-  assign or_1129 = (select_1041[1:0] == 2'h3) | (select_1041[2] & (select_1041[0] | select_1041[1]));
+  logic or_1131;
+  assign or_1131 = (select_1064[10:9] == 2'h3) | (select_1064[11] & (select_1064[9] | select_1064[10]));
+  logic or_1135;
+  assign or_1135 = (select_1047[1:0] == 2'h3) | (select_1047[2] & (select_1047[0] | select_1047[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1132;
-  assign parity_1132 = ^{or_1129, or_1125, or_1121};
-  logic parity_1135;
-  assign parity_1135 = ^{or_1129, or_1125, or_1121, or_1114, or_1110, or_1106, or_1098, or_1094, or_1090};
+  logic parity_1138;
+  assign parity_1138 = ^{or_1135, or_1131, or_1127};
+  logic parity_1141;
+  assign parity_1141 = ^{or_1135, or_1131, or_1127, or_1120, or_1116, or_1112, or_1104, or_1100, or_1096};
   // hls/stages/count_bits.hpp:25
-  logic and_1136;
-  assign and_1136 = parity_1030 & parity_1085;
-  logic or_1140;
-  assign or_1140 = (parity_1024 & parity_1027) | ((^select_1018[11:9]) & (parity_1024 | parity_1027));
-  logic and_1143;
-  assign and_1143 = (^{select_1041[11:6], select_1018[2:0]}) & (parity_1070 | parity_1082);
-  logic or_1144;
-  assign or_1144 = (parity_1070 & parity_1082) | and_1143;
+  logic and_1142;
+  assign and_1142 = parity_1036 & parity_1091;
+  logic or_1146;
+  assign or_1146 = (parity_1030 & parity_1033) | ((^select_1024[11:9]) & (parity_1030 | parity_1033));
+  logic and_1149;
+  assign and_1149 = (^{select_1047[11:6], select_1024[2:0]}) & (parity_1076 | parity_1088);
+  logic or_1150;
+  assign or_1150 = (parity_1076 & parity_1088) | and_1149;
   // hls/stages/count_bits.hpp:23
-  logic or_1151;
-  assign or_1151 = (select_1018[10:9] == 2'h3) | (select_1018[11] & (select_1018[9] | select_1018[10]));
+  logic or_1157;
+  assign or_1157 = (select_1024[10:9] == 2'h3) | (select_1024[11] & (select_1024[9] | select_1024[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1155;
-  assign or_1155 = (select_1018[4:3] == 2'h3) | (select_1018[5] & (select_1018[3] | select_1018[4]));
-  logic or_1159;
-  assign or_1159 = (select_1018[7:6] == 2'h3) | (select_1018[8] & (select_1018[6] | select_1018[7]));
+  logic or_1161;
+  assign or_1161 = (select_1024[4:3] == 2'h3) | (select_1024[5] & (select_1024[3] | select_1024[4]));
+  logic or_1165;
+  assign or_1165 = (select_1024[7:6] == 2'h3) | (select_1024[8] & (select_1024[6] | select_1024[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1162;
-  assign parity_1162 = ^{or_1159, or_1155, or_1151};
+  logic parity_1168;
+  assign parity_1168 = ^{or_1165, or_1161, or_1157};
   // hls/stages/count_bits.hpp:25
-  logic or_1166;
-  assign or_1166 = (parity_1044 & parity_1047) | ((^select_1018[2:0]) & (parity_1044 | parity_1047));
-  logic or_1170;
-  assign or_1170 = (parity_1064 & parity_1067) | ((^select_1058[8:6]) & (parity_1064 | parity_1067));
-  logic or_1174;
-  assign or_1174 = (parity_1076 & parity_1079) | ((^select_1041[5:3]) & (parity_1076 | parity_1079));
+  logic or_1172;
+  assign or_1172 = (parity_1050 & parity_1053) | ((^select_1024[2:0]) & (parity_1050 | parity_1053));
+  logic or_1176;
+  assign or_1176 = (parity_1070 & parity_1073) | ((^select_1064[8:6]) & (parity_1070 | parity_1073));
+  logic or_1180;
+  assign or_1180 = (parity_1082 & parity_1085) | ((^select_1047[5:3]) & (parity_1082 | parity_1085));
   // hls/stages/count_bits.hpp:24
-  logic parity_1177;
-  assign parity_1177 = ^{or_1174, or_1170, or_1166};
-  logic parity_1180;
-  assign parity_1180 = ^{or_1174, or_1170, or_1166, or_1159, or_1155, or_1151, or_1144, or_1140, and_1136};
-  logic xor_1181;
-  assign xor_1181 = parity_1135 ^ parity_1180;
+  logic parity_1183;
+  assign parity_1183 = ^{or_1180, or_1176, or_1172};
+  logic parity_1186;
+  assign parity_1186 = ^{or_1180, or_1176, or_1172, or_1165, or_1161, or_1157, or_1150, or_1146, and_1142};
+  logic xor_1187;
+  assign xor_1187 = parity_1141 ^ parity_1186;
   // hls/stages/count_bits.hpp:25
-  logic and_1182;
-  assign and_1182 = parity_1135 & parity_1180;
-  logic or_1186;
-  assign or_1186 = (parity_1117 & parity_1132) | ((^{or_1098, or_1094, or_1090}) & (parity_1117 | parity_1132));
-  logic or_1190;
-  assign or_1190 = (parity_1162 & parity_1177) | ((^{or_1144, or_1140, and_1136}) & (parity_1162 | parity_1177));
-  logic or_1197;
-  assign or_1197 = (or_1094 & or_1098) | (or_1090 & (or_1094 | or_1098));
-  logic or_1201;
-  assign or_1201 = (or_1110 & or_1114) | (or_1106 & (or_1110 | or_1114));
-  logic or_1205;
-  assign or_1205 = (or_1125 & or_1129) | (or_1121 & (or_1125 | or_1129));
+  logic and_1188;
+  assign and_1188 = parity_1141 & parity_1186;
+  logic or_1192;
+  assign or_1192 = (parity_1123 & parity_1138) | ((^{or_1104, or_1100, or_1096}) & (parity_1123 | parity_1138));
+  logic or_1196;
+  assign or_1196 = (parity_1168 & parity_1183) | ((^{or_1150, or_1146, and_1142}) & (parity_1168 | parity_1183));
+  logic or_1203;
+  assign or_1203 = (or_1100 & or_1104) | (or_1096 & (or_1100 | or_1104));
+  logic or_1207;
+  assign or_1207 = (or_1116 & or_1120) | (or_1112 & (or_1116 | or_1120));
+  logic or_1211;
+  assign or_1211 = (or_1131 & or_1135) | (or_1127 & (or_1131 | or_1135));
   // hls/stages/count_bits.hpp:24
-  logic parity_1208;
-  assign parity_1208 = ^{or_1205, or_1201, or_1197};
+  logic parity_1214;
+  assign parity_1214 = ^{or_1211, or_1207, or_1203};
   // hls/stages/count_bits.hpp:25
-  logic or_1212;
-  assign or_1212 = (or_1140 & or_1144) | (and_1136 & (or_1140 | or_1144));
-  logic or_1216;
-  assign or_1216 = (or_1155 & or_1159) | (or_1151 & (or_1155 | or_1159));
-  logic or_1220;
-  assign or_1220 = (or_1170 & or_1174) | (or_1166 & (or_1170 | or_1174));
+  logic or_1218;
+  assign or_1218 = (or_1146 & or_1150) | (and_1142 & (or_1146 | or_1150));
+  logic or_1222;
+  assign or_1222 = (or_1161 & or_1165) | (or_1157 & (or_1161 | or_1165));
+  logic or_1226;
+  assign or_1226 = (or_1176 & or_1180) | (or_1172 & (or_1176 | or_1180));
   // hls/stages/count_bits.hpp:24
-  logic parity_1223;
-  assign parity_1223 = ^{or_1220, or_1216, or_1212};
-  logic parity_1226;
-  assign parity_1226 = ^{or_1220, or_1216, or_1212, or_1205, or_1201, or_1197, or_1190, or_1186, and_1182};
+  logic parity_1229;
+  assign parity_1229 = ^{or_1226, or_1222, or_1218};
+  logic parity_1232;
+  assign parity_1232 = ^{or_1226, or_1222, or_1218, or_1211, or_1207, or_1203, or_1196, or_1192, and_1188};
   // hls/stages/count_bits.hpp:25
-  logic or_1230;
-  assign or_1230 = (parity_1208 & parity_1223) | ((^{or_1190, or_1186, and_1182}) & (parity_1208 | parity_1223));
-  logic or_1234;
-  assign or_1234 = (or_1186 & or_1190) | (and_1182 & (or_1186 | or_1190));
-  logic or_1238;
-  assign or_1238 = (or_1201 & or_1205) | (or_1197 & (or_1201 | or_1205));
-  logic or_1242;
-  assign or_1242 = (or_1216 & or_1220) | (or_1212 & (or_1216 | or_1220));
+  logic or_1236;
+  assign or_1236 = (parity_1214 & parity_1229) | ((^{or_1196, or_1192, and_1188}) & (parity_1214 | parity_1229));
+  logic or_1240;
+  assign or_1240 = (or_1192 & or_1196) | (and_1188 & (or_1192 | or_1196));
+  logic or_1244;
+  assign or_1244 = (or_1207 & or_1211) | (or_1203 & (or_1207 | or_1211));
+  logic or_1248;
+  assign or_1248 = (or_1222 & or_1226) | (or_1218 & (or_1222 | or_1226));
   // hls/stages/count_bits.hpp:24
-  logic parity_1247;
-  assign parity_1247 = ^{or_1242, or_1238, or_1234, or_1230};
+  logic parity_1253;
+  assign parity_1253 = ^{or_1248, or_1244, or_1240, or_1236};
   // hls/stages/count_bits.hpp:25
-  logic or_1251;
-  assign or_1251 = (or_1238 & or_1242) | (or_1234 & (or_1238 | or_1242));
-  logic and_1252;
-  assign and_1252 = or_1230 & (^{or_1242, or_1238, or_1234});
+  logic or_1257;
+  assign or_1257 = (or_1244 & or_1248) | (or_1240 & (or_1244 | or_1248));
+  logic and_1258;
+  assign and_1258 = or_1236 & (^{or_1248, or_1244, or_1240});
   // hls/stages/count_bits.hpp:24
-  logic xor_1253;
-  assign xor_1253 = or_1251 ^ and_1252;
+  logic xor_1259;
+  assign xor_1259 = or_1257 ^ and_1258;
   // hls/stages/count_bits.hpp:27
-  logic and_1254;
-  assign and_1254 = or_1251 & and_1252;
+  logic and_1260;
+  assign and_1260 = or_1257 & and_1258;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1255;
-  assign select_1255 = equal_593_s1_q ? {and_1254, xor_1253, parity_1247, parity_1226, xor_1181, xor_1086} : 6'h0;
+  logic [5:0] select_1261;
+  assign select_1261 = equal_595_s1_q ? {and_1260, xor_1259, parity_1253, parity_1232, xor_1187, xor_1092} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_579_s1_q ? 6'h0 : select_1255;
+  assign column_2 = or_581_s1_q ? 6'h0 : select_1261;
   // hls/stages/agreement.hpp:221
-  logic and_1263;
-  assign and_1263 = right_codes_rdata_q[27] & not_583_s1_q;
-  // hls/stages/agreement.hpp:734
-  logic select_1264;
-  assign select_1264 = slot_s1_q[0] ? (right_codes_rdata_q[12] & not_583_s1_q) : and_1263;
+  logic and_1269;
+  assign and_1269 = right_codes_rdata_q[27] & not_585_s1_q;
+  // hls/stages/agreement.hpp:741
+  logic select_1270;
+  assign select_1270 = slot_s1_q[0] ? (right_codes_rdata_q[12] & not_585_s1_q) : and_1269;
   // hls/stages/agreement.hpp:221
-  logic [11:0] select_1266;
-  assign select_1266 = less_582_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
-  // hls/stages/agreement.hpp:734
-  logic [11:0] select_1267;
-  assign select_1267 = slot_s1_q[0] ? (less_582_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) : select_1266;
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1271;
-  assign select_1271 = and_762 ? (select_1264 ? (~(select_764 ^ select_1267)) : 12'h0) : 12'h0;
+  logic [11:0] select_1272;
+  assign select_1272 = less_584_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
+  // hls/stages/agreement.hpp:741
+  logic [11:0] select_1273;
+  assign select_1273 = slot_s1_q[0] ? (less_584_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) : select_1272;
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1277;
+  assign select_1277 = and_768 ? (select_1270 ? (~(select_770 ^ select_1273)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1277;
-  assign parity_1277 = ^select_1271[5:3];
-  logic parity_1280;
-  assign parity_1280 = ^select_1271[8:6];
   logic parity_1283;
-  assign parity_1283 = ^select_1271[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1291;
-  assign select_1291 = (slot_s1_q[0] ? and_1263 : and_763) ? (~(select_787 ^ (slot_s1_q[0] ? select_1266 : select_765))) : 12'h0;
-  logic [11:0] select_1292;
-  assign select_1292 = and_785 ? select_1291 : 12'h0;
+  assign parity_1283 = ^select_1277[5:3];
+  logic parity_1286;
+  assign parity_1286 = ^select_1277[8:6];
+  logic parity_1289;
+  assign parity_1289 = ^select_1277[11:3];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1297;
+  assign select_1297 = (slot_s1_q[0] ? and_1269 : and_769) ? (~(select_793 ^ (slot_s1_q[0] ? select_1272 : select_771))) : 12'h0;
+  logic [11:0] select_1298;
+  assign select_1298 = and_791 ? select_1297 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1295;
-  assign parity_1295 = ^select_1292[8:6];
-  logic parity_1298;
-  assign parity_1298 = ^select_1292[11:9];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1306;
-  assign select_1306 = (slot_s1_q[0] ? and_763 : and_786) ? (~(select_804 ^ (slot_s1_q[0] ? select_765 : select_788))) : 12'h0;
-  logic [11:0] select_1307;
-  assign select_1307 = and_802 ? select_1306 : 12'h0;
+  logic parity_1301;
+  assign parity_1301 = ^select_1298[8:6];
+  logic parity_1304;
+  assign parity_1304 = ^select_1298[11:9];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1312;
+  assign select_1312 = (slot_s1_q[0] ? and_769 : and_792) ? (~(select_810 ^ (slot_s1_q[0] ? select_771 : select_794))) : 12'h0;
+  logic [11:0] select_1313;
+  assign select_1313 = and_808 ? select_1312 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1313;
-  assign parity_1313 = ^select_1307[2:0];
-  logic parity_1316;
-  assign parity_1316 = ^select_1307[5:3];
   logic parity_1319;
-  assign parity_1319 = ^select_1307[8:0];
+  assign parity_1319 = ^select_1313[2:0];
+  logic parity_1322;
+  assign parity_1322 = ^select_1313[5:3];
   logic parity_1325;
-  assign parity_1325 = ^select_1307[11:9];
-  logic parity_1328;
-  assign parity_1328 = ^select_1292[2:0];
+  assign parity_1325 = ^select_1313[8:0];
   logic parity_1331;
-  assign parity_1331 = ^{select_1307[11:9], select_1292[5:0]};
+  assign parity_1331 = ^select_1313[11:9];
   logic parity_1334;
-  assign parity_1334 = ^{select_1307, select_1292, select_1271[2:0]};
-  logic xor_1335;
-  assign xor_1335 = parity_1283 ^ parity_1334;
+  assign parity_1334 = ^select_1298[2:0];
+  logic parity_1337;
+  assign parity_1337 = ^{select_1313[11:9], select_1298[5:0]};
+  logic parity_1340;
+  assign parity_1340 = ^{select_1313, select_1298, select_1277[2:0]};
+  logic xor_1341;
+  assign xor_1341 = parity_1289 ^ parity_1340;
   // hls/stages/count_bits.hpp:23
-  logic or_1339;
-  assign or_1339 = (select_1271[1:0] == 2'h3) | (select_1271[2] & (select_1271[0] | select_1271[1]));
+  logic or_1345;
+  assign or_1345 = (select_1277[1:0] == 2'h3) | (select_1277[2] & (select_1277[0] | select_1277[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1343;
-  assign or_1343 = (select_1292[7:6] == 2'h3) | (select_1292[8] & (select_1292[6] | select_1292[7]));
-  logic or_1347;
-  assign or_1347 = (select_1292[10:9] == 2'h3) | (select_1292[11] & (select_1292[9] | select_1292[10]));
+  logic or_1349;
+  assign or_1349 = (select_1298[7:6] == 2'h3) | (select_1298[8] & (select_1298[6] | select_1298[7]));
+  logic or_1353;
+  assign or_1353 = (select_1298[10:9] == 2'h3) | (select_1298[11] & (select_1298[9] | select_1298[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1355;
-  assign or_1355 = (select_1307[7:6] == 2'h3) | (select_1307[8] & (~(select_1307[7:6] == 2'h0)));
+  logic or_1361;
+  assign or_1361 = (select_1313[7:6] == 2'h3) | (select_1313[8] & (~(select_1313[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1359;
-  assign or_1359 = (select_1307[1:0] == 2'h3) | (select_1307[2] & (select_1307[0] | select_1307[1]));
-  logic or_1363;
-  assign or_1363 = (select_1307[4:3] == 2'h3) | (select_1307[5] & (select_1307[3] | select_1307[4]));
+  logic or_1365;
+  assign or_1365 = (select_1313[1:0] == 2'h3) | (select_1313[2] & (select_1313[0] | select_1313[1]));
+  logic or_1369;
+  assign or_1369 = (select_1313[4:3] == 2'h3) | (select_1313[5] & (select_1313[3] | select_1313[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1366;
-  assign parity_1366 = ^{or_1363, or_1359, or_1355};
+  logic parity_1372;
+  assign parity_1372 = ^{or_1369, or_1365, or_1361};
   // hls/stages/count_bits.hpp:23
-  logic or_1370;
-  assign or_1370 = (select_1292[4:3] == 2'h3) | (select_1292[5] & (select_1292[3] | select_1292[4]));
+  logic or_1376;
+  assign or_1376 = (select_1298[4:3] == 2'h3) | (select_1298[5] & (select_1298[3] | select_1298[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1374;
-  assign or_1374 = (select_1307[10:9] == 2'h3) | (select_1307[11] & (select_1307[9] | select_1307[10]));
-  logic or_1378;
-  assign or_1378 = (select_1292[1:0] == 2'h3) | (select_1292[2] & (select_1292[0] | select_1292[1]));
+  logic or_1380;
+  assign or_1380 = (select_1313[10:9] == 2'h3) | (select_1313[11] & (select_1313[9] | select_1313[10]));
+  logic or_1384;
+  assign or_1384 = (select_1298[1:0] == 2'h3) | (select_1298[2] & (select_1298[0] | select_1298[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1381;
-  assign parity_1381 = ^{or_1378, or_1374, or_1370};
-  logic parity_1384;
-  assign parity_1384 = ^{or_1378, or_1374, or_1370, or_1363, or_1359, or_1355, or_1347, or_1343, or_1339};
+  logic parity_1387;
+  assign parity_1387 = ^{or_1384, or_1380, or_1376};
+  logic parity_1390;
+  assign parity_1390 = ^{or_1384, or_1380, or_1376, or_1369, or_1365, or_1361, or_1353, or_1349, or_1345};
   // hls/stages/count_bits.hpp:25
-  logic and_1385;
-  assign and_1385 = parity_1283 & parity_1334;
-  logic or_1389;
-  assign or_1389 = (parity_1277 & parity_1280) | ((^select_1271[11:9]) & (parity_1277 | parity_1280));
-  logic and_1392;
-  assign and_1392 = (^{select_1292[11:6], select_1271[2:0]}) & (parity_1319 | parity_1331);
-  logic or_1393;
-  assign or_1393 = (parity_1319 & parity_1331) | and_1392;
+  logic and_1391;
+  assign and_1391 = parity_1289 & parity_1340;
+  logic or_1395;
+  assign or_1395 = (parity_1283 & parity_1286) | ((^select_1277[11:9]) & (parity_1283 | parity_1286));
+  logic and_1398;
+  assign and_1398 = (^{select_1298[11:6], select_1277[2:0]}) & (parity_1325 | parity_1337);
+  logic or_1399;
+  assign or_1399 = (parity_1325 & parity_1337) | and_1398;
   // hls/stages/count_bits.hpp:23
-  logic or_1400;
-  assign or_1400 = (select_1271[10:9] == 2'h3) | (select_1271[11] & (select_1271[9] | select_1271[10]));
+  logic or_1406;
+  assign or_1406 = (select_1277[10:9] == 2'h3) | (select_1277[11] & (select_1277[9] | select_1277[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1404;
-  assign or_1404 = (select_1271[4:3] == 2'h3) | (select_1271[5] & (select_1271[3] | select_1271[4]));
-  logic or_1408;
-  assign or_1408 = (select_1271[7:6] == 2'h3) | (select_1271[8] & (select_1271[6] | select_1271[7]));
+  logic or_1410;
+  assign or_1410 = (select_1277[4:3] == 2'h3) | (select_1277[5] & (select_1277[3] | select_1277[4]));
+  logic or_1414;
+  assign or_1414 = (select_1277[7:6] == 2'h3) | (select_1277[8] & (select_1277[6] | select_1277[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1411;
-  assign parity_1411 = ^{or_1408, or_1404, or_1400};
+  logic parity_1417;
+  assign parity_1417 = ^{or_1414, or_1410, or_1406};
   // hls/stages/count_bits.hpp:25
-  logic or_1415;
-  assign or_1415 = (parity_1295 & parity_1298) | ((^select_1271[2:0]) & (parity_1295 | parity_1298));
-  logic or_1419;
-  assign or_1419 = (parity_1313 & parity_1316) | ((^select_1307[8:6]) & (parity_1313 | parity_1316));
-  logic or_1423;
-  assign or_1423 = (parity_1325 & parity_1328) | ((^select_1292[5:3]) & (parity_1325 | parity_1328));
+  logic or_1421;
+  assign or_1421 = (parity_1301 & parity_1304) | ((^select_1277[2:0]) & (parity_1301 | parity_1304));
+  logic or_1425;
+  assign or_1425 = (parity_1319 & parity_1322) | ((^select_1313[8:6]) & (parity_1319 | parity_1322));
+  logic or_1429;
+  assign or_1429 = (parity_1331 & parity_1334) | ((^select_1298[5:3]) & (parity_1331 | parity_1334));
   // hls/stages/count_bits.hpp:24
-  logic parity_1426;
-  assign parity_1426 = ^{or_1423, or_1419, or_1415};
-  logic parity_1429;
-  assign parity_1429 = ^{or_1423, or_1419, or_1415, or_1408, or_1404, or_1400, or_1393, or_1389, and_1385};
-  logic xor_1430;
-  assign xor_1430 = parity_1384 ^ parity_1429;
+  logic parity_1432;
+  assign parity_1432 = ^{or_1429, or_1425, or_1421};
+  logic parity_1435;
+  assign parity_1435 = ^{or_1429, or_1425, or_1421, or_1414, or_1410, or_1406, or_1399, or_1395, and_1391};
+  logic xor_1436;
+  assign xor_1436 = parity_1390 ^ parity_1435;
   // hls/stages/count_bits.hpp:25
-  logic and_1431;
-  assign and_1431 = parity_1384 & parity_1429;
-  logic or_1435;
-  assign or_1435 = (parity_1366 & parity_1381) | ((^{or_1347, or_1343, or_1339}) & (parity_1366 | parity_1381));
-  logic or_1439;
-  assign or_1439 = (parity_1411 & parity_1426) | ((^{or_1393, or_1389, and_1385}) & (parity_1411 | parity_1426));
-  logic or_1446;
-  assign or_1446 = (or_1343 & or_1347) | (or_1339 & (or_1343 | or_1347));
-  logic or_1450;
-  assign or_1450 = (or_1359 & or_1363) | (or_1355 & (or_1359 | or_1363));
-  logic or_1454;
-  assign or_1454 = (or_1374 & or_1378) | (or_1370 & (or_1374 | or_1378));
+  logic and_1437;
+  assign and_1437 = parity_1390 & parity_1435;
+  logic or_1441;
+  assign or_1441 = (parity_1372 & parity_1387) | ((^{or_1353, or_1349, or_1345}) & (parity_1372 | parity_1387));
+  logic or_1445;
+  assign or_1445 = (parity_1417 & parity_1432) | ((^{or_1399, or_1395, and_1391}) & (parity_1417 | parity_1432));
+  logic or_1452;
+  assign or_1452 = (or_1349 & or_1353) | (or_1345 & (or_1349 | or_1353));
+  logic or_1456;
+  assign or_1456 = (or_1365 & or_1369) | (or_1361 & (or_1365 | or_1369));
+  logic or_1460;
+  assign or_1460 = (or_1380 & or_1384) | (or_1376 & (or_1380 | or_1384));
   // hls/stages/count_bits.hpp:24
-  logic parity_1457;
-  assign parity_1457 = ^{or_1454, or_1450, or_1446};
+  logic parity_1463;
+  assign parity_1463 = ^{or_1460, or_1456, or_1452};
   // hls/stages/count_bits.hpp:25
-  logic or_1461;
-  assign or_1461 = (or_1389 & or_1393) | (and_1385 & (or_1389 | or_1393));
-  logic or_1465;
-  assign or_1465 = (or_1404 & or_1408) | (or_1400 & (or_1404 | or_1408));
-  logic or_1469;
-  assign or_1469 = (or_1419 & or_1423) | (or_1415 & (or_1419 | or_1423));
+  logic or_1467;
+  assign or_1467 = (or_1395 & or_1399) | (and_1391 & (or_1395 | or_1399));
+  logic or_1471;
+  assign or_1471 = (or_1410 & or_1414) | (or_1406 & (or_1410 | or_1414));
+  logic or_1475;
+  assign or_1475 = (or_1425 & or_1429) | (or_1421 & (or_1425 | or_1429));
   // hls/stages/count_bits.hpp:24
-  logic parity_1472;
-  assign parity_1472 = ^{or_1469, or_1465, or_1461};
-  logic parity_1475;
-  assign parity_1475 = ^{or_1469, or_1465, or_1461, or_1454, or_1450, or_1446, or_1439, or_1435, and_1431};
+  logic parity_1478;
+  assign parity_1478 = ^{or_1475, or_1471, or_1467};
+  logic parity_1481;
+  assign parity_1481 = ^{or_1475, or_1471, or_1467, or_1460, or_1456, or_1452, or_1445, or_1441, and_1437};
   // hls/stages/count_bits.hpp:25
-  logic or_1479;
-  assign or_1479 = (parity_1457 & parity_1472) | ((^{or_1439, or_1435, and_1431}) & (parity_1457 | parity_1472));
-  logic or_1483;
-  assign or_1483 = (or_1435 & or_1439) | (and_1431 & (or_1435 | or_1439));
-  logic or_1487;
-  assign or_1487 = (or_1450 & or_1454) | (or_1446 & (or_1450 | or_1454));
-  logic or_1491;
-  assign or_1491 = (or_1465 & or_1469) | (or_1461 & (or_1465 | or_1469));
+  logic or_1485;
+  assign or_1485 = (parity_1463 & parity_1478) | ((^{or_1445, or_1441, and_1437}) & (parity_1463 | parity_1478));
+  logic or_1489;
+  assign or_1489 = (or_1441 & or_1445) | (and_1437 & (or_1441 | or_1445));
+  logic or_1493;
+  assign or_1493 = (or_1456 & or_1460) | (or_1452 & (or_1456 | or_1460));
+  logic or_1497;
+  assign or_1497 = (or_1471 & or_1475) | (or_1467 & (or_1471 | or_1475));
   // hls/stages/count_bits.hpp:24
-  logic parity_1496;
-  assign parity_1496 = ^{or_1491, or_1487, or_1483, or_1479};
+  logic parity_1502;
+  assign parity_1502 = ^{or_1497, or_1493, or_1489, or_1485};
   // hls/stages/count_bits.hpp:25
-  logic or_1500;
-  assign or_1500 = (or_1487 & or_1491) | (or_1483 & (or_1487 | or_1491));
-  logic and_1501;
-  assign and_1501 = or_1479 & (^{or_1491, or_1487, or_1483});
+  logic or_1506;
+  assign or_1506 = (or_1493 & or_1497) | (or_1489 & (or_1493 | or_1497));
+  logic and_1507;
+  assign and_1507 = or_1485 & (^{or_1497, or_1493, or_1489});
   // hls/stages/count_bits.hpp:24
-  logic xor_1502;
-  assign xor_1502 = or_1500 ^ and_1501;
+  logic xor_1508;
+  assign xor_1508 = or_1506 ^ and_1507;
   // hls/stages/count_bits.hpp:27
-  logic and_1503;
-  assign and_1503 = or_1500 & and_1501;
+  logic and_1509;
+  assign and_1509 = or_1506 & and_1507;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1504;
-  assign select_1504 = equal_593_s1_q ? {and_1503, xor_1502, parity_1496, parity_1475, xor_1430, xor_1335} : 6'h0;
+  logic [5:0] select_1510;
+  assign select_1510 = equal_595_s1_q ? {and_1509, xor_1508, parity_1502, parity_1481, xor_1436, xor_1341} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_579_s1_q ? 6'h0 : select_1504;
-  // hls/stages/agreement.hpp:788
-  logic and_1572;
-  assign and_1572 = ends_cell_s1_q & inside_v;
-  logic and_1574;
-  assign and_1574 = not_575 & (so_s1_q & and_1572);
-  logic [5:0] select_1578;
-  assign select_1578 = so_s1_q ? x_s1_q[5:0] : (or_579_s1_q ? (less_582_s1_q ? 6'h0 : select_626) : 6'h0);
+  assign column_3 = or_581_s1_q ? 6'h0 : select_1510;
+  // hls/stages/agreement.hpp:795
+  logic and_1578;
+  assign and_1578 = ends_cell_s1_q & inside_v;
+  logic and_1580;
+  assign and_1580 = not_577 & (so_s1_q & and_1578);
+  logic [5:0] select_1584;
+  assign select_1584 = so_s1_q ? x_s1_q[5:0] : (or_581_s1_q ? (less_584_s1_q ? 6'h0 : select_629) : 6'h0);
   // hls/stages/agreement.hpp:247
-  logic or_1582;
-  assign or_1582 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  logic or_1588;
+  assign or_1588 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
   // hls/stages/agreement.hpp:149
-  logic and_1591;
-  assign and_1591 = or_579_s1_q & (slot_s1_q[2] & not_583_s1_q);
+  logic and_1597;
+  assign and_1597 = or_581_s1_q & (slot_s1_q[2] & not_585_s1_q);
   // hls/stages/registration.hpp:218
-  logic [16:0] select_1704;
-  assign select_1704 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_1710;
+  assign select_1710 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
-  assign change = ($signed(10'h0) < $signed(select_1704[16:7])) ? 8'h7f : select_1704[7:0];
+  assign change = ($signed(10'h0) < $signed(select_1710[16:7])) ? 8'h7f : select_1710[7:0];
   // hls/stages/patches.hpp:174
   logic [7:0] pixel;
-  assign pixel = equal_1781_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
+  assign pixel = equal_1787_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
-  assign pixel_2 = equal_1781_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
+  assign pixel_2 = equal_1787_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
   // hls/stages/patches.hpp:504
-  logic less_1868;
-  assign less_1868 = 5'he < patches_along_q;
+  logic less_1874;
+  assign less_1874 = 5'he < patches_along_q;
   // hls/stages/patches.hpp:505
-  logic or_1869;
-  assign or_1869 = equal_1780_s1_q | less_1868;
+  logic or_1875;
+  assign or_1875 = equal_1786_s1_q | less_1874;
   // hls/stages/patches.hpp:508
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
-  logic select_1874;
-  assign select_1874 = equal_1780_s1_q ? patches_column_s1_q[0] : (or_1869 ? (patches_along_q == 5'h10) : (~new_row));
-  logic not_1875;
-  assign not_1875 = ~or_1869;
+  logic select_1880;
+  assign select_1880 = equal_1786_s1_q ? patches_column_s1_q[0] : (or_1875 ? (patches_along_q == 5'h10) : (~new_row));
+  logic not_1881;
+  assign not_1881 = ~or_1875;
   // hls/stages/patches.hpp:505
-  logic [4:0] sum_1876;
-  assign sum_1876 = patches_down_by_q + {1'b0, patches_match_row_q};
+  logic [4:0] sum_1882;
+  assign sum_1882 = patches_down_by_q + {1'b0, patches_match_row_q};
   // hls/stages/patches.hpp:507
-  logic [4:0] select_1879;
-  assign select_1879 = or_1869 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_1876) + 5'h1) : sum_1876;
+  logic [4:0] select_1885;
+  assign select_1885 = or_1875 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_1882) + 5'h1) : sum_1882;
   // hls/stages/patches.hpp:509
-  logic [4:0] select_1880;
-  assign select_1880 = equal_1780_s1_q ? 5'h0 : select_1879;
-  logic or_1881;
-  assign or_1881 = equal_1780_s1_q | equal_1778_s1_q;
+  logic [4:0] select_1886;
+  assign select_1886 = equal_1786_s1_q ? 5'h0 : select_1885;
+  logic or_1887;
+  assign or_1887 = equal_1786_s1_q | equal_1784_s1_q;
   // hls/stages/patches.hpp:485
-  logic equal_1883;
-  assign equal_1883 = patches_column_s1_q == 5'h1f;
+  logic equal_1889;
+  assign equal_1889 = patches_column_s1_q == 5'h1f;
   logic of_row;
   assign of_row = patches_column_s1_q == 5'h11;
-  logic equal_1885;
-  assign equal_1885 = patches_column_s1_q == 5'h18;
+  logic equal_1891;
+  assign equal_1891 = patches_column_s1_q == 5'h18;
   // hls/stages/patches.hpp:487
-  logic and_1887;
-  assign and_1887 = of_row & (~equal_1885);
+  logic and_1893;
+  assign and_1893 = of_row & (~equal_1891);
   logic [1:0] of_row_2;
-  assign of_row_2 = equal_1883 ? 2'h3 : {equal_1885, and_1887};
+  assign of_row_2 = equal_1889 ? 2'h3 : {equal_1891, and_1893};
   // hls/stages/patches.hpp:473
-  logic [8:0] sum_1890;
-  assign sum_1890 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
-  logic [8:0] sum_1891;
-  assign sum_1891 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
+  logic [8:0] sum_1896;
+  assign sum_1896 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
+  logic [8:0] sum_1897;
+  assign sum_1897 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
   logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_1890, pixel_2[0]} - {1'b0, sum_1891, patches_columns_above_rdata_q[24]};
+  assign down_2 = {1'b0, sum_1896, pixel_2[0]} - {1'b0, sum_1897, patches_columns_above_rdata_q[24]};
   // hls/stages/patches.hpp:475
-  logic [11:0] sum_1893;
-  assign sum_1893 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_1894;
-  assign sum_1894 = {{4{down_2[10]}}, down_2[10:2]} + {sum_1893[11], sum_1893};
-  logic [13:0] sum_1895;
-  assign sum_1895 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_1894, down_2[1]};
-  logic [12:0] sum_1896;
-  assign sum_1896 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1895[13:1];
-  logic [14:0] sum_1897;
-  assign sum_1897 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_1896, sum_1895[0], down_2[0]};
+  logic [11:0] sum_1899;
+  assign sum_1899 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_1900;
+  assign sum_1900 = {{4{down_2[10]}}, down_2[10:2]} + {sum_1899[11], sum_1899};
+  logic [13:0] sum_1901;
+  assign sum_1901 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_1900, down_2[1]};
+  logic [12:0] sum_1902;
+  assign sum_1902 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1901[13:1];
+  logic [14:0] sum_1903;
+  assign sum_1903 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_1902, sum_1901[0], down_2[0]};
   // hls/stages/patches.hpp:457
-  logic or_1904;
-  assign or_1904 = (sum_1897[8] & (~(sum_1897[7:0] == 8'h0))) | (~(sum_1897[13:9] == 5'h0));
+  logic or_1910;
+  assign or_1910 = (sum_1903[8] & (~(sum_1903[7:0] == 8'h0))) | (~(sum_1903[13:9] == 5'h0));
   // hls/stages/patches.hpp:471
-  logic [8:0] sum_1909;
-  assign sum_1909 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
-  logic [9:0] sum_1910;
-  assign sum_1910 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_1909};
-  logic [10:0] sum_1911;
-  assign sum_1911 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_1910, patches_columns_above_rdata_q[25]};
-  logic [9:0] sum_1912;
-  assign sum_1912 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_1911[10:1];
+  logic [8:0] sum_1915;
+  assign sum_1915 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
+  logic [9:0] sum_1916;
+  assign sum_1916 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_1915};
+  logic [10:0] sum_1917;
+  assign sum_1917 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_1916, patches_columns_above_rdata_q[25]};
+  logic [9:0] sum_1918;
+  assign sum_1918 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_1917[10:1];
   // hls/stages/patches.hpp:472
   logic [11:0] smooth;
-  assign smooth = {sum_1912, sum_1911[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  assign smooth = {sum_1918, sum_1917[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
   // hls/stages/patches.hpp:474
-  logic [12:0] sum_1914;
-  assign sum_1914 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
-  logic [12:0] sum_1915;
-  assign sum_1915 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_1916;
-  assign difference_1916 = {1'b0, sum_1914, smooth[0]} - {1'b0, sum_1915, patches_smooth_values_3_q[0]};
+  logic [12:0] sum_1920;
+  assign sum_1920 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
+  logic [12:0] sum_1921;
+  assign sum_1921 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_1922;
+  assign difference_1922 = {1'b0, sum_1920, smooth[0]} - {1'b0, sum_1921, patches_smooth_values_3_q[0]};
   // hls/stages/patches.hpp:457
-  logic or_1923;
-  assign or_1923 = (difference_1916[8] & (~(difference_1916[7:0] == 8'h0))) | (~(difference_1916[13:9] == 5'h0));
+  logic or_1929;
+  assign or_1929 = (difference_1922[8] & (~(difference_1922[7:0] == 8'h0))) | (~(difference_1922[13:9] == 5'h0));
   // hls/stages/patches.hpp:486
-  logic or_1931;
-  assign or_1931 = (((patches_column_s1_q == 5'ha) | of_row) | equal_1885) | equal_1883;
+  logic or_1937;
+  assign or_1937 = (((patches_column_s1_q == 5'ha) | of_row) | equal_1891) | equal_1889;
   // hls/stages/patches.hpp:481
-  logic and_1936;
-  assign and_1936 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
+  logic and_1942;
+  assign and_1942 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
   // hls/stages/agreement.hpp:275
-  logic and_1940;
-  assign and_1940 = not_1779_s1_q & (or_1782_s1_q & (or_1931 & (equal_1781_s1_q & and_1936)));
+  logic and_1946;
+  assign and_1946 = not_1785_s1_q & (or_1788_s1_q & (or_1937 & (equal_1787_s1_q & and_1942)));
   // hls/stages/patches.hpp:174
-  logic and_1950;
-  assign and_1950 = (~(equal_1781_s1_q | (~and_1936))) & (~patches_column_s1_q[4]);
+  logic and_1956;
+  assign and_1956 = (~(equal_1787_s1_q | (~and_1942))) & (~patches_column_s1_q[4]);
   // hls/stages/agreement.hpp:275
-  logic and_1954;
-  assign and_1954 = not_1779_s1_q & (or_1782_s1_q & (and_1950 & (patches_column_s1_q == 5'hf)));
+  logic and_1960;
+  assign and_1960 = not_1785_s1_q & (or_1788_s1_q & (and_1956 & (patches_column_s1_q == 5'hf)));
   // hls/stages/patches.hpp:549
-  logic less_1956;
-  assign less_1956 = patches_step_q[4:0] < 5'h11;
-  logic equal_1957;
-  assign equal_1957 = patches_step_q[6:5] == 2'h2;
-  logic equal_1958;
-  assign equal_1958 = patches_step_q[6:5] == 2'h1;
-  logic or_1959;
-  assign or_1959 = equal_1957 | equal_1958;
+  logic less_1962;
+  assign less_1962 = patches_step_q[4:0] < 5'h11;
+  logic equal_1963;
+  assign equal_1963 = patches_step_q[6:5] == 2'h2;
+  logic equal_1964;
+  assign equal_1964 = patches_step_q[6:5] == 2'h1;
+  logic or_1965;
+  assign or_1965 = equal_1963 | equal_1964;
   // hls/stages/division.hpp:34
-  logic [5:0] sum_1989;
-  assign sum_1989 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:460
-  logic select_2563;
-  assign select_2563 = equal_2466_s1_q ? (~({row_s1_q, 1'b0} < {sum_2560, cfg_height_i[3]})) : lower_half_q;
-  // hls/stages/agreement.hpp:520
-  logic and_2824;
-  assign and_2824 = and_549_s1_q & (equal_2466_s1_q & (row_s1_q[5:2] == 4'h0));
+  logic [5:0] sum_1995;
+  assign sum_1995 = region_across_rest_q[8:3] + 6'h1;
+  // hls/stages/agreement.hpp:1282
+  logic not_2051;
+  assign not_2051 = ~sample_pair_first_q;
+  // hls/stages/agreement.hpp:464
+  logic select_2572;
+  assign select_2572 = equal_2475_s1_q ? (~({row_s1_q, 1'b0} < {sum_2569, cfg_height_i[3]})) : lower_half_q;
+  // hls/stages/agreement.hpp:471
+  logic and_2575;
+  assign and_2575 = proven_q & less_2574;
+  // hls/stages/agreement.hpp:527
+  logic select_2579;
+  assign select_2579 = and_551_s1_q ? (equal_2475_s1_q ? (and_2575 & (row_s1_q[5:1] == 5'h0)) : late_q) : late_q;
+  // hls/stages/agreement.hpp:472
+  logic equal_2580;
+  assign equal_2580 = row_s1_q[5:2] == 4'h0;
+  // hls/stages/agreement.hpp:473
+  logic and_2581;
+  assign and_2581 = and_2575 & equal_2580;
+  // hls/stages/agreement.hpp:527
+  logic select_2583;
+  assign select_2583 = and_551_s1_q ? (equal_2475_s1_q ? and_2581 : draws_late_q) : draws_late_q;
+  logic and_2843;
+  assign and_2843 = and_551_s1_q & (equal_2475_s1_q & equal_2580);
   // hls/stages/registration.hpp:128
-  logic and_2825;
-  assign and_2825 = and_2467_s1_q & and_2824;
+  logic and_2844;
+  assign and_2844 = and_2476_s1_q & and_2843;
   // hls/stages/registration.hpp:127
-  logic and_2827;
-  assign and_2827 = and_2467_s1_q & (~and_2824);
+  logic and_2846;
+  assign and_2846 = and_2476_s1_q & (~and_2843);
   // hls/stages/registration.hpp:129
-  logic [15:0] select_2828;
-  assign select_2828 = and_2827 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_2847;
+  assign select_2847 = and_2846 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_2830;
-  assign select_2830 = and_2825 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2828[15]}}, select_2828});
+  logic [23:0] select_2849;
+  assign select_2849 = and_2844 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2847[15]}}, select_2847});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_2831;
-  assign select_2831 = and_2827 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_2850;
+  assign select_2850 = and_2846 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2831[15]}}, select_2831};
+  assign both = registration_slope_change_q + {{12{select_2850[15]}}, select_2850};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_2833;
-  assign select_2833 = and_2825 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2852;
+  assign select_2852 = and_2844 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:149
-  logic and_2834;
-  assign and_2834 = ends_cell_s1_q & so_s1_q;
+  logic and_2853;
+  assign and_2853 = ends_cell_s1_q & so_s1_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2834 ? registration_slope_change_q : 28'h0);
+  assign column_5 = registration_slope_q + (and_2853 ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:191
-  logic select_3078;
-  assign select_3078 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3097;
+  assign select_3097 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/agreement.hpp:275
-  logic [11:0] select_3081;
-  assign select_3081 = equal_1778_s1_q ? patches_smooth_values_0_q : (or_1782_s1_q ? smooth : patches_smooth_values_0_q);
-  logic [11:0] select_3083;
-  assign select_3083 = or_1782_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
-  logic [11:0] select_3085;
-  assign select_3085 = equal_1776_s1_q ? patches_smooth_values_1_q : (equal_1778_s1_q ? patches_smooth_values_1_q : select_3083);
-  logic [11:0] select_3086;
-  assign select_3086 = or_1782_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
-  logic [11:0] select_3088;
-  assign select_3088 = equal_1776_s1_q ? patches_smooth_values_2_q : (equal_1778_s1_q ? patches_smooth_values_2_q : select_3086);
-  logic [11:0] select_3089;
-  assign select_3089 = or_1782_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
-  logic [11:0] select_3091;
-  assign select_3091 = equal_1776_s1_q ? patches_smooth_values_3_q : (equal_1778_s1_q ? patches_smooth_values_3_q : select_3089);
-  logic [10:0] select_3093;
-  assign select_3093 = equal_1778_s1_q ? patches_down_values_0_q : (or_1782_s1_q ? down_2 : patches_down_values_0_q);
-  logic [10:0] select_3096;
-  assign select_3096 = equal_1778_s1_q ? patches_down_values_1_q : (or_1782_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
-  logic [10:0] select_3099;
-  assign select_3099 = equal_1778_s1_q ? patches_down_values_2_q : (or_1782_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
-  logic [10:0] select_3102;
-  assign select_3102 = equal_1778_s1_q ? patches_down_values_3_q : (or_1782_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
+  logic [11:0] select_3100;
+  assign select_3100 = equal_1784_s1_q ? patches_smooth_values_0_q : (or_1788_s1_q ? smooth : patches_smooth_values_0_q);
+  logic [11:0] select_3102;
+  assign select_3102 = or_1788_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3104;
+  assign select_3104 = equal_1782_s1_q ? patches_smooth_values_1_q : (equal_1784_s1_q ? patches_smooth_values_1_q : select_3102);
+  logic [11:0] select_3105;
+  assign select_3105 = or_1788_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3107;
+  assign select_3107 = equal_1782_s1_q ? patches_smooth_values_2_q : (equal_1784_s1_q ? patches_smooth_values_2_q : select_3105);
+  logic [11:0] select_3108;
+  assign select_3108 = or_1788_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3110;
+  assign select_3110 = equal_1782_s1_q ? patches_smooth_values_3_q : (equal_1784_s1_q ? patches_smooth_values_3_q : select_3108);
+  logic [10:0] select_3112;
+  assign select_3112 = equal_1784_s1_q ? patches_down_values_0_q : (or_1788_s1_q ? down_2 : patches_down_values_0_q);
+  logic [10:0] select_3115;
+  assign select_3115 = equal_1784_s1_q ? patches_down_values_1_q : (or_1788_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
+  logic [10:0] select_3118;
+  assign select_3118 = equal_1784_s1_q ? patches_down_values_2_q : (or_1788_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
+  logic [10:0] select_3121;
+  assign select_3121 = equal_1784_s1_q ? patches_down_values_3_q : (or_1788_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
   // hls/stages/patches.hpp:177
-  logic and_3139;
-  assign and_3139 = patches_along_ends_q & patches_match_row_ends_q;
+  logic and_3158;
+  assign and_3158 = patches_along_ends_q & patches_match_row_ends_q;
   // hls/stages/patches.hpp:417
-  logic [4:0] select_3144;
-  assign select_3144 = or_3039_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  logic [4:0] select_3163;
+  assign select_3163 = or_3058_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:419
-  logic [3:0] select_3146;
-  assign select_3146 = and_3139 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  logic [3:0] select_3165;
+  assign select_3165 = and_3158 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/agreement.hpp:275
-  logic [4:0] select_3502;
-  assign select_3502 = equal_1776_s1_q ? patches_summed_down_by_q : (equal_1778_s1_q ? patches_down_by_q : patches_summed_down_by_q);
-  logic select_3520;
-  assign select_3520 = equal_1776_s1_q ? (less_1956 & (equal_1958 & or_1959)) : patches_read_searches_q;
+  logic [4:0] select_3521;
+  assign select_3521 = equal_1782_s1_q ? patches_summed_down_by_q : (equal_1784_s1_q ? patches_down_by_q : patches_summed_down_by_q);
+  logic select_3539;
+  assign select_3539 = equal_1782_s1_q ? (less_1962 & (equal_1964 & or_1965)) : patches_read_searches_q;
   // hls/stages/agreement.hpp:205
-  logic [8:0] select_3823;
-  assign select_3823 = so_s1_q ? (and_2834 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
+  logic [8:0] select_3842;
+  assign select_3842 = so_s1_q ? (and_2853 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3825;
-  assign sum_3825 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
+  logic [8:0] sum_3844;
+  assign sum_3844 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3826;
-  assign select_3826 = sum_1989[5] ? {1'b1, sum_1989[4:0], region_across_rest_q[2:0]} : sum_3825;
-  // hls/stages/agreement.hpp:460
-  logic [7:0] select_3828;
-  assign select_3828 = equal_2466_s1_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
-  logic [6:0] select_3831;
-  assign select_3831 = equal_2466_s1_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
+  logic [8:0] select_3845;
+  assign select_3845 = sum_1995[5] ? {1'b1, sum_1995[4:0], region_across_rest_q[2:0]} : sum_3844;
+  // hls/stages/agreement.hpp:464
+  logic [7:0] select_3847;
+  assign select_3847 = equal_2475_s1_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
+  logic [6:0] select_3850;
+  assign select_3850 = equal_2475_s1_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
+  // hls/stages/agreement.hpp:1155
+  logic equal_3901;
+  assign equal_3901 = x_s1_q[6:0] == 7'h7f;
+  // hls/stages/agreement.hpp:278
+  logic and_4068;
+  assign and_4068 = (~drew_q) & (done_q | said_q);
+  // hls/stages/agreement.hpp:1283
+  logic select_4071;
+  assign select_4071 = sample_pair_first_q ? done_q : proven_q;
+  // hls/stages/agreement.hpp:278
+  logic select_4073;
+  assign select_4073 = sample_pair_first_q ? done_q : (sample_pair_whole_q ? select_4071 : proven_q);
 
   // Memory averager_memory, 189 x 26, DISTANCE 16, hls/stages/census.hpp:238; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1864,10 +1899,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 189; i++) averager_memory_mem[i] = 26'h0;
 `endif
   logic [7:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_514_s1_q;
+  assign averager_memory_raddr = select_516_s1_q;
 `ifndef SYNTHESIS
   logic averager_memory_re;
-  assign averager_memory_re = s1_en & and_523;
+  assign averager_memory_re = s1_en & and_525;
 `endif
   logic [25:0] averager_memory_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1886,7 +1921,7 @@ module horopter_agreement (
   assign census_memory_raddr = last_s1_2_q;
 `ifndef SYNTHESIS
   logic census_memory_re;
-  assign census_memory_re = s1_en & and_549_s1_q;
+  assign census_memory_re = s1_en & and_551_s1_q;
 `endif
   logic [77:0] census_memory_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1901,17 +1936,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 1645; i++) moments_memory_mem[i] = 4'h0;
 `endif
   logic [10:0] moments_memory_raddr;
-  assign moments_memory_raddr = select_573;
+  assign moments_memory_raddr = select_575;
 `ifndef SYNTHESIS
   logic moments_memory_re;
-  assign moments_memory_re = s1_en & and_591;
+  assign moments_memory_re = s1_en & and_593;
 `endif
   logic [3:0] moments_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) moments_memory_rdata_q <= moments_memory_mem[moments_memory_raddr];
   end
 
-  // Memory best_right, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1376; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory best_right, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1386; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1920,17 +1955,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) best_right_mem[i] = 29'h0;
 `endif
   logic [5:0] best_right_raddr;
-  assign best_right_raddr = or_579_s1_q ? select_626 : right_s1_q;
+  assign best_right_raddr = or_581_s1_q ? select_629 : right_s1_q;
 `ifndef SYNTHESIS
   logic best_right_re;
-  assign best_right_re = s1_en & select_617_s1_q;
+  assign best_right_re = s1_en & select_620_s1_q;
 `endif
   logic [28:0] best_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) best_right_rdata_q <= best_right_mem[best_right_raddr];
   end
 
-  // Memory shown_right, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1377; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory shown_right, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1387; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1942,14 +1977,14 @@ module horopter_agreement (
   assign shown_right_raddr = x_s1_q[5:0];
 `ifndef SYNTHESIS
   logic shown_right_re;
-  assign shown_right_re = s1_en & and_1574;
+  assign shown_right_re = s1_en & and_1580;
 `endif
   logic [1:0] shown_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory left_turns, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1378; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory left_turns, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1388; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1961,14 +1996,14 @@ module horopter_agreement (
   assign left_turns_raddr = x_s1_q[5:0];
 `ifndef SYNTHESIS
   logic left_turns_re;
-  assign left_turns_re = s1_en & and_1591;
+  assign left_turns_re = s1_en & and_1597;
 `endif
   logic [1:0] left_turns_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) left_turns_rdata_q <= left_turns_mem[left_turns_raddr];
   end
 
-  // Memory right_turns, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1378; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory right_turns, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1388; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1977,10 +2012,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) right_turns_mem[i] = 2'h0;
 `endif
   logic [5:0] right_turns_raddr;
-  assign right_turns_raddr = select_626;
+  assign right_turns_raddr = select_629;
 `ifndef SYNTHESIS
   logic right_turns_re;
-  assign right_turns_re = s1_en & and_1591;
+  assign right_turns_re = s1_en & and_1597;
 `endif
   logic [1:0] right_turns_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1995,10 +2030,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 28'h0;
 `endif
   logic [6:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = {select_1880, not_1875, select_1874};
+  assign patches_right_codes_raddr = {select_1886, not_1881, select_1880};
 `ifndef SYNTHESIS
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s1_en & or_1881;
+  assign patches_right_codes_re = s1_en & or_1887;
 `endif
   logic [27:0] patches_right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2017,7 +2052,7 @@ module horopter_agreement (
   assign patches_left_codes_raddr = patches_match_row_q;
 `ifndef SYNTHESIS
   logic patches_left_codes_re;
-  assign patches_left_codes_re = s1_en & (not_1777_s1_q & (new_row & equal_1778_s1_q));
+  assign patches_left_codes_re = s1_en & (not_1783_s1_q & (new_row & equal_1784_s1_q));
 `endif
   logic [47:0] patches_left_codes_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2036,14 +2071,14 @@ module horopter_agreement (
   assign patches_rows_raddr = patches_step_q[4:0];
 `ifndef SYNTHESIS
   logic patches_rows_re;
-  assign patches_rows_re = s1_en & (equal_1776_s1_q & (less_1956 & or_1959));
+  assign patches_rows_re = s1_en & (equal_1782_s1_q & (less_1962 & or_1965));
 `endif
   logic [14:0] patches_rows_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_rows_rdata_q <= patches_rows_mem[patches_rows_raddr];
   end
 
-  // Memory seen_columns, 47 x 18, DISTANCE 12, hls/stages/agreement.hpp:1405; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory seen_columns, 47 x 18, DISTANCE 12, hls/stages/agreement.hpp:1415; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2055,7 +2090,7 @@ module horopter_agreement (
   assign seen_columns_raddr = x_s1_q[5:0];
 `ifndef SYNTHESIS
   logic seen_columns_re;
-  assign seen_columns_re = s1_en & and_1574;
+  assign seen_columns_re = s1_en & and_1580;
 `endif
   logic [17:0] seen_columns_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2066,9 +2101,9 @@ module horopter_agreement (
   logic [5:0] left_waddr;
   assign left_waddr = x_s1_q[5:0];
   logic left_we;
-  assign left_we = s1_en & and_650_s1_q;
+  assign left_we = s1_en & and_655_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_we) left_mem[left_waddr] <= {and_751, left_rdata_q[65:49], and_750, left_rdata_q[47:31], and_749, left_rdata_q[29:13], and_748, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+    if (left_we) left_mem[left_waddr] <= {and_757, left_rdata_q[65:49], and_756, left_rdata_q[47:31], and_755, left_rdata_q[29:13], and_754, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2086,9 +2121,9 @@ module horopter_agreement (
   logic [5:0] right_codes_waddr;
   assign right_codes_waddr = x_s1_q[5:0];
   logic right_codes_we;
-  assign right_codes_we = s1_en & and_650_s1_q;
+  assign right_codes_we = s1_en & and_655_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_757, right_codes_rdata_q[84:73], and_756, right_codes_rdata_q[71:60], and_755, right_codes_rdata_q[56:43], and_754, right_codes_rdata_q[41:28], and_753, right_codes_rdata_q[26:13], and_752, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
+    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_763, right_codes_rdata_q[84:73], and_762, right_codes_rdata_q[71:60], and_761, right_codes_rdata_q[56:43], and_760, right_codes_rdata_q[41:28], and_759, right_codes_rdata_q[26:13], and_758, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2106,7 +2141,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_waddr;
   assign patches_columns_above_waddr = patches_column_s1_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s1_en & and_1862_s1_q;
+  assign patches_columns_above_we = s1_en & and_1868_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_columns_above_we) patches_columns_above_mem[patches_columns_above_waddr] <= {patches_columns_above_rdata_q[23:0], pixel_2};
   end
@@ -2127,6 +2162,8 @@ module horopter_agreement (
       moments_starts_q <= 1'b0;
       row_q <= 6'h0;
       lower_half_q <= 1'b0;
+      late_q <= 1'b0;
+      draws_late_q <= 1'b0;
       registration_slope_row_q <= 24'h0;
       registration_slope_change_q <= 28'h0;
       registration_slope_q <= 28'h0;
@@ -2152,37 +2189,47 @@ module horopter_agreement (
       region_across_next_q <= 9'h0;
       columns_begin_rest_q <= 8'h0;
       columns_begin_back_q <= 7'h0;
+      done_q <= 1'b0;
+      proven_q <= 1'b0;
+      drew_q <= 1'b0;
+      said_q <= 1'b0;
     end else if (s1_en) begin
-      moments_place_q <= select_572;
-      moments_taken_q <= not_575 & (not_577 & (equal_578_s1_q & inside_v));
-      moments_starts_q <= not_575 & (not_577 & (equal_578_s1_q & (inside_v & first)));
-      row_q <= and_549_s1_q ? (equal_2466_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_549_s1_q ? select_2563 : lower_half_q;
-      registration_slope_row_q <= select_2830;
-      registration_slope_change_q <= select_2833;
+      moments_place_q <= select_574;
+      moments_taken_q <= not_577 & (not_579 & (equal_580_s1_q & inside_v));
+      moments_starts_q <= not_577 & (not_579 & (equal_580_s1_q & (inside_v & first)));
+      row_q <= and_551_s1_q ? (equal_2475_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_551_s1_q ? select_2572 : lower_half_q;
+      late_q <= select_2579;
+      draws_late_q <= select_2583;
+      registration_slope_row_q <= select_2849;
+      registration_slope_change_q <= select_2852;
       registration_slope_q <= so_s1_q ? column_5 : {registration_slope_row_q, 4'h0};
-      patches_along_ends_q <= not_3063_s1_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3063_s1_q & select_3078;
-      patches_smooth_values_0_q <= equal_1776_s1_q ? patches_smooth_values_0_q : select_3081;
-      patches_smooth_values_1_q <= select_3085;
-      patches_smooth_values_2_q <= select_3088;
-      patches_smooth_values_3_q <= select_3091;
-      patches_down_values_0_q <= equal_1776_s1_q ? patches_down_values_0_q : select_3093;
-      patches_down_values_1_q <= equal_1776_s1_q ? patches_down_values_1_q : select_3096;
-      patches_down_values_2_q <= equal_1776_s1_q ? patches_down_values_2_q : select_3099;
-      patches_down_values_3_q <= equal_1776_s1_q ? patches_down_values_3_q : select_3102;
-      patches_down_by_q <= or_3039_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3139});
-      patches_along_q <= select_3144;
-      patches_match_row_q <= or_3039_s1_q ? 4'h0 : select_3146;
-      patches_summed_last_q <= not_1777_s1_q & (equal_1778_s1_q & and_3139);
-      patches_summed_down_by_q <= select_3502;
-      patches_step_q <= or_3039_s1_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3520;
-      region_across_rest_q <= select_3823;
+      patches_along_ends_q <= not_3082_s1_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3082_s1_q & select_3097;
+      patches_smooth_values_0_q <= equal_1782_s1_q ? patches_smooth_values_0_q : select_3100;
+      patches_smooth_values_1_q <= select_3104;
+      patches_smooth_values_2_q <= select_3107;
+      patches_smooth_values_3_q <= select_3110;
+      patches_down_values_0_q <= equal_1782_s1_q ? patches_down_values_0_q : select_3112;
+      patches_down_values_1_q <= equal_1782_s1_q ? patches_down_values_1_q : select_3115;
+      patches_down_values_2_q <= equal_1782_s1_q ? patches_down_values_2_q : select_3118;
+      patches_down_values_3_q <= equal_1782_s1_q ? patches_down_values_3_q : select_3121;
+      patches_down_by_q <= or_3058_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3158});
+      patches_along_q <= select_3163;
+      patches_match_row_q <= or_3058_s1_q ? 4'h0 : select_3165;
+      patches_summed_last_q <= not_1783_s1_q & (equal_1784_s1_q & and_3158);
+      patches_summed_down_by_q <= select_3521;
+      patches_step_q <= or_3058_s1_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3539;
+      region_across_rest_q <= select_3842;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3826;
-      columns_begin_rest_q <= and_549_s1_q ? select_3828 : columns_begin_rest_q;
-      columns_begin_back_q <= and_549_s1_q ? select_3831 : columns_begin_back_q;
+      region_across_next_q <= select_3845;
+      columns_begin_rest_q <= and_551_s1_q ? select_3847 : columns_begin_rest_q;
+      columns_begin_back_q <= and_551_s1_q ? select_3850 : columns_begin_back_q;
+      done_q <= sample_pair_whole_q ? (not_2051 & and_4068) : and_4068;
+      proven_q <= sample_pair_whole_q ? select_4073 : proven_q;
+      drew_q <= so_s1_q;
+      said_q <= equal_576_s1_q & equal_3901;
     end
   end
 
@@ -2268,6 +2315,7 @@ module horopter_agreement (
   logic [2:0] slot_s2_q;
   logic ends_cell_s2_q;
   logic lower_half_s2_q;
+  logic draws_late_s2_q;
   logic shift_first_s2_q;
   logic [11:0] registration_slope_s2_q;
   logic [4:0] patches_band_rows_number_s2_q;
@@ -2281,88 +2329,93 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s2_q;
   logic [4:0] patches_step_s2_q;
   logic patches_read_searches_s2_q;
-  logic [2:0] select_510_s2_q;
+  logic done_s2_q;
+  logic [2:0] select_512_s2_q;
   logic row_starts_s2_q;
-  logic [7:0] select_514_s2_q;
-  logic and_522_s2_q;
-  logic and_523_s2_q;
-  logic equal_528_s2_q;
-  logic [5:0] select_543_s2_q;
+  logic [7:0] select_516_s2_q;
+  logic and_524_s2_q;
+  logic and_525_s2_q;
+  logic equal_530_s2_q;
+  logic [5:0] select_545_s2_q;
   logic [5:0] last_s2_2_q;
-  logic and_547_s2_q;
   logic and_549_s2_q;
-  logic equal_569_s2_q;
-  logic [10:0] select_573_s2_q;
-  logic equal_574_s2_q;
-  logic not_575_s2_q;
-  logic so_s2_q;
+  logic and_551_s2_q;
+  logic equal_571_s2_q;
+  logic [10:0] select_575_s2_q;
+  logic equal_576_s2_q;
   logic not_577_s2_q;
-  logic equal_578_s2_q;
-  logic or_579_s2_q;
-  logic less_582_s2_q;
-  logic not_583_s2_q;
+  logic not_579_s2_q;
+  logic equal_580_s2_q;
+  logic or_581_s2_q;
+  logic less_584_s2_q;
+  logic not_585_s2_q;
   logic inside_v_s2_q;
-  logic not_587_s2_q;
-  logic and_591_s2_q;
-  logic and_600_s2_q;
-  logic and_608_s2_q;
+  logic not_589_s2_q;
+  logic and_593_s2_q;
+  logic and_602_s2_q;
+  logic and_611_s2_q;
   logic [6:0] x_s2_2_q;
   logic [61:0] best_left_rdata_s2_q;
   logic [5:0] right_s2_q;
-  logic and_639_s2_q;
+  logic not_640_s2_q;
   logic and_644_s2_q;
-  logic and_646_s2_q;
-  logic equal_679_s2_q;
+  logic and_649_s2_q;
+  logic and_651_s2_q;
+  logic equal_684_s2_q;
   logic [5:0] column_s2_q;
-  logic [5:0] select_1257_s2_q;
-  logic [5:0] select_1506_s2_q;
-  logic and_1561_s2_q;
-  logic equal_1562_s2_q;
-  logic and_1572_s2_q;
-  logic and_1574_s2_q;
-  logic [5:0] select_1578_s2_q;
-  logic or_1582_s2_q;
-  logic and_1685_s2_q;
-  logic less_1699_s2_q;
+  logic [5:0] select_1263_s2_q;
+  logic [5:0] select_1512_s2_q;
+  logic and_1567_s2_q;
+  logic equal_1568_s2_q;
+  logic and_1578_s2_q;
+  logic and_1580_s2_q;
+  logic [5:0] select_1584_s2_q;
+  logic or_1588_s2_q;
+  logic and_1691_s2_q;
+  logic less_1705_s2_q;
   logic [7:0] change_s2_q;
-  logic equal_1776_s2_q;
-  logic equal_1778_s2_q;
-  logic equal_1781_s2_q;
-  logic or_1782_s2_q;
-  logic not_1783_s2_q;
-  logic [4:0] select_1806_s2_q;
-  logic select_1812_s2_q;
-  logic [3:0] select_1852_s2_q;
-  logic less_1868_s2_q;
+  logic equal_1782_s2_q;
+  logic equal_1784_s2_q;
+  logic equal_1787_s2_q;
+  logic or_1788_s2_q;
+  logic not_1789_s2_q;
+  logic [4:0] select_1812_s2_q;
+  logic select_1818_s2_q;
+  logic [3:0] select_1858_s2_q;
+  logic less_1874_s2_q;
   logic new_row_s2_q;
-  logic or_1881_s2_q;
+  logic or_1887_s2_q;
   logic [1:0] of_row_2_s2_q;
-  logic not_1898_s2_q;
-  logic or_1904_s2_q;
-  logic and_1908_s2_q;
-  logic and_1924_s2_q;
-  logic and_1927_s2_q;
-  logic and_1941_s2_q;
-  logic and_1950_s2_q;
-  logic and_1955_s2_q;
-  logic less_1956_s2_q;
-  logic equal_1957_s2_q;
-  logic or_1959_s2_q;
-  logic and_1968_s2_q;
-  logic select_1970_s2_q;
-  logic and_1973_s2_q;
-  logic sum_1989_s2_q;
-  logic and_2010_s2_q;
-  logic and_2128_s2_q;
-  logic equal_2277_s2_q;
-  logic equal_2466_s2_q;
-  logic and_2593_s2_q;
-  logic equal_2678_s2_q;
-  logic less_3115_s2_q;
-  logic equal_3458_s2_q;
-  logic equal_3555_s2_q;
-  logic less_3811_s2_q;
-  logic equal_4030_s2_q;
+  logic not_1904_s2_q;
+  logic or_1910_s2_q;
+  logic and_1914_s2_q;
+  logic and_1930_s2_q;
+  logic and_1933_s2_q;
+  logic and_1947_s2_q;
+  logic and_1956_s2_q;
+  logic and_1961_s2_q;
+  logic less_1962_s2_q;
+  logic equal_1963_s2_q;
+  logic or_1965_s2_q;
+  logic and_1974_s2_q;
+  logic select_1976_s2_q;
+  logic and_1979_s2_q;
+  logic sum_1995_s2_q;
+  logic and_2016_s2_q;
+  logic not_2051_s2_q;
+  logic and_2137_s2_q;
+  logic equal_2286_s2_q;
+  logic equal_2475_s2_q;
+  logic and_2612_s2_q;
+  logic equal_2697_s2_q;
+  logic less_3134_s2_q;
+  logic equal_3477_s2_q;
+  logic equal_3574_s2_q;
+  logic less_3830_s2_q;
+  logic equal_3901_s2_q;
+  logic or_4051_s2_q;
+  logic and_4125_s2_q;
+  logic not_4143_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -2381,6 +2434,7 @@ module horopter_agreement (
       slot_s2_q <= slot_s1_q;
       ends_cell_s2_q <= ends_cell_s1_q;
       lower_half_s2_q <= lower_half_q;
+      draws_late_s2_q <= draws_late_q;
       shift_first_s2_q <= shift_first_s1_q;
       registration_slope_s2_q <= registration_slope_q[27:16];
       patches_band_rows_number_s2_q <= patches_band_rows_number_s1_q;
@@ -2394,88 +2448,93 @@ module horopter_agreement (
       patches_summed_down_by_s2_q <= patches_summed_down_by_q;
       patches_step_s2_q <= patches_step_q[4:0];
       patches_read_searches_s2_q <= patches_read_searches_q;
-      select_510_s2_q <= select_510_s1_q;
+      done_s2_q <= done_q;
+      select_512_s2_q <= select_512_s1_q;
       row_starts_s2_q <= row_starts_s1_q;
-      select_514_s2_q <= select_514_s1_q;
-      and_522_s2_q <= and_522_s1_q;
-      and_523_s2_q <= and_523;
-      equal_528_s2_q <= equal_528_s1_q;
-      select_543_s2_q <= select_543_s1_q;
+      select_516_s2_q <= select_516_s1_q;
+      and_524_s2_q <= and_524_s1_q;
+      and_525_s2_q <= and_525;
+      equal_530_s2_q <= equal_530_s1_q;
+      select_545_s2_q <= select_545_s1_q;
       last_s2_2_q <= last_s1_2_q;
-      and_547_s2_q <= and_547_s1_q;
       and_549_s2_q <= and_549_s1_q;
-      equal_569_s2_q <= equal_569;
-      select_573_s2_q <= select_573;
-      equal_574_s2_q <= equal_574_s1_q;
-      not_575_s2_q <= not_575;
-      so_s2_q <= so_s1_q;
+      and_551_s2_q <= and_551_s1_q;
+      equal_571_s2_q <= equal_571;
+      select_575_s2_q <= select_575;
+      equal_576_s2_q <= equal_576_s1_q;
       not_577_s2_q <= not_577;
-      equal_578_s2_q <= equal_578_s1_q;
-      or_579_s2_q <= or_579_s1_q;
-      less_582_s2_q <= less_582_s1_q;
-      not_583_s2_q <= not_583_s1_q;
+      not_579_s2_q <= not_579;
+      equal_580_s2_q <= equal_580_s1_q;
+      or_581_s2_q <= or_581_s1_q;
+      less_584_s2_q <= less_584_s1_q;
+      not_585_s2_q <= not_585_s1_q;
       inside_v_s2_q <= inside_v;
-      not_587_s2_q <= not_587;
-      and_591_s2_q <= and_591;
-      and_600_s2_q <= or_579_s1_q & (left_rdata_q[70] & not_583_s1_q);
-      and_608_s2_q <= (or_579_s1_q & (left_rdata_q[68] & not_583_s1_q)) & and_607;
+      not_589_s2_q <= not_589;
+      and_593_s2_q <= and_593;
+      and_602_s2_q <= or_581_s1_q & (left_rdata_q[70] & not_585_s1_q);
+      and_611_s2_q <= (or_581_s1_q & (left_rdata_q[68] & not_585_s1_q)) & and_610;
       x_s2_2_q <= x_s1_2_q;
       best_left_rdata_s2_q <= best_left_rdata_q;
       right_s2_q <= right_s1_q;
-      and_639_s2_q <= or_579_s1_q & (left_rdata_q[71] & not_583_s1_q);
-      and_644_s2_q <= or_579_s1_q & (right_codes_rdata_q[58] & not_583_s1_q);
-      and_646_s2_q <= or_579_s1_q & (right_codes_rdata_q[59] & not_583_s1_q);
-      equal_679_s2_q <= row_s1_q == 6'h0;
+      not_640_s2_q <= ~late_q;
+      and_644_s2_q <= or_581_s1_q & (left_rdata_q[71] & not_585_s1_q);
+      and_649_s2_q <= or_581_s1_q & (right_codes_rdata_q[58] & not_585_s1_q);
+      and_651_s2_q <= or_581_s1_q & (right_codes_rdata_q[59] & not_585_s1_q);
+      equal_684_s2_q <= row_s1_q == 6'h0;
       column_s2_q <= column;
-      select_1257_s2_q <= age_s1_q[3] ? sums_0_columns_values_13_q : 6'h0;
-      select_1506_s2_q <= age_s1_q[3] ? sums_1_columns_values_13_q : 6'h0;
-      and_1561_s2_q <= and_1561_s1_q;
-      equal_1562_s2_q <= equal_1562_s1_q;
-      and_1572_s2_q <= and_1572;
-      and_1574_s2_q <= and_1574;
-      select_1578_s2_q <= select_1578;
-      or_1582_s2_q <= or_1582;
-      and_1685_s2_q <= and_1685_s1_q;
-      less_1699_s2_q <= 5'h4 < row_q[5:1];
+      select_1263_s2_q <= age_s1_q[3] ? sums_0_columns_values_13_q : 6'h0;
+      select_1512_s2_q <= age_s1_q[3] ? sums_1_columns_values_13_q : 6'h0;
+      and_1567_s2_q <= and_1567_s1_q;
+      equal_1568_s2_q <= equal_1568_s1_q;
+      and_1578_s2_q <= and_1578;
+      and_1580_s2_q <= and_1580;
+      select_1584_s2_q <= select_1584;
+      or_1588_s2_q <= or_1588;
+      and_1691_s2_q <= and_1691_s1_q;
+      less_1705_s2_q <= 5'h4 < row_q[5:1];
       change_s2_q <= change;
-      equal_1776_s2_q <= equal_1776_s1_q;
-      equal_1778_s2_q <= equal_1778_s1_q;
-      equal_1781_s2_q <= equal_1781_s1_q;
-      or_1782_s2_q <= or_1782_s1_q;
-      not_1783_s2_q <= not_1783_s1_q;
-      select_1806_s2_q <= select_1806_s1_q;
+      equal_1782_s2_q <= equal_1782_s1_q;
+      equal_1784_s2_q <= equal_1784_s1_q;
+      equal_1787_s2_q <= equal_1787_s1_q;
+      or_1788_s2_q <= or_1788_s1_q;
+      not_1789_s2_q <= not_1789_s1_q;
       select_1812_s2_q <= select_1812_s1_q;
-      select_1852_s2_q <= select_1852_s1_q;
-      less_1868_s2_q <= less_1868;
+      select_1818_s2_q <= select_1818_s1_q;
+      select_1858_s2_q <= select_1858_s1_q;
+      less_1874_s2_q <= less_1874;
       new_row_s2_q <= new_row;
-      or_1881_s2_q <= or_1881;
+      or_1887_s2_q <= or_1887;
       of_row_2_s2_q <= of_row_2;
-      not_1898_s2_q <= ~sum_1897[14];
-      or_1904_s2_q <= or_1904;
-      and_1908_s2_q <= sum_1897[14] & (~(sum_1897[13:8] == 6'h3f));
-      and_1924_s2_q <= (~difference_1916[14]) & or_1923;
-      and_1927_s2_q <= difference_1916[14] & (~(difference_1916[13:8] == 6'h3f));
-      and_1941_s2_q <= not_1777_s1_q & and_1940;
-      and_1950_s2_q <= and_1950;
-      and_1955_s2_q <= not_1777_s1_q & and_1954;
-      less_1956_s2_q <= less_1956;
-      equal_1957_s2_q <= equal_1957;
-      or_1959_s2_q <= or_1959;
-      and_1968_s2_q <= sample_pair_whole_q;
-      select_1970_s2_q <= left_first_q;
-      and_1973_s2_q <= right_q;
-      sum_1989_s2_q <= sum_1989[5];
-      and_2010_s2_q <= or_579_s1_q & (left_rdata_q[69] & not_583_s1_q);
-      and_2128_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
-      equal_2277_s2_q <= (last_s1_2_q | row_s1_q) == 6'h0;
-      equal_2466_s2_q <= equal_2466_s1_q;
-      and_2593_s2_q <= or_579_s1_q & (not_583_s1_q & and_607);
-      equal_2678_s2_q <= shift == 6'h0;
-      less_3115_s2_q <= 4'he < patches_column_s1_q[4:1];
-      equal_3458_s2_q <= patches_match_row_q == 4'h0;
-      equal_3555_s2_q <= patches_step_q[6:5] == 2'h3;
-      less_3811_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_4030_s2_q <= row_s1_q[5:3] == 3'h0;
+      not_1904_s2_q <= ~sum_1903[14];
+      or_1910_s2_q <= or_1910;
+      and_1914_s2_q <= sum_1903[14] & (~(sum_1903[13:8] == 6'h3f));
+      and_1930_s2_q <= (~difference_1922[14]) & or_1929;
+      and_1933_s2_q <= difference_1922[14] & (~(difference_1922[13:8] == 6'h3f));
+      and_1947_s2_q <= not_1783_s1_q & and_1946;
+      and_1956_s2_q <= and_1956;
+      and_1961_s2_q <= not_1783_s1_q & and_1960;
+      less_1962_s2_q <= less_1962;
+      equal_1963_s2_q <= equal_1963;
+      or_1965_s2_q <= or_1965;
+      and_1974_s2_q <= sample_pair_whole_q;
+      select_1976_s2_q <= left_first_q;
+      and_1979_s2_q <= right_q;
+      sum_1995_s2_q <= sum_1995[5];
+      and_2016_s2_q <= or_581_s1_q & (left_rdata_q[69] & not_585_s1_q);
+      not_2051_s2_q <= not_2051;
+      and_2137_s2_q <= (draws_late_q | (6'h6 < row_q)) & (~(x_s1_q[7:2] == 6'h0));
+      equal_2286_s2_q <= (last_s1_2_q | row_s1_q) == 6'h0;
+      equal_2475_s2_q <= equal_2475_s1_q;
+      and_2612_s2_q <= or_581_s1_q & (not_585_s1_q & and_610);
+      equal_2697_s2_q <= shift == 6'h0;
+      less_3134_s2_q <= 4'he < patches_column_s1_q[4:1];
+      equal_3477_s2_q <= patches_match_row_q == 4'h0;
+      equal_3574_s2_q <= patches_step_q[6:5] == 2'h3;
+      less_3830_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_3901_s2_q <= equal_3901;
+      or_4051_s2_q <= and_2581 | (~(row_s1_q[5:3] == 3'h0));
+      and_4125_s2_q <= less_2574 & select_4071;
+      not_4143_s2_q <= ~proven_q;
     end
   end
 
@@ -2647,9 +2706,6 @@ module horopter_agreement (
   logic [5:0] map_width_q;
   logic write_half_q;
   logic read_half_q;
-  logic done_q;
-  logic drew_q;
-  logic said_q;
   logic [9:0] rows_passed_q;
   logic [8:0] columns_passed_q;
   logic line_ended_q;
@@ -2662,161 +2718,161 @@ module horopter_agreement (
   logic was_next_row_q;
   logic [10:0] seen_base_q;
   // hls/stages/census.hpp:117
-  logic [11:0] select_526;
-  assign select_526 = select_510_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  logic [11:0] select_528;
+  assign select_528 = select_512_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
   // hls/stages/census.hpp:129
-  logic [11:0] sum_530;
-  assign sum_530 = select_526 + (equal_528_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
-  // hls/stages/census.hpp:117
   logic [11:0] sum_532;
-  assign sum_532 = {4'h0, sample_pair_pixel_1_q} + (select_510_s2_q[0] ? averager_running_1_q : 12'h0);
-  // hls/stages/census.hpp:129
+  assign sum_532 = select_528 + (equal_530_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
+  // hls/stages/census.hpp:117
   logic [11:0] sum_534;
-  assign sum_534 = sum_532 + (equal_528_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
-  // hls/stages/agreement.hpp:418
+  assign sum_534 = {4'h0, sample_pair_pixel_1_q} + (select_512_s2_q[0] ? averager_running_1_q : 12'h0);
+  // hls/stages/census.hpp:129
+  logic [11:0] sum_536;
+  assign sum_536 = sum_534 + (equal_530_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
+  // hls/stages/agreement.hpp:422
   logic whole;
-  assign whole = select_510_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
+  assign whole = select_512_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
   // hls/stages/census.hpp:130
-  logic and_538;
-  assign and_538 = whole & (averager_memory_rdata_q[24] | equal_528_s2_q);
-  // hls/stages/agreement.hpp:418
+  logic and_540;
+  assign and_540 = whole & (averager_memory_rdata_q[24] | equal_530_s2_q);
+  // hls/stages/agreement.hpp:422
   logic all_of_skin;
-  assign all_of_skin = select_510_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  assign all_of_skin = select_512_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
   // hls/stages/census.hpp:131
-  logic and_542;
-  assign and_542 = all_of_skin & (averager_memory_rdata_q[25] | equal_528_s2_q);
+  logic and_544;
+  assign and_544 = all_of_skin & (averager_memory_rdata_q[25] | equal_530_s2_q);
   // hls/stages/census.hpp:218
   logic [8:0] grey;
-  assign grey = and_522_s2_q ? sum_530[11:3] : 9'h0;
+  assign grey = and_524_s2_q ? sum_532[11:3] : 9'h0;
   // hls/stages/census.hpp:134
-  logic equal_552;
-  assign equal_552 = select_510_s2_q == 3'h1;
+  logic equal_554;
+  assign equal_554 = select_512_s2_q == 3'h1;
   // hls/stages/census.hpp:219
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_552 ? 11'h0 : averager_total_0_q);
+  assign total = {2'h0, grey} + (equal_554 ? 11'h0 : averager_total_0_q);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_555;
-  assign select_555 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
+  logic [8:0] select_557;
+  assign select_557 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
   // hls/stages/census.hpp:218
   logic [8:0] grey_2;
-  assign grey_2 = and_522_s2_q ? sum_534[11:3] : 9'h0;
+  assign grey_2 = and_524_s2_q ? sum_536[11:3] : 9'h0;
   // hls/stages/census.hpp:219
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_552 ? 11'h0 : averager_total_1_q);
+  assign total_2 = {2'h0, grey_2} + (equal_554 ? 11'h0 : averager_total_1_q);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_559;
-  assign select_559 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
+  logic [8:0] select_561;
+  assign select_561 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
   // hls/stages/census.hpp:218
-  logic and_560;
-  assign and_560 = and_522_s2_q & and_538;
+  logic and_562;
+  assign and_562 = and_524_s2_q & and_540;
   // hls/stages/census.hpp:134
-  logic select_562;
-  assign select_562 = equal_552 ? and_560 : (averager_mask_q & and_560);
+  logic select_564;
+  assign select_564 = equal_554 ? and_562 : (averager_mask_q & and_562);
   // hls/stages/agreement.hpp:276
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s2_q & select_562;
+  assign whole_2 = sample_pair_whole_s2_q & select_564;
   // hls/stages/census.hpp:218
-  logic and_564;
-  assign and_564 = and_522_s2_q & and_542;
+  logic and_566;
+  assign and_566 = and_524_s2_q & and_544;
   // hls/stages/census.hpp:134
-  logic select_566;
-  assign select_566 = equal_552 ? and_564 : (averager_of_skin_q & and_564);
+  logic select_568;
+  assign select_568 = equal_554 ? and_566 : (averager_of_skin_q & and_566);
   // hls/stages/agreement.hpp:276
-  logic and_567;
-  assign and_567 = sample_pair_whole_s2_q & select_566;
-  // hls/stages/agreement.hpp:978
-  logic select_621;
-  assign select_621 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
-  // hls/stages/agreement.hpp:979
+  logic and_569;
+  assign and_569 = sample_pair_whole_s2_q & select_568;
+  // hls/stages/agreement.hpp:985
+  logic select_624;
+  assign select_624 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  // hls/stages/agreement.hpp:986
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:992
-  logic [8:0] difference_631;
-  assign difference_631 = {2'h0, chosen} - {1'b0, x_s2_q};
-  // hls/stages/agreement.hpp:993
-  logic [9:0] sum_632;
-  assign sum_632 = {difference_631[8], difference_631} + 10'h1;
+  // hls/stages/agreement.hpp:999
+  logic [8:0] difference_634;
+  assign difference_634 = {2'h0, chosen} - {1'b0, x_s2_q};
+  // hls/stages/agreement.hpp:1000
+  logic [9:0] sum_635;
+  assign sum_635 = {difference_634[8], difference_634} + 10'h1;
   // hls/stages/agreement.hpp:247
-  logic and_634;
-  assign and_634 = (and_608_s2_q & select_621) & ({{22{sum_632[9]}}, sum_632} < 32'h3);
-  // hls/stages/agreement.hpp:149
-  logic and_636;
-  assign and_636 = or_579_s2_q & (not_583_s2_q & and_634);
-  // hls/stages/moments.hpp:77
   logic and_637;
-  assign and_637 = and_600_s2_q & and_636;
+  assign and_637 = (and_611_s2_q & select_624) & ({{22{sum_635[9]}}, sum_635} < 32'h3);
+  // hls/stages/agreement.hpp:149
+  logic and_639;
+  assign and_639 = or_581_s2_q & (not_585_s2_q & and_637);
+  // hls/stages/moments.hpp:77
+  logic and_642;
+  assign and_642 = and_602_s2_q & (and_639 & not_640_s2_q);
   // hls/stages/census.hpp:308
-  logic less_652;
-  assign less_652 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_653;
-  assign less_653 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
-  logic less_654;
-  assign less_654 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_655;
-  assign less_655 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_656;
-  assign less_656 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_657;
-  assign less_657 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_657 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_658;
-  assign less_658 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_658 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_659;
-  assign less_659 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_659 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_660;
-  assign less_660 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_660 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_661;
-  assign less_661 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_661 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_662;
-  assign less_662 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_662 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_663;
-  assign less_663 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:309
+  assign less_663 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_664;
-  assign less_664 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_664 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_665;
-  assign less_665 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_665 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_666;
-  assign less_666 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_666 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_667;
-  assign less_667 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_667 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_668;
-  assign less_668 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_668 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:309
   logic less_669;
-  assign less_669 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_669 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_670;
-  assign less_670 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_670 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_671;
-  assign less_671 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_671 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_672;
-  assign less_672 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_672 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_673;
-  assign less_673 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_673 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_674;
-  assign less_674 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_674 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_675;
-  assign less_675 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:455
-  logic equal_676;
-  assign equal_676 = last_s2_2_q == 6'h0;
-  logic [3:0] select_680;
-  assign select_680 = equal_679_s2_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:456
-  logic [4:0] select_681;
-  assign select_681 = equal_676 ? {select_680, 1'b1} : rows_passed_above_q;
+  assign less_675 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_676;
+  assign less_676 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_677;
+  assign less_677 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_678;
+  assign less_678 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_679;
+  assign less_679 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_680;
+  assign less_680 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  // hls/stages/agreement.hpp:459
+  logic equal_681;
+  assign equal_681 = last_s2_2_q == 6'h0;
+  logic [3:0] select_685;
+  assign select_685 = equal_684_s2_q ? 4'h0 : rows_passed_above_q[3:0];
+  // hls/stages/agreement.hpp:460
+  logic [4:0] select_686;
+  assign select_686 = equal_681 ? {select_685, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:290
-  logic [3:0] select_682;
-  assign select_682 = equal_676 ? 4'h0 : census_filled_q;
+  logic [3:0] select_687;
+  assign select_687 = equal_681 ? 4'h0 : census_filled_q;
   // hls/stages/census.hpp:313
-  logic and_683;
-  assign and_683 = select_681[4] & select_682[3];
+  logic and_688;
+  assign and_688 = select_686[4] & select_687[3];
   // hls/stages/census.hpp:300
-  logic and_685;
-  assign and_685 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
-  logic and_687;
-  assign and_687 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_685);
-  // hls/stages/agreement.hpp:456
+  logic and_690;
+  assign and_690 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
+  logic and_692;
+  assign and_692 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_690);
+  // hls/stages/agreement.hpp:460
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_687;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_692;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_q & whole_3;
   logic whole_5;
@@ -2856,1502 +2912,1495 @@ module horopter_agreement (
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
   // hls/stages/census.hpp:284
-  logic [9:0] difference_710;
-  assign difference_710 = {1'b0, select_555} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [8:0] xor_711;
-  assign xor_711 = difference_710[8:0] ^ {9{difference_710[9]}};
-  logic [9:0] sum_712;
-  assign sum_712 = {9'h0, difference_710[9]} + {1'b0, xor_711};
-  logic [9:0] difference_713;
-  assign difference_713 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [8:0] xor_714;
-  assign xor_714 = difference_713[8:0] ^ {9{difference_713[9]}};
-  logic [9:0] sum_715;
-  assign sum_715 = {9'h0, difference_713[9]} + {1'b0, xor_714};
-  logic [9:0] difference_717;
-  assign difference_717 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [8:0] xor_718;
-  assign xor_718 = difference_717[8:0] ^ {9{difference_717[9]}};
-  logic [9:0] sum_719;
-  assign sum_719 = {9'h0, difference_717[9]} + {1'b0, xor_718};
-  logic [10:0] sum_720;
-  assign sum_720 = ({1'b0, sum_712} + {1'b0, sum_715}) + {1'b0, sum_719};
-  logic [9:0] difference_721;
-  assign difference_721 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [8:0] xor_722;
-  assign xor_722 = difference_721[8:0] ^ {9{difference_721[9]}};
-  logic [9:0] sum_723;
-  assign sum_723 = {9'h0, difference_721[9]} + {1'b0, xor_722};
-  logic [9:0] difference_725;
-  assign difference_725 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  logic [8:0] xor_726;
-  assign xor_726 = difference_725[8:0] ^ {9{difference_725[9]}};
-  // hls/stages/agreement.hpp:456
-  logic and_734;
-  assign and_734 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
-  logic and_735;
-  assign and_735 = and_683 & and_734;
+  logic [9:0] difference_715;
+  assign difference_715 = {1'b0, select_557} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [8:0] xor_716;
+  assign xor_716 = difference_715[8:0] ^ {9{difference_715[9]}};
+  logic [9:0] sum_717;
+  assign sum_717 = {9'h0, difference_715[9]} + {1'b0, xor_716};
+  logic [9:0] difference_718;
+  assign difference_718 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [8:0] xor_719;
+  assign xor_719 = difference_718[8:0] ^ {9{difference_718[9]}};
+  logic [9:0] sum_720;
+  assign sum_720 = {9'h0, difference_718[9]} + {1'b0, xor_719};
+  logic [9:0] difference_722;
+  assign difference_722 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [8:0] xor_723;
+  assign xor_723 = difference_722[8:0] ^ {9{difference_722[9]}};
+  logic [9:0] sum_724;
+  assign sum_724 = {9'h0, difference_722[9]} + {1'b0, xor_723};
+  logic [10:0] sum_725;
+  assign sum_725 = ({1'b0, sum_717} + {1'b0, sum_720}) + {1'b0, sum_724};
+  logic [9:0] difference_726;
+  assign difference_726 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [8:0] xor_727;
+  assign xor_727 = difference_726[8:0] ^ {9{difference_726[9]}};
+  logic [9:0] sum_728;
+  assign sum_728 = {9'h0, difference_726[9]} + {1'b0, xor_727};
+  logic [9:0] difference_730;
+  assign difference_730 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [8:0] xor_731;
+  assign xor_731 = difference_730[8:0] ^ {9{difference_730[9]}};
+  // hls/stages/agreement.hpp:460
+  logic and_739;
+  assign and_739 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
+  logic and_740;
+  assign and_740 = and_688 & and_739;
   // hls/stages/census.hpp:320
   logic [9:0] half_grey_levels;
   assign half_grey_levels = {1'b0, census_columns_values_0_cell_2_left_q} - {1'b0, census_columns_values_1_cell_2_left_q};
   // hls/stages/moments.hpp:30
-  logic [6:0] sum_737;
-  assign sum_737 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
+  logic [6:0] sum_742;
+  assign sum_742 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
   // hls/stages/census.hpp:320
-  logic and_739;
-  assign and_739 = and_735 & ({{5{sum_737[6]}}, sum_737, half_grey_levels[3:0]} < 16'hffe1);
+  logic and_744;
+  assign and_744 = and_740 & ({{5{sum_742[6]}}, sum_742, half_grey_levels[3:0]} < 16'hffe1);
   // hls/stages/census.hpp:321
   logic [9:0] half_grey_levels_2;
   assign half_grey_levels_2 = {1'b0, census_columns_values_0_cell_2_right_q} - {1'b0, census_columns_values_1_cell_2_right_q};
   // hls/stages/moments.hpp:30
-  logic [6:0] sum_743;
-  assign sum_743 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
-  // hls/stages/agreement.hpp:807
-  logic or_759;
-  assign or_759 = shift_first_s2_q | (~shift_not_right_q);
+  logic [6:0] sum_748;
+  assign sum_748 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
+  // hls/stages/agreement.hpp:814
+  logic or_765;
+  assign or_765 = shift_first_s2_q | (~shift_not_right_q);
+  // hls/stages/agreement.hpp:815
+  logic select_767;
+  assign select_767 = or_765 ? shift_first_s2_q : (~age_s2_q[1]);
+  // hls/stages/agreement.hpp:785
+  logic [5:0] select_1014;
+  assign select_1014 = age_s2_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1015;
+  assign difference_1015 = {1'b0, column_s2_q} - {1'b0, select_1014};
+  logic [7:0] sum_1017;
+  assign sum_1017 = {difference_1015[6], difference_1015} + (age_s2_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:762
+  logic [7:0] select_1018;
+  assign select_1018 = slot_s2_q[0] ? chosen_score_q : sum_1017;
+  // hls/stages/agreement.hpp:785
+  logic [6:0] difference_1264;
+  assign difference_1264 = {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1263_s2_q};
+  // hls/stages/agreement.hpp:756
+  logic equal_1265;
+  assign equal_1265 = {age_s2_q[0], slot_s2_q[0]} == 2'h0;
+  // hls/stages/agreement.hpp:785
+  logic [7:0] sum_1267;
+  assign sum_1267 = {difference_1264[6], difference_1264} + (equal_1265 ? 8'h0 : sums_0_sum_sums_values_1_q);
+  logic [6:0] difference_1513;
+  assign difference_1513 = {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1512_s2_q};
+  logic [7:0] sum_1515;
+  assign sum_1515 = {difference_1513[6], difference_1513} + (equal_1265 ? 8'h0 : sums_1_sum_sums_values_1_q);
+  // hls/stages/agreement.hpp:758
+  logic less_1516;
+  assign less_1516 = sum_1267 < sum_1515;
+  logic [7:0] select_1517;
+  assign select_1517 = less_1516 ? sum_1515 : sum_1267;
+  logic less_1518;
+  assign less_1518 = select_1018 < select_1517;
   // hls/stages/agreement.hpp:808
-  logic select_761;
-  assign select_761 = or_759 ? shift_first_s2_q : (~age_s2_q[1]);
-  // hls/stages/agreement.hpp:778
-  logic [5:0] select_1008;
-  assign select_1008 = age_s2_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1009;
-  assign difference_1009 = {1'b0, column_s2_q} - {1'b0, select_1008};
-  logic [7:0] sum_1011;
-  assign sum_1011 = {difference_1009[6], difference_1009} + (age_s2_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:755
-  logic [7:0] select_1012;
-  assign select_1012 = slot_s2_q[0] ? chosen_score_q : sum_1011;
-  // hls/stages/agreement.hpp:778
-  logic [6:0] difference_1258;
-  assign difference_1258 = {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1257_s2_q};
-  // hls/stages/agreement.hpp:749
-  logic equal_1259;
-  assign equal_1259 = {age_s2_q[0], slot_s2_q[0]} == 2'h0;
-  // hls/stages/agreement.hpp:778
-  logic [7:0] sum_1261;
-  assign sum_1261 = {difference_1258[6], difference_1258} + (equal_1259 ? 8'h0 : sums_0_sum_sums_values_1_q);
-  logic [6:0] difference_1507;
-  assign difference_1507 = {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1506_s2_q};
-  logic [7:0] sum_1509;
-  assign sum_1509 = {difference_1507[6], difference_1507} + (equal_1259 ? 8'h0 : sums_1_sum_sums_values_1_q);
-  // hls/stages/agreement.hpp:751
-  logic less_1510;
-  assign less_1510 = sum_1261 < sum_1509;
-  logic [7:0] select_1511;
-  assign select_1511 = less_1510 ? sum_1509 : sum_1261;
-  logic less_1512;
-  assign less_1512 = select_1012 < select_1511;
-  // hls/stages/agreement.hpp:801
   logic [7:0] of_best;
-  assign of_best = shift_allowed_q ? (less_1512 ? select_1511 : select_1012) : 8'h0;
-  // hls/stages/agreement.hpp:808
-  logic or_1516;
-  assign or_1516 = select_761 | (best_left_rdata_s2_q[16:9] < of_best);
-  // hls/stages/agreement.hpp:813
-  logic [5:0] select_1517;
-  assign select_1517 = or_1516 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
-  // hls/stages/agreement.hpp:720
-  logic not_1518;
-  assign not_1518 = ~slot_s2_q[0];
-  // hls/stages/agreement.hpp:752
-  logic [1:0] select_1519;
-  assign select_1519 = less_1510 ? {slot_s2_q[0], not_1518} : 2'h0;
-  logic [2:0] select_1521;
-  assign select_1521 = less_1512 ? {select_1519, not_1518} : (slot_s2_q[0] ? chosen_place_q : 3'h2);
-  // hls/stages/agreement.hpp:813
-  logic [2:0] select_1522;
-  assign select_1522 = or_1516 ? select_1521 : best_left_rdata_s2_q[8:6];
-  logic [7:0] select_1523;
-  assign select_1523 = or_1516 ? of_best : best_left_rdata_s2_q[16:9];
-  // hls/stages/agreement.hpp:810
-  logic equal_1524;
-  assign equal_1524 = select_1521 == 3'h1;
-  logic or_1527;
-  assign or_1527 = equal_1524 | (~(select_1521 == 3'h2));
+  assign of_best = shift_allowed_q ? (less_1518 ? select_1517 : select_1018) : 8'h0;
+  // hls/stages/agreement.hpp:815
+  logic or_1522;
+  assign or_1522 = select_767 | (best_left_rdata_s2_q[16:9] < of_best);
+  // hls/stages/agreement.hpp:820
+  logic [5:0] select_1523;
+  assign select_1523 = or_1522 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
+  // hls/stages/agreement.hpp:727
+  logic not_1524;
+  assign not_1524 = ~slot_s2_q[0];
+  // hls/stages/agreement.hpp:759
+  logic [1:0] select_1525;
+  assign select_1525 = less_1516 ? {slot_s2_q[0], not_1524} : 2'h0;
+  logic [2:0] select_1527;
+  assign select_1527 = less_1518 ? {select_1525, not_1524} : (slot_s2_q[0] ? chosen_place_q : 3'h2);
+  // hls/stages/agreement.hpp:820
+  logic [2:0] select_1528;
+  assign select_1528 = or_1522 ? select_1527 : best_left_rdata_s2_q[8:6];
   logic [7:0] select_1529;
-  assign select_1529 = or_1527 ? before_0_q : before_1_q;
-  logic [7:0] select_1530;
-  assign select_1530 = equal_1524 ? (or_1527 ? sum_1261 : {7'h0, shift_not_right_q}) : select_1529;
-  // hls/stages/agreement.hpp:813
-  logic [7:0] select_1531;
-  assign select_1531 = or_1516 ? select_1530 : best_left_rdata_s2_q[24:17];
-  logic [7:0] select_1534;
-  assign select_1534 = or_1516 ? (equal_1524 ? select_1529 : (or_1527 ? sum_1509 : before_2_q)) : best_left_rdata_s2_q[32:25];
-  // hls/stages/agreement.hpp:779
+  assign select_1529 = or_1522 ? of_best : best_left_rdata_s2_q[16:9];
+  // hls/stages/agreement.hpp:817
+  logic equal_1530;
+  assign equal_1530 = select_1527 == 3'h1;
+  logic or_1533;
+  assign or_1533 = equal_1530 | (~(select_1527 == 3'h2));
+  logic [7:0] select_1535;
+  assign select_1535 = or_1533 ? before_0_q : before_1_q;
+  logic [7:0] select_1536;
+  assign select_1536 = equal_1530 ? (or_1533 ? sum_1267 : {7'h0, shift_not_right_q}) : select_1535;
+  // hls/stages/agreement.hpp:820
+  logic [7:0] select_1537;
+  assign select_1537 = or_1522 ? select_1536 : best_left_rdata_s2_q[24:17];
+  logic [7:0] select_1540;
+  assign select_1540 = or_1522 ? (equal_1530 ? select_1535 : (or_1533 ? sum_1515 : before_2_q)) : best_left_rdata_s2_q[32:25];
+  // hls/stages/agreement.hpp:786
   logic [5:0] before_v;
   assign before_v = age_s2_q[1] ? middle_sum_columns_values_3_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1536;
-  assign sum_1536 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
-  logic [6:0] sum_1537;
-  assign sum_1537 = {1'b0, before_v} + sum_1536;
-  // hls/stages/agreement.hpp:755
-  logic [6:0] select_1538;
-  assign select_1538 = slot_s2_q[0] ? chosen_near_q : sum_1537;
-  // hls/stages/agreement.hpp:779
+  // hls/stages/agreement.hpp:787
+  logic [6:0] sum_1542;
+  assign sum_1542 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
+  logic [6:0] sum_1543;
+  assign sum_1543 = {1'b0, before_v} + sum_1542;
+  // hls/stages/agreement.hpp:762
+  logic [6:0] select_1544;
+  assign select_1544 = slot_s2_q[0] ? chosen_near_q : sum_1543;
+  // hls/stages/agreement.hpp:786
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[1] ? sums_0_columns_values_8_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1540;
-  assign sum_1540 = {1'b0, sums_0_columns_values_4_q} + {1'b0, sums_0_columns_values_6_q};
-  logic [6:0] sum_1541;
-  assign sum_1541 = {1'b0, before_v_2} + sum_1540;
-  // hls/stages/agreement.hpp:779
+  // hls/stages/agreement.hpp:787
+  logic [6:0] sum_1546;
+  assign sum_1546 = {1'b0, sums_0_columns_values_4_q} + {1'b0, sums_0_columns_values_6_q};
+  logic [6:0] sum_1547;
+  assign sum_1547 = {1'b0, before_v_2} + sum_1546;
+  // hls/stages/agreement.hpp:786
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[1] ? sums_1_columns_values_8_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1543;
-  assign sum_1543 = {1'b0, sums_1_columns_values_4_q} + {1'b0, sums_1_columns_values_6_q};
-  logic [6:0] sum_1544;
-  assign sum_1544 = {1'b0, before_v_3} + sum_1543;
-  // hls/stages/agreement.hpp:751
-  logic [6:0] select_1546;
-  assign select_1546 = (sum_1541 < sum_1544) ? sum_1544 : sum_1541;
-  // hls/stages/agreement.hpp:802
-  logic [6:0] of_near;
-  assign of_near = shift_allowed_q ? ((select_1538 < select_1546) ? select_1546 : select_1538) : 7'h0;
-  // hls/stages/agreement.hpp:813
-  logic less_1550;
-  assign less_1550 = best_left_rdata_s2_q[39:33] < of_near;
-  // hls/stages/agreement.hpp:817
+  // hls/stages/agreement.hpp:787
+  logic [6:0] sum_1549;
+  assign sum_1549 = {1'b0, sums_1_columns_values_4_q} + {1'b0, sums_1_columns_values_6_q};
+  logic [6:0] sum_1550;
+  assign sum_1550 = {1'b0, before_v_3} + sum_1549;
+  // hls/stages/agreement.hpp:758
   logic [6:0] select_1552;
-  assign select_1552 = select_761 ? of_near : (less_1550 ? of_near : best_left_rdata_s2_q[39:33]);
-  logic [5:0] select_1554;
-  assign select_1554 = select_761 ? run_shift_s2_q : (less_1550 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
-  logic [7:0] select_1557;
-  assign select_1557 = (run_shift_s2_q == 6'h3f) ? of_best : (select_761 ? 8'h0 : best_left_rdata_s2_q[53:46]);
-  // hls/stages/agreement.hpp:818
-  logic [7:0] select_1560;
-  assign select_1560 = (run_shift_s2_q == 6'h1) ? of_best : (select_761 ? 8'h0 : best_left_rdata_s2_q[61:54]);
-  // hls/stages/agreement.hpp:823
-  logic select_1563;
-  assign select_1563 = or_759 ? shift_first_s2_q : equal_1562_s2_q;
+  assign select_1552 = (sum_1547 < sum_1550) ? sum_1550 : sum_1547;
+  // hls/stages/agreement.hpp:809
+  logic [6:0] of_near;
+  assign of_near = shift_allowed_q ? ((select_1544 < select_1552) ? select_1552 : select_1544) : 7'h0;
+  // hls/stages/agreement.hpp:820
+  logic less_1556;
+  assign less_1556 = best_left_rdata_s2_q[39:33] < of_near;
   // hls/stages/agreement.hpp:824
-  logic or_1565;
-  assign or_1565 = select_1563 | (best_right_rdata_q[7:0] < of_best);
-  // hls/stages/agreement.hpp:828
+  logic [6:0] select_1558;
+  assign select_1558 = select_767 ? of_near : (less_1556 ? of_near : best_left_rdata_s2_q[39:33]);
+  logic [5:0] select_1560;
+  assign select_1560 = select_767 ? run_shift_s2_q : (less_1556 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
+  logic [7:0] select_1563;
+  assign select_1563 = (run_shift_s2_q == 6'h3f) ? of_best : (select_767 ? 8'h0 : best_left_rdata_s2_q[53:46]);
+  // hls/stages/agreement.hpp:825
   logic [7:0] select_1566;
-  assign select_1566 = or_1565 ? of_best : best_right_rdata_q[7:0];
-  logic [6:0] select_1567;
-  assign select_1567 = or_1565 ? x_s2_2_q : best_right_rdata_q[14:8];
-  logic or_1569;
-  assign or_1569 = select_1563 | (best_right_rdata_q[21:15] < of_near);
-  // hls/stages/agreement.hpp:832
-  logic [6:0] select_1570;
-  assign select_1570 = or_1569 ? of_near : best_right_rdata_q[21:15];
-  logic [6:0] select_1571;
-  assign select_1571 = or_1569 ? x_s2_2_q : best_right_rdata_q[28:22];
+  assign select_1566 = (run_shift_s2_q == 6'h1) ? of_best : (select_767 ? 8'h0 : best_left_rdata_s2_q[61:54]);
+  // hls/stages/agreement.hpp:830
+  logic select_1569;
+  assign select_1569 = or_765 ? shift_first_s2_q : equal_1568_s2_q;
+  // hls/stages/agreement.hpp:831
+  logic or_1571;
+  assign or_1571 = select_1569 | (best_right_rdata_q[7:0] < of_best);
+  // hls/stages/agreement.hpp:835
+  logic [7:0] select_1572;
+  assign select_1572 = or_1571 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_1573;
+  assign select_1573 = or_1571 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_1575;
+  assign or_1575 = select_1569 | (best_right_rdata_q[21:15] < of_near);
+  // hls/stages/agreement.hpp:839
+  logic [6:0] select_1576;
+  assign select_1576 = or_1575 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_1577;
+  assign select_1577 = or_1575 ? x_s2_2_q : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:149
-  logic and_1585;
-  assign and_1585 = or_579_s2_q & (not_583_s2_q & (and_634 & or_1582_s2_q));
-  // hls/stages/agreement.hpp:788
-  logic and_1586;
-  assign and_1586 = not_577_s2_q & and_1585;
-  logic and_1589;
-  assign and_1589 = not_575_s2_q & (so_s2_q ? and_1572_s2_q : (equal_578_s2_q & and_636));
+  logic and_1591;
+  assign and_1591 = or_581_s2_q & (not_585_s2_q & (and_637 & or_1588_s2_q));
+  // hls/stages/agreement.hpp:795
+  logic and_1592;
+  assign and_1592 = not_579_s2_q & and_1591;
+  logic and_1595;
+  assign and_1595 = not_577_s2_q & (drew_q ? and_1578_s2_q : (equal_580_s2_q & and_639));
   // hls/stages/moments.hpp:73
-  logic and_1593;
-  assign and_1593 = moments_has_before_q & moments_memory_rdata_q[0];
-  // hls/stages/agreement.hpp:1003
-  logic and_1594;
-  assign and_1594 = not_587_s2_q & and_1593;
-  logic and_1597;
-  assign and_1597 = not_587_s2_q & (and_1593 & (moments_memory_rdata_q[1] ^ and_639_s2_q));
-  // hls/stages/moments.hpp:73
-  logic and_1602;
-  assign and_1602 = moments_has_before_q & moments_memory_rdata_q[2];
-  // hls/stages/agreement.hpp:1003
+  logic and_1599;
+  assign and_1599 = moments_has_before_q & moments_memory_rdata_q[0];
+  // hls/stages/agreement.hpp:1010
+  logic and_1600;
+  assign and_1600 = not_589_s2_q & and_1599;
   logic and_1603;
-  assign and_1603 = not_587_s2_q & and_1602;
-  logic and_1606;
-  assign and_1606 = not_587_s2_q & (and_1602 & (moments_memory_rdata_q[3] ^ and_646_s2_q));
-  // hls/stages/agreement.hpp:1128
-  logic equal_1607;
-  assign equal_1607 = x_s2_q[6:4] == 3'h7;
-  // hls/stages/agreement.hpp:1178
+  assign and_1603 = not_589_s2_q & (and_1599 & (moments_memory_rdata_q[1] ^ and_644_s2_q));
+  // hls/stages/moments.hpp:73
+  logic and_1608;
+  assign and_1608 = moments_has_before_q & moments_memory_rdata_q[2];
+  // hls/stages/agreement.hpp:1010
+  logic and_1609;
+  assign and_1609 = not_589_s2_q & and_1608;
+  logic and_1612;
+  assign and_1612 = not_589_s2_q & (and_1608 & (moments_memory_rdata_q[3] ^ and_651_s2_q));
+  // hls/stages/agreement.hpp:1136
+  logic equal_1613;
+  assign equal_1613 = x_s2_q[6:4] == 3'h7;
+  // hls/stages/agreement.hpp:1186
   logic [1:0] quarter;
   assign quarter = x_s2_q[1:0] + 2'h1;
   // hls/stages/registration.hpp:147
   logic all;
   assign all = x_s2_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:1129
-  logic [1:0] select_1610;
-  assign select_1610 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
-  // hls/stages/agreement.hpp:1142
-  logic [3:0] select_1612;
-  assign select_1612 = equal_1607 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_1610});
+  // hls/stages/agreement.hpp:1137
+  logic [1:0] select_1616;
+  assign select_1616 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
+  // hls/stages/agreement.hpp:1150
+  logic [3:0] select_1618;
+  assign select_1618 = equal_1613 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_1616});
   // hls/stages/registration.hpp:107
-  logic [1:0] sum_1613;
-  assign sum_1613 = slot_s2_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:788
-  logic [3:0] select_1614;
-  assign select_1614 = equal_574_s2_q ? select_1612 : {sum_1613, lower_half_s2_q, registration_of_right_q};
+  logic [1:0] sum_1619;
+  assign sum_1619 = slot_s2_q[1:0] + 2'h3;
+  // hls/stages/agreement.hpp:795
+  logic [3:0] select_1620;
+  assign select_1620 = equal_576_s2_q ? select_1618 : {sum_1619, lower_half_s2_q, registration_of_right_q};
   // hls/stages/patches.hpp:214
-  logic equal_1615;
-  assign equal_1615 = x_s2_q[5:0] == 6'h3f;
-  logic equal_1617;
-  assign equal_1617 = x_s2_q[5:0] == 6'h3e;
-  logic equal_1619;
-  assign equal_1619 = x_s2_q[5:0] == 6'h3d;
   logic equal_1621;
-  assign equal_1621 = x_s2_q[5:0] == 6'h3c;
+  assign equal_1621 = x_s2_q[5:0] == 6'h3f;
   logic equal_1623;
-  assign equal_1623 = x_s2_q[5:0] == 6'h3b;
+  assign equal_1623 = x_s2_q[5:0] == 6'h3e;
   logic equal_1625;
-  assign equal_1625 = x_s2_q[5:0] == 6'h36;
+  assign equal_1625 = x_s2_q[5:0] == 6'h3d;
   logic equal_1627;
-  assign equal_1627 = x_s2_q[5:0] == 6'h35;
+  assign equal_1627 = x_s2_q[5:0] == 6'h3c;
   logic equal_1629;
-  assign equal_1629 = x_s2_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1178
-  logic and_1633;
-  assign and_1633 = (~equal_1623) & ((~equal_1625) & ((~equal_1627) & (~equal_1629)));
-  logic and_1637;
-  assign and_1637 = (~equal_1615) & ((~equal_1617) & ((~equal_1619) & ((~equal_1621) & and_1633)));
-  // hls/stages/agreement.hpp:1129
-  logic less_1638;
-  assign less_1638 = x_s2_q[5:0] < 6'h29;
+  assign equal_1629 = x_s2_q[5:0] == 6'h3b;
+  logic equal_1631;
+  assign equal_1631 = x_s2_q[5:0] == 6'h36;
+  logic equal_1633;
+  assign equal_1633 = x_s2_q[5:0] == 6'h35;
+  logic equal_1635;
+  assign equal_1635 = x_s2_q[5:0] == 6'h34;
+  // hls/stages/agreement.hpp:1186
+  logic and_1639;
+  assign and_1639 = (~equal_1629) & ((~equal_1631) & ((~equal_1633) & (~equal_1635)));
+  logic and_1643;
+  assign and_1643 = (~equal_1621) & ((~equal_1623) & ((~equal_1625) & ((~equal_1627) & and_1639)));
+  // hls/stages/agreement.hpp:1137
+  logic less_1644;
+  assign less_1644 = x_s2_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
   logic [1:0] kind;
   assign kind = all ? {1'b0, x_s2_q[2]} : x_s2_q[2:1];
   // hls/stages/registration.hpp:160
-  logic or_1642;
-  assign or_1642 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:1009
-  logic [4:0] sum_1647;
-  assign sum_1647 = {1'b0, last_s2_q[5:2]} + 5'h1;
+  logic or_1648;
+  assign or_1648 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
+  // hls/stages/agreement.hpp:1016
+  logic [4:0] sum_1653;
+  assign sum_1653 = {1'b0, last_s2_q[5:2]} + 5'h1;
   // hls/stages/agreement.hpp:262
   logic right_2;
-  assign right_2 = inside_v_s2_q & ({2'h0, sum_1647, last_s2_q[1]} < x_s2_q);
+  assign right_2 = inside_v_s2_q & ({2'h0, sum_1653, last_s2_q[1]} < x_s2_q);
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = inside_v_s2_q ? (right_2 & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:107
-  logic [4:0] sum_1653;
-  assign sum_1653 = {2'h0, slot_s2_q} + 5'h1f;
-  logic and_1655;
-  assign and_1655 = half_ends & ({{3{sum_1653[4]}}, sum_1653} < 8'h3);
-  // hls/stages/agreement.hpp:788
-  logic and_1656;
-  assign and_1656 = so_s2_q & and_1655;
-  logic select_1657;
-  assign select_1657 = equal_574_s2_q ? (x_s2_q[6] & (equal_1607 ? and_1637 : (less_1638 & (~or_1642)))) : and_1656;
+  logic [4:0] sum_1659;
+  assign sum_1659 = {2'h0, slot_s2_q} + 5'h1f;
+  logic and_1661;
+  assign and_1661 = half_ends & ({{3{sum_1659[4]}}, sum_1659} < 8'h3);
+  // hls/stages/agreement.hpp:795
+  logic and_1662;
+  assign and_1662 = drew_q & and_1661;
+  logic select_1663;
+  assign select_1663 = equal_576_s2_q ? (x_s2_q[6] & (equal_1613 ? and_1643 : (less_1644 & (~or_1648)))) : and_1662;
   // hls/stages/registration.hpp:258
-  logic not_1659;
-  assign not_1659 = ~lower_half_s2_q;
-  logic [3:0] select_1660;
-  assign select_1660 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_1659, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_1659};
+  logic not_1665;
+  assign not_1665 = ~lower_half_s2_q;
+  logic [3:0] select_1666;
+  assign select_1666 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_1665, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_1665};
   // hls/stages/patches.hpp:377
-  logic [1:0] select_1686;
-  assign select_1686 = and_1685_s2_q ? 2'h1 : patches_fetch_q;
-  logic [4:0] select_1687;
-  assign select_1687 = and_1685_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
+  logic [1:0] select_1692;
+  assign select_1692 = and_1691_s2_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_1693;
+  assign select_1693 = and_1691_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
   // hls/stages/agreement.hpp:276
-  logic [5:0] select_1688;
-  assign select_1688 = row_starts_s2_q ? {select_1687, select_1686[1]} : {patches_band_q, patches_fetch_q[1]};
+  logic [5:0] select_1694;
+  assign select_1694 = row_starts_s2_q ? {select_1693, select_1692[1]} : {patches_band_q, patches_fetch_q[1]};
   // hls/stages/patches.hpp:126
-  logic [1:0] select_1689;
-  assign select_1689 = row_starts_s2_q ? select_1686 : patches_fetch_q;
-  logic equal_1690;
-  assign equal_1690 = select_1689 == 2'h0;
+  logic [1:0] select_1695;
+  assign select_1695 = row_starts_s2_q ? select_1692 : patches_fetch_q;
+  logic equal_1696;
+  assign equal_1696 = select_1695 == 2'h0;
   // hls/stages/patches.hpp:103
   logic right_3;
   assign right_3 = {3'h0, last_s2_q[5:1]} < x_s2_q;
-  // hls/stages/agreement.hpp:788
-  logic and_1698;
-  assign and_1698 = not_575_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
+  // hls/stages/agreement.hpp:795
+  logic and_1704;
+  assign and_1704 = not_577_s2_q & (drew_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
   // hls/stages/registration.hpp:83
-  logic equal_1700;
-  assign equal_1700 = slot_s2_q == 3'h7;
+  logic equal_1706;
+  assign equal_1706 = slot_s2_q == 3'h7;
   // hls/stages/agreement.hpp:149
   logic [5:0] b;
-  assign b = or_579_s2_q ? (less_582_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
+  assign b = or_581_s2_q ? (less_584_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
   // hls/stages/registration.hpp:89
   logic [7:0] a;
-  assign a = equal_1700 ? registration_slope_here_q : change_s2_q;
+  assign a = equal_1706 ? registration_slope_here_q : change_s2_q;
   // hls/stages/registration.hpp:211
-  logic [6:0] select_1708;
-  assign select_1708 = b[0] ? a[7:1] : 7'h0;
-  logic [7:0] select_1709;
-  assign select_1709 = b[1] ? a : 8'h0;
-  logic [8:0] sum_1710;
-  assign sum_1710 = {{2{select_1708[6]}}, select_1708} + {select_1709[7], select_1709};
-  // hls/stages/registration.hpp:212
-  logic [7:0] select_1711;
-  assign select_1711 = b[2] ? a : 8'h0;
-  logic [7:0] select_1712;
-  assign select_1712 = b[3] ? a : 8'h0;
-  logic [8:0] sum_1713;
-  assign sum_1713 = {{2{select_1711[7]}}, select_1711[7:1]} + {select_1712[7], select_1712};
-  // hls/stages/registration.hpp:214
-  logic [10:0] sum_1714;
-  assign sum_1714 = {{3{sum_1710[8]}}, sum_1710[8:1]} + {sum_1713[8], sum_1713, select_1711[0]};
-  // hls/stages/registration.hpp:213
+  logic [6:0] select_1714;
+  assign select_1714 = b[0] ? a[7:1] : 7'h0;
   logic [7:0] select_1715;
-  assign select_1715 = b[4] ? a : 8'h0;
-  logic [7:0] select_1716;
-  assign select_1716 = b[5] ? a : 8'h0;
-  logic [8:0] difference_1717;
-  assign difference_1717 = {{2{select_1715[7]}}, select_1715[7:1]} - {select_1716[7], select_1716};
+  assign select_1715 = b[1] ? a : 8'h0;
+  logic [8:0] sum_1716;
+  assign sum_1716 = {{2{select_1714[6]}}, select_1714} + {select_1715[7], select_1715};
+  // hls/stages/registration.hpp:212
+  logic [7:0] select_1717;
+  assign select_1717 = b[2] ? a : 8'h0;
+  logic [7:0] select_1718;
+  assign select_1718 = b[3] ? a : 8'h0;
+  logic [8:0] sum_1719;
+  assign sum_1719 = {{2{select_1717[7]}}, select_1717[7:1]} + {select_1718[7], select_1718};
   // hls/stages/registration.hpp:214
-  logic [9:0] sum_1718;
-  assign sum_1718 = {difference_1717, select_1715[0]} + {sum_1714[10], sum_1714[10:2]};
+  logic [10:0] sum_1720;
+  assign sum_1720 = {{3{sum_1716[8]}}, sum_1716[8:1]} + {sum_1719[8], sum_1719, select_1717[0]};
+  // hls/stages/registration.hpp:213
+  logic [7:0] select_1721;
+  assign select_1721 = b[4] ? a : 8'h0;
+  logic [7:0] select_1722;
+  assign select_1722 = b[5] ? a : 8'h0;
+  logic [8:0] difference_1723;
+  assign difference_1723 = {{2{select_1721[7]}}, select_1721[7:1]} - {select_1722[7], select_1722};
+  // hls/stages/registration.hpp:214
+  logic [9:0] sum_1724;
+  assign sum_1724 = {difference_1723, select_1721[0]} + {sum_1720[10], sum_1720[10:2]};
   // hls/stages/registration.hpp:107
   logic [10:0] expected;
-  assign expected = equal_1700 ? {sum_1718, sum_1714[1]} : registration_expected_q;
+  assign expected = equal_1706 ? {sum_1724, sum_1720[1]} : registration_expected_q;
   // hls/stages/patches.hpp:98
-  logic [9:0] sum_1720;
-  assign sum_1720 = {expected[10], expected[10:2]} + 10'h5;
+  logic [9:0] sum_1726;
+  assign sum_1726 = {expected[10], expected[10:2]} + 10'h5;
   // hls/stages/agreement.hpp:262
-  logic and_1723;
-  assign and_1723 = less_1699_s2_q & (and_636 & ({{4{sum_1720[9]}}, sum_1720, expected[1:0]} < 16'h29));
+  logic and_1729;
+  assign and_1729 = less_1705_s2_q & (and_639 & ({{4{sum_1726[9]}}, sum_1726, expected[1:0]} < 16'h29));
   // hls/stages/patches.hpp:104
-  logic and_1727;
-  assign and_1727 = ({4'h0, last_s2_q[5:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
+  logic and_1733;
+  assign and_1733 = ({4'h0, last_s2_q[5:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
   // hls/stages/patches.hpp:102
-  logic [9:0] sum_1733;
-  assign sum_1733 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
+  logic [9:0] sum_1739;
+  assign sum_1739 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
   // hls/stages/patches.hpp:106
-  logic [9:0] sum_1735;
-  assign sum_1735 = {sum_1733[9], sum_1733[9:1]} + 10'h1;
-  // hls/stages/agreement.hpp:1018
-  logic and_1738;
-  assign and_1738 = ($signed(9'h0) < $signed(sum_1733[9:1])) & (~($signed({5'h0, last_s2_q}) < $signed({sum_1735, sum_1733[0]})));
-  logic and_1739;
-  assign and_1739 = (~(and_1727 | (equal_569_s2_q | (~(x_s2_q < {2'h0, last_s2_q}))))) & and_1738;
-  // hls/stages/agreement.hpp:788
-  logic and_1743;
-  assign and_1743 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1723 & and_1739)));
+  logic [9:0] sum_1741;
+  assign sum_1741 = {sum_1739[9], sum_1739[9:1]} + 10'h1;
+  // hls/stages/agreement.hpp:1025
   logic and_1744;
-  assign and_1744 = not_575_s2_q & and_1743;
+  assign and_1744 = ($signed(9'h0) < $signed(sum_1739[9:1])) & (~($signed({5'h0, last_s2_q}) < $signed({sum_1741, sum_1739[0]})));
+  logic and_1745;
+  assign and_1745 = (~(and_1733 | (equal_571_s2_q | (~(x_s2_q < {2'h0, last_s2_q}))))) & and_1744;
+  // hls/stages/agreement.hpp:795
+  logic and_1749;
+  assign and_1749 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1729 & and_1745)));
+  logic and_1750;
+  assign and_1750 = not_577_s2_q & and_1749;
   // hls/stages/patches.hpp:157
-  logic and_1746;
-  assign and_1746 = and_1744 & (~patches_fixed_q);
+  logic and_1752;
+  assign and_1752 = and_1750 & (~patches_fixed_q);
   // hls/stages/patches.hpp:348
-  logic select_1747;
-  assign select_1747 = and_1746 ? and_1744 : patches_choice_valid_q;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_1750;
-  assign select_1750 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
+  logic select_1753;
+  assign select_1753 = and_1752 ? and_1750 : patches_choice_valid_q;
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_1756;
+  assign select_1756 = drew_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:348
-  logic [7:0] select_1752;
-  assign select_1752 = and_1746 ? (equal_574_s2_q ? 8'h0 : select_1750) : patches_choice_column_q;
-  // hls/stages/agreement.hpp:788
-  logic [5:0] select_1755;
-  assign select_1755 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
+  logic [7:0] select_1758;
+  assign select_1758 = and_1752 ? (equal_576_s2_q ? 8'h0 : select_1756) : patches_choice_column_q;
+  // hls/stages/agreement.hpp:795
+  logic [5:0] select_1761;
+  assign select_1761 = drew_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
   // hls/stages/patches.hpp:348
-  logic [5:0] select_1757;
-  assign select_1757 = and_1746 ? (equal_574_s2_q ? 6'h0 : select_1755) : patches_choice_shift_q;
+  logic [5:0] select_1763;
+  assign select_1763 = and_1752 ? (equal_576_s2_q ? 6'h0 : select_1761) : patches_choice_shift_q;
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_1758;
-  assign sum_1758 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_1718[9]}}, sum_1718[9:2]};
+  logic [12:0] sum_1764;
+  assign sum_1764 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_1724[9]}}, sum_1724[9:2]};
   // hls/stages/registration.hpp:218
-  logic [7:0] select_1761;
-  assign select_1761 = ($signed(sum_1758[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1758[7:0];
+  logic [7:0] select_1767;
+  assign select_1767 = ($signed(sum_1764[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1764[7:0];
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
-  assign slope = equal_1700 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_1758[12:7])) ? 8'h7f : select_1761);
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_1766;
-  assign select_1766 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
+  assign slope = equal_1706 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_1764[12:7])) ? 8'h7f : select_1767);
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_1772;
+  assign select_1772 = drew_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:348
-  logic [7:0] select_1768;
-  assign select_1768 = and_1746 ? (equal_574_s2_q ? 8'h0 : select_1766) : patches_choice_slope_q;
+  logic [7:0] select_1774;
+  assign select_1774 = and_1752 ? (equal_576_s2_q ? 8'h0 : select_1772) : patches_choice_slope_q;
   // hls/stages/patches.hpp:113
-  logic equal_1769;
-  assign equal_1769 = x_s2_q == {2'h0, last_s2_q};
-  // hls/stages/agreement.hpp:788
-  logic and_1773;
-  assign and_1773 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1727 | equal_1769)));
-  logic and_1774;
-  assign and_1774 = not_575_s2_q & and_1773;
+  logic equal_1775;
+  assign equal_1775 = x_s2_q == {2'h0, last_s2_q};
+  // hls/stages/agreement.hpp:795
+  logic and_1779;
+  assign and_1779 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1733 | equal_1775)));
+  logic and_1780;
+  assign and_1780 = not_577_s2_q & and_1779;
   // hls/stages/patches.hpp:348
-  logic and_1775;
-  assign and_1775 = patches_chooses_s2_q & and_1774;
+  logic and_1781;
+  assign and_1781 = patches_chooses_s2_q & and_1780;
   // hls/stages/patches.hpp:126
-  logic [4:0] select_1789;
-  assign select_1789 = row_starts_s2_q ? select_1687 : patches_band_q;
+  logic [4:0] select_1795;
+  assign select_1795 = row_starts_s2_q ? select_1693 : patches_band_q;
   // hls/stages/patches.hpp:357
-  logic equal_1790;
-  assign equal_1790 = {patches_choosing_band_s2_q, and_1698} == {select_1789, select_1689[1]};
+  logic equal_1796;
+  assign equal_1796 = {patches_choosing_band_s2_q, and_1704} == {select_1795, select_1695[1]};
   // hls/stages/patches.hpp:490
-  logic [2:0] sum_1889;
-  assign sum_1889 = patches_code_row_s2_q[4:2] + 3'h7;
+  logic [2:0] sum_1895;
+  assign sum_1895 = patches_code_row_s2_q[4:2] + 3'h7;
   // hls/stages/patches.hpp:457
-  logic and_1905;
-  assign and_1905 = not_1898_s2_q & or_1904_s2_q;
+  logic and_1911;
+  assign and_1911 = not_1904_s2_q & or_1910_s2_q;
   // hls/stages/patches.hpp:494
-  logic [1:0] sum_1945;
-  assign sum_1945 = patches_code_row_s2_q[3:2] + 2'h3;
+  logic [1:0] sum_1951;
+  assign sum_1951 = patches_code_row_s2_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:205
-  logic [7:0] select_1976;
-  assign select_1976 = so_s2_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:1050
-  logic or_1979;
-  assign or_1979 = select_1976[7] | (~({select_1976[5], select_1976[3], select_1976[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1049
-  logic or_1982;
-  assign or_1982 = select_1976[7] | (~({select_1976[6], select_1976[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:1048
+  logic [7:0] select_1982;
+  assign select_1982 = drew_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:1057
   logic or_1985;
-  assign or_1985 = select_1976[7] | (~(select_1976[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:788
-  logic [5:0] select_1986;
-  assign select_1986 = equal_574_s2_q ? x_s2_q[5:0] : {region_row_q, or_1985, or_1982, or_1979};
-  // hls/stages/agreement.hpp:1128
-  logic not_1987;
-  assign not_1987 = ~equal_1607;
-  // hls/stages/agreement.hpp:1058
+  assign or_1985 = select_1982[7] | (~({select_1982[5], select_1982[3], select_1982[1]} == 3'h0));
+  // hls/stages/agreement.hpp:1056
+  logic or_1988;
+  assign or_1988 = select_1982[7] | (~({select_1982[6], select_1982[3:2]} == 3'h0));
+  // hls/stages/agreement.hpp:1055
   logic or_1991;
-  assign or_1991 = (~sum_1989_s2_q) | equal_1769;
-  // hls/stages/agreement.hpp:788
-  logic and_1994;
-  assign and_1994 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_1991));
+  assign or_1991 = select_1982[7] | (~(select_1982[6:4] == 3'h0));
+  // hls/stages/agreement.hpp:795
+  logic [5:0] select_1992;
+  assign select_1992 = equal_576_s2_q ? x_s2_q[5:0] : {region_row_q, or_1991, or_1988, or_1985};
+  // hls/stages/agreement.hpp:1136
+  logic not_1993;
+  assign not_1993 = ~equal_1613;
+  // hls/stages/agreement.hpp:1065
+  logic or_1997;
+  assign or_1997 = (~sum_1995_s2_q) | equal_1775;
+  // hls/stages/agreement.hpp:795
+  logic and_2000;
+  assign and_2000 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & or_1997));
   // hls/stages/agreement.hpp:262
   logic textured;
-  assign textured = inside_v_s2_q & (or_579_s2_q & (not_583_s2_q & and_608_s2_q));
+  assign textured = inside_v_s2_q & (or_581_s2_q & (not_585_s2_q & and_611_s2_q));
   logic explained;
-  assign explained = inside_v_s2_q & and_636;
+  assign explained = inside_v_s2_q & and_639;
   // hls/stages/agreement.hpp:149
-  logic and_2012;
-  assign and_2012 = or_579_s2_q & (not_583_s2_q & and_2010_s2_q);
+  logic and_2018;
+  assign and_2018 = or_581_s2_q & (not_585_s2_q & and_2016_s2_q);
   // hls/stages/agreement.hpp:262
-  logic and_2021;
-  assign and_2021 = inside_v_s2_q & and_2012;
-  // hls/stages/agreement.hpp:1014
-  logic select_2022;
-  assign select_2022 = slot_s2_q[2] ? shown_shown_q : and_636;
+  logic and_2027;
+  assign and_2027 = inside_v_s2_q & and_2018;
+  // hls/stages/agreement.hpp:1021
+  logic select_2028;
+  assign select_2028 = slot_s2_q[2] ? shown_shown_q : and_639;
   // hls/stages/agreement.hpp:262
   logic shown;
-  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2022);
-  // hls/stages/agreement.hpp:1014
-  logic select_2025;
-  assign select_2025 = slot_s2_q[2] ? shown_nearer_q : and_1585;
+  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2028);
+  // hls/stages/agreement.hpp:1021
+  logic select_2031;
+  assign select_2031 = slot_s2_q[2] ? shown_nearer_q : and_1591;
   // hls/stages/agreement.hpp:262
   logic near;
-  assign near = inside_v_s2_q & (select_2022 ? select_2025 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:1271
-  logic select_2028;
-  assign select_2028 = done_q ? write_half_q : read_half_q;
-  // hls/stages/agreement.hpp:1275
-  logic select_2029;
-  assign select_2029 = left_first_s2_q ? select_2028 : read_half_q;
-  logic or_2030;
-  assign or_2030 = left_first_s2_q | line_ended_q;
-  // hls/stages/agreement.hpp:1276
-  logic [8:0] select_2031;
-  assign select_2031 = or_2030 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1277
-  logic [9:0] select_2033;
-  assign select_2033 = left_first_s2_q ? 10'h1 : (or_2030 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1280
-  logic and_2034;
-  assign and_2034 = select_2031[8] & select_2033[9];
-  // hls/stages/agreement.hpp:436
+  assign near = inside_v_s2_q & (select_2028 ? select_2031 : shown_right_rdata_q[1]);
+  // hls/stages/agreement.hpp:1279
+  logic select_2034;
+  assign select_2034 = done_s2_q ? write_half_q : read_half_q;
+  // hls/stages/agreement.hpp:1283
+  logic select_2035;
+  assign select_2035 = left_first_s2_q ? select_2034 : read_half_q;
+  logic or_2036;
+  assign or_2036 = left_first_s2_q | line_ended_q;
+  // hls/stages/agreement.hpp:1284
+  logic [8:0] select_2037;
+  assign select_2037 = or_2036 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:1285
+  logic [9:0] select_2039;
+  assign select_2039 = left_first_s2_q ? 10'h1 : (or_2036 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:1288
+  logic and_2040;
+  assign and_2040 = select_2037[8] & select_2039[9];
+  // hls/stages/agreement.hpp:440
   logic next_row;
-  assign next_row = and_2034 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1291
-  logic [5:0] select_2037;
-  assign select_2037 = next_row ? cfg_width_i[8:3] : 6'h0;
-  logic [10:0] select_2039;
-  assign select_2039 = left_first_s2_q ? 11'h0 : (seen_base_q + {5'h0, select_2037});
-  // hls/stages/agreement.hpp:1301
-  logic equal_2040;
-  assign equal_2040 = seen_x_q == 3'h7;
-  logic [7:0] select_2042;
-  assign select_2042 = and_2034 ? 8'h0 : (seen_column_q + {7'h0, equal_2040});
-  // hls/stages/agreement.hpp:1308
+  assign next_row = and_2040 & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1299
+  logic [5:0] select_2043;
+  assign select_2043 = next_row ? cfg_width_i[8:3] : 6'h0;
+  logic [10:0] select_2045;
+  assign select_2045 = left_first_s2_q ? 11'h0 : (seen_base_q + {5'h0, select_2043});
+  // hls/stages/agreement.hpp:1310
+  logic equal_2046;
+  assign equal_2046 = seen_x_q == 3'h7;
+  logic [7:0] select_2048;
+  assign select_2048 = and_2040 ? 8'h0 : (seen_column_q + {7'h0, equal_2046});
+  // hls/stages/agreement.hpp:1317
   logic [10:0] index;
-  assign index = select_2039 + {3'h0, select_2042};
-  // hls/stages/agreement.hpp:1261
-  logic [11:0] sum_2044;
-  assign sum_2044 = {1'b0, {2{select_2029}}, 2'h0, {2{select_2029}}, 1'b0, {2{select_2029}}, 1'b0, select_2029} + {1'b0, index};
-  // hls/stages/agreement.hpp:1274
-  logic not_2045;
-  assign not_2045 = ~left_first_s2_q;
-  // hls/stages/agreement.hpp:436
-  logic and_2047;
-  assign and_2047 = not_2045 & (began_q | and_2034);
-  // hls/stages/agreement.hpp:1302
-  logic [2:0] select_2049;
-  assign select_2049 = and_2034 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:1307
-  logic and_2051;
-  assign and_2051 = and_2047 & (select_2049 == 3'h0);
-  logic less_2052;
-  assign less_2052 = select_2042 < {2'h0, cfg_width_i[8:3]};
-  // hls/stages/agreement.hpp:438
+  assign index = select_2045 + {3'h0, select_2048};
+  // hls/stages/agreement.hpp:1269
+  logic [11:0] sum_2050;
+  assign sum_2050 = {1'b0, {2{select_2035}}, 2'h0, {2{select_2035}}, 1'b0, {2{select_2035}}, 1'b0, select_2035} + {1'b0, index};
+  // hls/stages/agreement.hpp:440
   logic and_2053;
-  assign and_2053 = and_2051 & less_2052;
-  logic and_2054;
-  assign and_2054 = and_1968_s2_q & and_2053;
+  assign and_2053 = not_2051_s2_q & (began_q | and_2040);
+  // hls/stages/agreement.hpp:1311
+  logic [2:0] select_2055;
+  assign select_2055 = and_2040 ? 3'h0 : (seen_x_q + 3'h1);
+  // hls/stages/agreement.hpp:1316
+  logic and_2057;
+  assign and_2057 = and_2053 & (select_2055 == 3'h0);
+  logic less_2058;
+  assign less_2058 = select_2048 < {2'h0, cfg_width_i[8:3]};
+  // hls/stages/agreement.hpp:442
+  logic and_2059;
+  assign and_2059 = and_2057 & less_2058;
+  logic and_2060;
+  assign and_2060 = and_1974_s2_q & and_2059;
   // hls/stages/agreement.hpp:278
-  logic select_2056;
-  assign select_2056 = and_1968_s2_q ? (left_first_s2_q ? and_2053 : and_2054) : and_2054;
-  // hls/stages/agreement.hpp:1111
-  logic [7:0] sum_2058;
-  assign sum_2058 = {2'h0, x_s2_q[7:2]} + 8'hff;
+  logic select_2062;
+  assign select_2062 = and_1974_s2_q ? (left_first_s2_q ? and_2059 : and_2060) : and_2060;
+  // hls/stages/agreement.hpp:1119
+  logic select_2064;
+  assign select_2064 = draws_late_s2_q ? read_half_q : write_half_q;
+  logic [7:0] sum_2065;
+  assign sum_2065 = {2'h0, x_s2_q[7:2]} + 8'hff;
   logic [10:0] index_2;
-  assign index_2 = {sum_2058[7], sum_2058, x_s2_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1261
-  logic [11:0] sum_2060;
-  assign sum_2060 = {1'b0, {2{write_half_q}}, 2'h0, {2{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2};
-  // hls/stages/agreement.hpp:1030
-  logic and_2061;
-  assign and_2061 = seen_columns_rdata_q[14] & inside_v_s2_q;
-  logic and_2062;
-  assign and_2062 = seen_columns_rdata_q[10] & inside_v_s2_q;
-  logic and_2063;
-  assign and_2063 = seen_columns_rdata_q[5] & inside_v_s2_q;
-  logic and_2064;
-  assign and_2064 = seen_columns_rdata_q[0] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1087
-  logic [1:0] sum_2066;
-  assign sum_2066 = {1'b0, and_2063} + ({1'b0, textured} + {1'b0, and_2064});
+  assign index_2 = {sum_2065[7], sum_2065, x_s2_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:1269
+  logic [11:0] sum_2067;
+  assign sum_2067 = {1'b0, {2{select_2064}}, 2'h0, {2{select_2064}}, 1'b0, {2{select_2064}}, 1'b0, select_2064} + {1'b0, index_2};
+  // hls/stages/agreement.hpp:1037
+  logic and_2068;
+  assign and_2068 = seen_columns_rdata_q[14] & inside_v_s2_q;
+  logic and_2069;
+  assign and_2069 = seen_columns_rdata_q[10] & inside_v_s2_q;
+  logic and_2070;
+  assign and_2070 = seen_columns_rdata_q[5] & inside_v_s2_q;
+  logic and_2071;
+  assign and_2071 = seen_columns_rdata_q[0] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1094
+  logic [1:0] sum_2073;
+  assign sum_2073 = {1'b0, and_2070} + ({1'b0, textured} + {1'b0, and_2071});
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2061} + ({2'h0, and_2062} + {1'b0, sum_2066});
-  // hls/stages/agreement.hpp:1030
-  logic [7:0] select_2075;
-  assign select_2075 = inside_v_s2_q ? (sum_1989_s2_q ? select_1976 : {select_1976[6:0], 1'b0}) : select_1976;
-  // hls/stages/agreement.hpp:1050
-  logic or_2078;
-  assign or_2078 = select_2075[7] | (~({select_2075[5], select_2075[3], select_2075[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1030
-  logic and_2095;
-  assign and_2095 = seen_columns_rdata_q[16] & inside_v_s2_q;
-  logic and_2096;
-  assign and_2096 = seen_columns_rdata_q[12] & inside_v_s2_q;
-  logic and_2097;
-  assign and_2097 = seen_columns_rdata_q[8] & inside_v_s2_q;
-  logic and_2098;
-  assign and_2098 = seen_columns_rdata_q[3] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1089
-  logic [1:0] sum_2100;
-  assign sum_2100 = {1'b0, and_2097} + ({1'b0, shown} + {1'b0, and_2098});
+  assign textured_2 = {2'h0, and_2068} + ({2'h0, and_2069} + {1'b0, sum_2073});
+  // hls/stages/agreement.hpp:1037
+  logic [7:0] select_2082;
+  assign select_2082 = inside_v_s2_q ? (sum_1995_s2_q ? select_1982 : {select_1982[6:0], 1'b0}) : select_1982;
+  // hls/stages/agreement.hpp:1057
+  logic or_2085;
+  assign or_2085 = select_2082[7] | (~({select_2082[5], select_2082[3], select_2082[1]} == 3'h0));
+  // hls/stages/agreement.hpp:1037
+  logic and_2103;
+  assign and_2103 = seen_columns_rdata_q[16] & inside_v_s2_q;
+  logic and_2104;
+  assign and_2104 = seen_columns_rdata_q[12] & inside_v_s2_q;
+  logic and_2105;
+  assign and_2105 = seen_columns_rdata_q[8] & inside_v_s2_q;
+  logic and_2106;
+  assign and_2106 = seen_columns_rdata_q[3] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1096
+  logic [1:0] sum_2108;
+  assign sum_2108 = {1'b0, and_2105} + ({1'b0, shown} + {1'b0, and_2106});
   logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2095} + ({2'h0, and_2096} + {1'b0, sum_2100});
-  // hls/stages/agreement.hpp:1030
-  logic and_2111;
-  assign and_2111 = seen_columns_rdata_q[17] & inside_v_s2_q;
-  logic and_2112;
-  assign and_2112 = seen_columns_rdata_q[13] & inside_v_s2_q;
-  logic and_2113;
-  assign and_2113 = seen_columns_rdata_q[9] & inside_v_s2_q;
-  logic and_2114;
-  assign and_2114 = seen_columns_rdata_q[4] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1090
-  logic [1:0] sum_2116;
-  assign sum_2116 = {1'b0, and_2113} + ({1'b0, near} + {1'b0, and_2114});
+  assign shown_2 = {2'h0, and_2103} + ({2'h0, and_2104} + {1'b0, sum_2108});
+  // hls/stages/agreement.hpp:1037
+  logic and_2119;
+  assign and_2119 = seen_columns_rdata_q[17] & inside_v_s2_q;
+  logic and_2120;
+  assign and_2120 = seen_columns_rdata_q[13] & inside_v_s2_q;
+  logic and_2121;
+  assign and_2121 = seen_columns_rdata_q[9] & inside_v_s2_q;
+  logic and_2122;
+  assign and_2122 = seen_columns_rdata_q[4] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1097
+  logic [1:0] sum_2124;
+  assign sum_2124 = {1'b0, and_2121} + ({1'b0, near} + {1'b0, and_2122});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2111} + ({2'h0, and_2112} + {1'b0, sum_2116});
-  // hls/stages/agreement.hpp:788
-  logic and_2132;
-  assign and_2132 = ends_cell_s2_q & (and_2128_s2_q & (~({1'b0, sum_1647, last_s2_q[1:0]} < x_s2_q)));
-  logic and_2134;
-  assign and_2134 = not_575_s2_q & (so_s2_q & and_2132);
+  assign near_2 = {2'h0, and_2119} + ({2'h0, and_2120} + {1'b0, sum_2124});
+  // hls/stages/agreement.hpp:795
+  logic and_2141;
+  assign and_2141 = ends_cell_s2_q & (and_2137_s2_q & (~({1'b0, sum_1653, last_s2_q[1:0]} < x_s2_q)));
+  logic and_2143;
+  assign and_2143 = not_577_s2_q & (drew_q & and_2141);
   // hls/stages/agreement.hpp:276
-  logic [10:0] select_2168;
-  assign select_2168 = sample_pair_whole_s2_q ? (and_547_s2_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2170;
-  assign select_2170 = sample_pair_whole_s2_q ? (and_547_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2190;
-  assign select_2190 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_2192;
-  assign select_2192 = sample_pair_whole_s2_q ? (and_547_s2_q ? select_562 : averager_mask_q) : averager_mask_q;
-  logic select_2194;
-  assign select_2194 = sample_pair_whole_s2_q ? (and_547_s2_q ? select_566 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:520
-  logic [8:0] select_2195;
-  assign select_2195 = and_549_s2_q ? select_555 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2196;
-  assign select_2196 = and_549_s2_q ? select_559 : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2198;
-  assign select_2198 = and_549_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2199;
-  assign select_2199 = and_549_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2200;
-  assign select_2200 = and_549_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_2201;
-  assign select_2201 = and_549_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2202;
-  assign select_2202 = and_549_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic [10:0] select_2177;
+  assign select_2177 = sample_pair_whole_s2_q ? (and_549_s2_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2179;
+  assign select_2179 = sample_pair_whole_s2_q ? (and_549_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2199;
+  assign select_2199 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2201;
+  assign select_2201 = sample_pair_whole_s2_q ? (and_549_s2_q ? select_564 : averager_mask_q) : averager_mask_q;
   logic select_2203;
-  assign select_2203 = and_549_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2204;
-  assign select_2204 = and_549_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  assign select_2203 = sample_pair_whole_s2_q ? (and_549_s2_q ? select_568 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/agreement.hpp:527
+  logic [8:0] select_2204;
+  assign select_2204 = and_551_s2_q ? select_557 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2205;
-  assign select_2205 = and_549_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2206;
-  assign select_2206 = and_549_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2207;
-  assign select_2207 = and_549_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  assign select_2205 = and_551_s2_q ? select_561 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2207;
+  assign select_2207 = and_551_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_2208;
-  assign select_2208 = and_549_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2209;
-  assign select_2209 = and_549_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2210;
-  assign select_2210 = and_549_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  assign select_2208 = and_551_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2209;
+  assign select_2209 = and_551_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2210;
+  assign select_2210 = and_551_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
   logic [8:0] select_2211;
-  assign select_2211 = and_549_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2212;
-  assign select_2212 = and_549_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  assign select_2211 = and_551_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2212;
+  assign select_2212 = and_551_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
   logic select_2213;
-  assign select_2213 = and_549_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  assign select_2213 = and_551_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
   logic [8:0] select_2214;
-  assign select_2214 = and_549_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  assign select_2214 = and_551_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_2215;
-  assign select_2215 = and_549_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  assign select_2215 = and_551_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
   logic select_2216;
-  assign select_2216 = and_549_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  assign select_2216 = and_551_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
   logic [8:0] select_2217;
-  assign select_2217 = and_549_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  assign select_2217 = and_551_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
   logic [8:0] select_2218;
-  assign select_2218 = and_549_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  assign select_2218 = and_551_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
   logic select_2219;
-  assign select_2219 = and_549_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2220;
-  assign select_2220 = and_549_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  assign select_2219 = and_551_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2220;
+  assign select_2220 = and_551_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
   logic [8:0] select_2221;
-  assign select_2221 = and_549_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2222;
-  assign select_2222 = and_549_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2223;
-  assign select_2223 = and_549_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  assign select_2221 = and_551_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2222;
+  assign select_2222 = and_551_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2223;
+  assign select_2223 = and_551_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
   logic [8:0] select_2224;
-  assign select_2224 = and_549_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2225;
-  assign select_2225 = and_549_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2226;
-  assign select_2226 = and_549_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  assign select_2224 = and_551_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2225;
+  assign select_2225 = and_551_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2226;
+  assign select_2226 = and_551_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
   logic [8:0] select_2227;
-  assign select_2227 = and_549_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2228;
-  assign select_2228 = and_549_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  assign select_2227 = and_551_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2228;
+  assign select_2228 = and_551_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
   logic select_2229;
-  assign select_2229 = and_549_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  assign select_2229 = and_551_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
   logic [8:0] select_2230;
-  assign select_2230 = and_549_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  assign select_2230 = and_551_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_2231;
-  assign select_2231 = and_549_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  assign select_2231 = and_551_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
   logic select_2232;
-  assign select_2232 = and_549_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  assign select_2232 = and_551_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
   logic [8:0] select_2233;
-  assign select_2233 = and_549_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  assign select_2233 = and_551_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
   logic [8:0] select_2234;
-  assign select_2234 = and_549_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  assign select_2234 = and_551_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
   logic select_2235;
-  assign select_2235 = and_549_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  assign select_2235 = and_551_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
   logic [8:0] select_2236;
-  assign select_2236 = and_549_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  assign select_2236 = and_551_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
   logic [8:0] select_2237;
-  assign select_2237 = and_549_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  assign select_2237 = and_551_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
   logic select_2238;
-  assign select_2238 = and_549_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  assign select_2238 = and_551_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
   logic [8:0] select_2239;
-  assign select_2239 = and_549_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  assign select_2239 = and_551_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
   logic [8:0] select_2240;
-  assign select_2240 = and_549_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  assign select_2240 = and_551_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
   logic select_2241;
-  assign select_2241 = and_549_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2242;
-  assign select_2242 = and_549_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  assign select_2241 = and_551_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2242;
+  assign select_2242 = and_551_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
   logic [8:0] select_2243;
-  assign select_2243 = and_549_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2244;
-  assign select_2244 = and_549_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_2245;
-  assign select_2245 = and_549_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2246;
-  assign select_2246 = and_549_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_2247;
-  assign select_2247 = and_549_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  assign select_2243 = and_551_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2244;
+  assign select_2244 = and_551_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2245;
+  assign select_2245 = and_551_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2246;
+  assign select_2246 = and_551_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2247;
+  assign select_2247 = and_551_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
   logic [8:0] select_2248;
-  assign select_2248 = and_549_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_2249;
-  assign select_2249 = and_549_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  assign select_2248 = and_551_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2249;
+  assign select_2249 = and_551_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
   logic select_2250;
-  assign select_2250 = and_549_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  assign select_2250 = and_551_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2251;
+  assign select_2251 = and_551_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2252;
+  assign select_2252 = and_551_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2253;
+  assign select_2253 = and_551_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2254;
+  assign select_2254 = and_551_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2255;
+  assign select_2255 = and_551_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2256;
+  assign select_2256 = and_551_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2257;
+  assign select_2257 = and_551_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2258;
+  assign select_2258 = and_551_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2259;
+  assign select_2259 = and_551_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:286
-  logic [9:0] difference_2252;
-  assign difference_2252 = {1'b0, select_559} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2253;
-  assign xor_2253 = difference_2252[8:0] ^ {9{difference_2252[9]}};
-  logic [9:0] sum_2254;
-  assign sum_2254 = {9'h0, difference_2252[9]} + {1'b0, xor_2253};
-  logic [9:0] difference_2255;
-  assign difference_2255 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2256;
-  assign xor_2256 = difference_2255[8:0] ^ {9{difference_2255[9]}};
-  logic [9:0] sum_2257;
-  assign sum_2257 = {9'h0, difference_2255[9]} + {1'b0, xor_2256};
-  logic [9:0] difference_2259;
-  assign difference_2259 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2260;
-  assign xor_2260 = difference_2259[8:0] ^ {9{difference_2259[9]}};
-  logic [9:0] sum_2261;
-  assign sum_2261 = {9'h0, difference_2259[9]} + {1'b0, xor_2260};
-  logic [10:0] sum_2262;
-  assign sum_2262 = ({1'b0, sum_2254} + {1'b0, sum_2257}) + {1'b0, sum_2261};
-  logic [9:0] difference_2263;
-  assign difference_2263 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2264;
-  assign xor_2264 = difference_2263[8:0] ^ {9{difference_2263[9]}};
-  logic [9:0] sum_2265;
-  assign sum_2265 = {9'h0, difference_2263[9]} + {1'b0, xor_2264};
-  logic [9:0] difference_2267;
-  assign difference_2267 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2268;
-  assign xor_2268 = difference_2267[8:0] ^ {9{difference_2267[9]}};
+  logic [9:0] difference_2261;
+  assign difference_2261 = {1'b0, select_561} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2262;
+  assign xor_2262 = difference_2261[8:0] ^ {9{difference_2261[9]}};
+  logic [9:0] sum_2263;
+  assign sum_2263 = {9'h0, difference_2261[9]} + {1'b0, xor_2262};
+  logic [9:0] difference_2264;
+  assign difference_2264 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2265;
+  assign xor_2265 = difference_2264[8:0] ^ {9{difference_2264[9]}};
+  logic [9:0] sum_2266;
+  assign sum_2266 = {9'h0, difference_2264[9]} + {1'b0, xor_2265};
+  logic [9:0] difference_2268;
+  assign difference_2268 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2269;
+  assign xor_2269 = difference_2268[8:0] ^ {9{difference_2268[9]}};
+  logic [9:0] sum_2270;
+  assign sum_2270 = {9'h0, difference_2268[9]} + {1'b0, xor_2269};
+  logic [10:0] sum_2271;
+  assign sum_2271 = ({1'b0, sum_2263} + {1'b0, sum_2266}) + {1'b0, sum_2270};
+  logic [9:0] difference_2272;
+  assign difference_2272 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2273;
+  assign xor_2273 = difference_2272[8:0] ^ {9{difference_2272[9]}};
+  logic [9:0] sum_2274;
+  assign sum_2274 = {9'h0, difference_2272[9]} + {1'b0, xor_2273};
+  logic [9:0] difference_2276;
+  assign difference_2276 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2277;
+  assign xor_2277 = difference_2276[8:0] ^ {9{difference_2276[9]}};
   // hls/stages/moments.hpp:54
-  logic [13:0] sum_2289;
-  assign sum_2289 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
-  logic [13:0] sum_2291;
-  assign sum_2291 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
-  // hls/stages/agreement.hpp:1142
-  logic equal_2292;
-  assign equal_2292 = x_s2_q[6:0] == 7'h70;
+  logic [13:0] sum_2298;
+  assign sum_2298 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2300;
+  assign sum_2300 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
+  // hls/stages/agreement.hpp:1150
+  logic equal_2301;
+  assign equal_2301 = x_s2_q[6:0] == 7'h70;
   // hls/stages/moments.hpp:117
-  logic [13:0] select_2293;
-  assign select_2293 = equal_2292 ? sum_2289 : moments_before_0_q;
-  logic [13:0] select_2295;
-  assign select_2295 = equal_2292 ? sum_2291 : moments_before_1_q;
-  // hls/stages/agreement.hpp:788
-  logic select_2298;
-  assign select_2298 = equal_574_s2_q ? (moments_has_before_q | equal_2292) : moments_has_before_q;
-  logic [13:0] select_2301;
-  assign select_2301 = equal_574_s2_q ? ((select_2295 < select_2293) ? select_2293 : select_2295) : moments_most_before_q;
+  logic [13:0] select_2302;
+  assign select_2302 = equal_2301 ? sum_2298 : moments_before_0_q;
+  logic [13:0] select_2304;
+  assign select_2304 = equal_2301 ? sum_2300 : moments_before_1_q;
+  // hls/stages/agreement.hpp:795
+  logic select_2307;
+  assign select_2307 = equal_576_s2_q ? (moments_has_before_q | equal_2301) : moments_has_before_q;
+  logic [13:0] select_2310;
+  assign select_2310 = equal_576_s2_q ? ((select_2304 < select_2302) ? select_2302 : select_2304) : moments_most_before_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2302;
-  assign sum_2302 = {1'b0, moments_most_before_q} + 15'h3;
-  // hls/stages/agreement.hpp:788
-  logic select_2305;
-  assign select_2305 = equal_574_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2302)) : moments_left_begins_q;
+  logic [14:0] sum_2311;
+  assign sum_2311 = {1'b0, moments_most_before_q} + 15'h3;
+  // hls/stages/agreement.hpp:795
+  logic select_2314;
+  assign select_2314 = equal_576_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2311)) : moments_left_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2306;
-  assign sum_2306 = {1'b0, sum_2291} + 15'h3;
-  // hls/stages/agreement.hpp:788
-  logic select_2309;
-  assign select_2309 = equal_574_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2306)) : moments_left_alone_q;
-  logic select_2312;
-  assign select_2312 = equal_574_s2_q ? (~({3'h0, select_2295[13:2]} < sum_2306)) : moments_left_other_stops_q;
-  logic select_2315;
-  assign select_2315 = equal_574_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2302)) : moments_right_begins_q;
+  logic [14:0] sum_2315;
+  assign sum_2315 = {1'b0, sum_2300} + 15'h3;
+  // hls/stages/agreement.hpp:795
+  logic select_2318;
+  assign select_2318 = equal_576_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2315)) : moments_left_alone_q;
+  logic select_2321;
+  assign select_2321 = equal_576_s2_q ? (~({3'h0, select_2304[13:2]} < sum_2315)) : moments_left_other_stops_q;
+  logic select_2324;
+  assign select_2324 = equal_576_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2311)) : moments_right_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2316;
-  assign sum_2316 = {1'b0, sum_2289} + 15'h3;
-  // hls/stages/agreement.hpp:788
-  logic select_2319;
-  assign select_2319 = equal_574_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2316)) : moments_right_alone_q;
-  logic select_2322;
-  assign select_2322 = equal_574_s2_q ? (~({3'h0, select_2293[13:2]} < sum_2316)) : moments_right_other_stops_q;
+  logic [14:0] sum_2325;
+  assign sum_2325 = {1'b0, sum_2298} + 15'h3;
+  // hls/stages/agreement.hpp:795
+  logic select_2328;
+  assign select_2328 = equal_576_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2325)) : moments_right_alone_q;
+  logic select_2331;
+  assign select_2331 = equal_576_s2_q ? (~({3'h0, select_2302[13:2]} < sum_2325)) : moments_right_other_stops_q;
   // hls/stages/moments.hpp:51
-  logic or_2325;
-  assign or_2325 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
-  // hls/stages/agreement.hpp:788
-  logic and_2333;
-  assign and_2333 = not_575_s2_q & (not_577_s2_q & (equal_578_s2_q & (inside_v_s2_q & and_1597)));
-  logic and_2337;
-  assign and_2337 = not_575_s2_q & (not_577_s2_q & (equal_578_s2_q & (inside_v_s2_q & and_1606)));
-  // hls/stages/moments.hpp:94
-  logic and_2339;
-  assign and_2339 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
-  logic select_2342;
-  assign select_2342 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2339)) : and_2339;
-  // hls/stages/agreement.hpp:788
+  logic or_2334;
+  assign or_2334 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
+  // hls/stages/agreement.hpp:795
+  logic and_2342;
+  assign and_2342 = not_577_s2_q & (not_579_s2_q & (equal_580_s2_q & (inside_v_s2_q & and_1603)));
   logic and_2346;
-  assign and_2346 = equal_574_s2_q & (equal_2292 & (cfg_prove_i & (cfg_same_table_i & select_2342)));
+  assign and_2346 = not_577_s2_q & (not_579_s2_q & (equal_580_s2_q & (inside_v_s2_q & and_1612)));
+  // hls/stages/moments.hpp:94
+  logic and_2348;
+  assign and_2348 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
+  logic select_2351;
+  assign select_2351 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2348)) : and_2348;
+  // hls/stages/agreement.hpp:795
+  logic and_2355;
+  assign and_2355 = equal_576_s2_q & (equal_2301 & (cfg_prove_i & (cfg_same_table_i & select_2351)));
   // hls/stages/moments.hpp:95
-  logic and_2349;
-  assign and_2349 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  logic and_2358;
+  assign and_2358 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
   // hls/stages/census.hpp:371
-  logic [9:0] difference_2363;
-  assign difference_2363 = {1'b0, select_555} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2372;
+  assign difference_2372 = {1'b0, select_557} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2363[9]} + (difference_2363[8:0] ^ {9{difference_2363[9]}});
-  logic [9:0] difference_2375;
-  assign difference_2375 = {1'b0, select_559} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_2372[9]} + (difference_2372[8:0] ^ {9{difference_2372[9]}});
+  logic [9:0] difference_2384;
+  assign difference_2384 = {1'b0, select_561} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2375[9]} + (difference_2375[8:0] ^ {9{difference_2375[9]}});
+  assign contrast_2 = {8'h0, difference_2384[9]} + (difference_2384[8:0] ^ {9{difference_2384[9]}});
   // hls/stages/agreement.hpp:239
-  logic [5:0] select_2566;
-  assign select_2566 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_2567;
-  assign select_2567 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
-  logic [5:0] select_2568;
-  assign select_2568 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
-  logic [5:0] select_2569;
-  assign select_2569 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
-  logic [5:0] select_2570;
-  assign select_2570 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
-  logic [5:0] select_2571;
-  assign select_2571 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
-  logic [7:0] select_2575;
-  assign select_2575 = slot_s2_q[0] ? 8'h0 : sum_1011;
-  // hls/stages/agreement.hpp:751
-  logic less_2576;
-  assign less_2576 = select_2575 < select_1511;
+  logic [5:0] select_2585;
+  assign select_2585 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
+  logic [5:0] select_2586;
+  assign select_2586 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
+  logic [5:0] select_2587;
+  assign select_2587 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  logic [5:0] select_2588;
+  assign select_2588 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_2589;
+  assign select_2589 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_2590;
+  assign select_2590 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  logic [7:0] select_2594;
+  assign select_2594 = slot_s2_q[0] ? 8'h0 : sum_1017;
+  // hls/stages/agreement.hpp:758
+  logic less_2595;
+  assign less_2595 = select_2594 < select_1517;
   // hls/stages/agreement.hpp:239
-  logic [6:0] select_2578;
-  assign select_2578 = slot_s2_q[0] ? 7'h0 : sum_1537;
-  // hls/stages/agreement.hpp:788
-  logic not_2583;
-  assign not_2583 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_2584;
-  assign less_2584 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
-  // hls/stages/agreement.hpp:520
-  logic and_2591;
-  assign and_2591 = and_549_s2_q & (equal_679_s2_q & equal_2466_s2_q);
-  // hls/stages/agreement.hpp:788
-  logic and_2597;
-  assign and_2597 = not_575_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_2593_s2_q)));
-  // hls/stages/agreement.hpp:1030
-  logic and_2617;
-  assign and_2617 = seen_columns_rdata_q[15] & inside_v_s2_q;
-  logic and_2618;
-  assign and_2618 = seen_columns_rdata_q[11] & inside_v_s2_q;
-  logic and_2619;
-  assign and_2619 = seen_columns_rdata_q[7] & inside_v_s2_q;
-  logic and_2620;
-  assign and_2620 = seen_columns_rdata_q[2] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1088
-  logic [1:0] sum_2622;
-  assign sum_2622 = {1'b0, and_2619} + ({1'b0, explained} + {1'b0, and_2620});
+  logic [6:0] select_2597;
+  assign select_2597 = slot_s2_q[0] ? 7'h0 : sum_1543;
+  // hls/stages/agreement.hpp:795
+  logic not_2602;
+  assign not_2602 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_2603;
+  assign less_2603 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  // hls/stages/agreement.hpp:527
+  logic and_2610;
+  assign and_2610 = and_551_s2_q & (equal_684_s2_q & equal_2475_s2_q);
+  // hls/stages/agreement.hpp:795
+  logic and_2616;
+  assign and_2616 = not_577_s2_q & (drew_q & (ends_cell_s2_q & (inside_v_s2_q & and_2612_s2_q)));
+  // hls/stages/agreement.hpp:1037
+  logic and_2636;
+  assign and_2636 = seen_columns_rdata_q[15] & inside_v_s2_q;
+  logic and_2637;
+  assign and_2637 = seen_columns_rdata_q[11] & inside_v_s2_q;
+  logic and_2638;
+  assign and_2638 = seen_columns_rdata_q[7] & inside_v_s2_q;
+  logic and_2639;
+  assign and_2639 = seen_columns_rdata_q[2] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1095
+  logic [1:0] sum_2641;
+  assign sum_2641 = {1'b0, and_2638} + ({1'b0, explained} + {1'b0, and_2639});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2617} + ({2'h0, and_2618} + {1'b0, sum_2622});
-  // hls/stages/agreement.hpp:788
-  logic and_2658;
-  assign and_2658 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2593_s2_q & and_2012)));
-  // hls/stages/agreement.hpp:986
+  assign explained_2 = {2'h0, and_2636} + ({2'h0, and_2637} + {1'b0, sum_2641});
+  // hls/stages/agreement.hpp:795
+  logic and_2677;
+  assign and_2677 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2612_s2_q & and_2018)));
+  // hls/stages/agreement.hpp:993
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
-  // hls/stages/agreement.hpp:987
+  // hls/stages/agreement.hpp:994
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
-  // hls/stages/agreement.hpp:988
-  logic [7:0] difference_2682;
-  assign difference_2682 = best_left_rdata_s2_q[16:9] - lower;
-  logic less_2685;
-  assign less_2685 = {2'h0, difference_2682[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
+  // hls/stages/agreement.hpp:995
+  logic [7:0] difference_2701;
+  assign difference_2701 = best_left_rdata_s2_q[16:9] - lower;
+  logic less_2704;
+  assign less_2704 = {2'h0, difference_2701[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
   // hls/stages/agreement.hpp:247
-  logic and_2688;
-  assign and_2688 = not_583_s2_q & (((and_2010_s2_q & and_634) & equal_2678_s2_q) & (~less_2685));
-  // hls/stages/agreement.hpp:788
-  logic and_2692;
-  assign and_2692 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_579_s2_q & and_2688)));
+  logic and_2707;
+  assign and_2707 = not_585_s2_q & (((and_2016_s2_q & and_637) & equal_2697_s2_q) & (~less_2704));
+  // hls/stages/agreement.hpp:795
+  logic and_2711;
+  assign and_2711 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (or_581_s2_q & and_2707)));
   // hls/stages/agreement.hpp:149
-  logic and_2697;
-  assign and_2697 = not_583_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
-  // hls/stages/agreement.hpp:247
-  logic and_2699;
-  assign and_2699 = not_583_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_2700;
-  assign select_2700 = or_579_s2_q ? {and_2699, and_2697} : 2'h0;
-  // hls/stages/agreement.hpp:247
-  logic [1:0] select_2702;
-  assign select_2702 = less_582_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_2703;
-  assign select_2703 = or_579_s2_q ? select_2702 : 2'h0;
-  // hls/stages/agreement.hpp:1027
-  logic and_2705;
-  assign and_2705 = and_636 & (select_2700[0] & select_2703[0]);
-  // hls/stages/agreement.hpp:788
-  logic and_2709;
-  assign and_2709 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2700[1] & and_2705)));
-  logic and_2710;
-  assign and_2710 = not_575_s2_q & and_2709;
   logic and_2716;
-  assign and_2716 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2703[1] & and_2705)));
-  logic and_2717;
-  assign and_2717 = not_575_s2_q & and_2716;
-  // hls/stages/registration.hpp:76
-  logic less_2720;
-  assign less_2720 = slot_s2_q < 3'h3;
+  assign and_2716 = not_585_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
+  // hls/stages/agreement.hpp:247
+  logic and_2718;
+  assign and_2718 = not_585_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_2722;
-  assign select_2722 = or_579_s2_q ? (less_582_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
-  logic [7:0] select_2724;
-  assign select_2724 = or_579_s2_q ? (less_582_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
-  logic [7:0] select_2726;
-  assign select_2726 = or_579_s2_q ? (less_582_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  logic [1:0] select_2719;
+  assign select_2719 = or_581_s2_q ? {and_2718, and_2716} : 2'h0;
+  // hls/stages/agreement.hpp:247
+  logic [1:0] select_2721;
+  assign select_2721 = less_584_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
+  // hls/stages/agreement.hpp:149
+  logic [1:0] select_2722;
+  assign select_2722 = or_581_s2_q ? select_2721 : 2'h0;
+  // hls/stages/agreement.hpp:1034
+  logic and_2725;
+  assign and_2725 = and_639 & (not_640_s2_q & (select_2719[0] & select_2722[0]));
+  // hls/stages/agreement.hpp:795
+  logic and_2729;
+  assign and_2729 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2719[1] & and_2725)));
+  logic and_2730;
+  assign and_2730 = not_577_s2_q & and_2729;
+  logic and_2736;
+  assign and_2736 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (select_2722[1] & and_2725)));
+  logic and_2737;
+  assign and_2737 = not_577_s2_q & and_2736;
+  // hls/stages/registration.hpp:76
+  logic less_2740;
+  assign less_2740 = slot_s2_q < 3'h3;
+  // hls/stages/agreement.hpp:149
+  logic [7:0] select_2742;
+  assign select_2742 = or_581_s2_q ? (less_584_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_2744;
+  assign select_2744 = or_581_s2_q ? (less_584_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_2746;
+  assign select_2746 = or_581_s2_q ? (less_584_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_2724} - {1'b0, select_2726};
+  assign rise_2 = {1'b0, select_2744} - {1'b0, select_2746};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_2728;
-  assign select_2728 = rise_2[8] ? select_2724 : select_2726;
+  logic [7:0] select_2748;
+  assign select_2748 = rise_2[8] ? select_2744 : select_2746;
   logic [8:0] fall;
-  assign fall = {1'b0, select_2722} - {1'b0, select_2728};
+  assign fall = {1'b0, select_2742} - {1'b0, select_2748};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:37
-  logic not_2731;
-  assign not_2731 = ~registration_displacement_over_q[9];
+  logic not_2751;
+  assign not_2751 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2720 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2731};
+  assign left = less_2740 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2751};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_2733;
-  assign xor_2733 = rise_2[7:0] ^ {8{rise_2[8]}};
+  logic [7:0] xor_2753;
+  assign xor_2753 = rise_2[7:0] ^ {8{rise_2[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_2733};
+  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_2753};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_2739;
-  assign select_2739 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_2759;
+  assign select_2759 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_2720 ? {taken, 1'b1} : {not_2731, select_2739, not_2731};
+  assign taken_2 = less_2740 ? {taken, 1'b1} : {not_2751, select_2759, not_2751};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2741;
-  assign sum_2741 = {left, 1'b1} + {taken_2, less_2720};
+  logic [10:0] sum_2761;
+  assign sum_2761 = {left, 1'b1} + {taken_2, less_2740};
   // hls/stages/agreement.hpp:257
-  logic [4:0] select_2743;
-  assign select_2743 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_2745;
-  assign select_2745 = equal_574_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
-  logic [10:0] select_2747;
-  assign select_2747 = equal_574_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
+  logic [4:0] select_2763;
+  assign select_2763 = drew_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_2765;
+  assign select_2765 = equal_576_s2_q ? registration_slope_here_q : (drew_q ? slope : registration_slope_here_q);
+  logic [10:0] select_2767;
+  assign select_2767 = equal_576_s2_q ? registration_expected_q : (drew_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_2748;
-  assign equal_2748 = slot_s2_q == 3'h4;
+  logic equal_2768;
+  assign equal_2768 = slot_s2_q == 3'h4;
   // hls/stages/agreement.hpp:262
-  logic and_2752;
-  assign and_2752 = and_636 & less_1699_s2_q;
+  logic and_2772;
+  assign and_2772 = and_639 & less_1705_s2_q;
   // hls/stages/agreement.hpp:149
-  logic [2:0] select_2754;
-  assign select_2754 = or_579_s2_q ? (less_582_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
+  logic [2:0] select_2774;
+  assign select_2774 = or_581_s2_q ? (less_584_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_2758;
-  assign sum_2758 = select_2754[2:1] + 2'h3;
+  logic [1:0] sum_2778;
+  assign sum_2778 = select_2774[2:1] + 2'h3;
   // hls/stages/registration.hpp:102
-  logic [7:0] select_2761;
-  assign select_2761 = (select_2724 < select_2726) ? ({sum_2758, select_2754[0], 5'h0} - {3'h0, select_2743}) : {sum_2758, select_2754[0], select_2743};
-  logic [7:0] select_2762;
-  assign select_2762 = ((select_2754 == 3'h0) | (select_2754 == 3'h4)) ? {sum_2758, select_2754[0], 5'h0} : select_2761;
+  logic [7:0] select_2781;
+  assign select_2781 = (select_2744 < select_2746) ? ({sum_2778, select_2774[0], 5'h0} - {3'h0, select_2763}) : {sum_2778, select_2774[0], select_2763};
+  logic [7:0] select_2782;
+  assign select_2782 = ((select_2774 == 3'h0) | (select_2774 == 3'h4)) ? {sum_2778, select_2774[0], 5'h0} : select_2781;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2762[7]}}, select_2762} - {sum_1718[9], sum_1718, sum_1714[1]};
+  assign value_2 = {{4{select_2782[7]}}, select_2782} - {sum_1724[9], sum_1724, sum_1720[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_2765;
-  assign select_2765 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_2785;
+  assign select_2785 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2765[11:7])) ? 12'h7f : select_2765;
+  assign residual = ($signed(5'h0) < $signed(select_2785[11:7])) ? 12'h7f : select_2785;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_2786;
-  assign difference_2786 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_2806;
+  assign difference_2806 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_2788;
-  assign and_2788 = and_2752 & ($signed(difference_2786) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_2808;
+  assign and_2808 = and_2772 & ($signed(difference_2806) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_2801;
-  assign less_2801 = $signed(difference_2786) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:788
-  logic select_2809;
-  assign select_2809 = so_s2_q ? (equal_2748 ? right_2 : registration_of_right_q) : registration_of_right_q;
-  logic select_2812;
-  assign select_2812 = so_s2_q ? (equal_1700 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
+  logic less_2821;
+  assign less_2821 = $signed(difference_2806) < $signed({7'h0, cfg_moved_half_limit_i});
+  // hls/stages/agreement.hpp:795
+  logic select_2829;
+  assign select_2829 = drew_q ? (equal_2768 ? right_2 : registration_of_right_q) : registration_of_right_q;
+  logic select_2832;
+  assign select_2832 = drew_q ? (equal_1706 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_2817;
-  assign select_2817 = (sum_1613 == 2'h2) ? (registration_fresh_q & (~select_1660)) : registration_fresh_q;
-  // hls/stages/agreement.hpp:788
-  logic [3:0] select_2819;
-  assign select_2819 = so_s2_q ? (and_1655 ? select_2817 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_2837;
+  assign select_2837 = (sum_1619 == 2'h2) ? (registration_fresh_q & (~select_1666)) : registration_fresh_q;
+  // hls/stages/agreement.hpp:795
+  logic [3:0] select_2839;
+  assign select_2839 = drew_q ? (and_1661 ? select_2837 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_2821;
-  assign select_2821 = and_2591 ? 4'hf : (equal_574_s2_q ? registration_fresh_q : select_2819);
-  // hls/stages/agreement.hpp:1129
+  logic [3:0] select_2841;
+  assign select_2841 = and_2610 ? 4'hf : (equal_576_s2_q ? registration_fresh_q : select_2839);
+  // hls/stages/agreement.hpp:1137
   logic [1:0] quarter_2;
-  assign quarter_2 = all ? x_s2_q[1:0] : select_1610;
+  assign quarter_2 = all ? x_s2_q[1:0] : select_1616;
   // hls/stages/registration.hpp:258
-  logic not_2842;
-  assign not_2842 = ~quarter_2[1];
-  logic [3:0] select_2843;
-  assign select_2843 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2842, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2842};
+  logic not_2861;
+  assign not_2861 = ~quarter_2[1];
+  logic [3:0] select_2862;
+  assign select_2862 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2861, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2861};
   // hls/stages/patches.hpp:91
-  logic parity_2977;
-  assign parity_2977 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
-  // hls/stages/agreement.hpp:460
-  logic [15:0] select_2978;
-  assign select_2978 = equal_2466_s2_q ? {patches_chance_q[14:0], parity_2977} : patches_chance_q;
+  logic parity_2996;
+  assign parity_2996 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  // hls/stages/agreement.hpp:464
+  logic [15:0] select_2997;
+  assign select_2997 = equal_2475_s2_q ? {patches_chance_q[14:0], parity_2996} : patches_chance_q;
   // hls/stages/patches.hpp:349
-  logic not_2980;
-  assign not_2980 = ~and_1774;
+  logic not_2999;
+  assign not_2999 = ~and_1780;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
   // hls/stages/patches.hpp:110
-  logic [4:0] select_2982;
-  assign select_2982 = right_3 ? last_s2_q[5:1] : 5'h0;
+  logic [4:0] select_3001;
+  assign select_3001 = right_3 ? last_s2_q[5:1] : 5'h0;
   logic [5:0] from;
-  assign from = {1'b0, of_32} + {1'b0, select_2982};
-  // hls/stages/agreement.hpp:788
-  logic and_2988;
-  assign and_2988 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {2'h0, from}))));
+  assign from = {1'b0, of_32} + {1'b0, select_3001};
+  // hls/stages/agreement.hpp:795
+  logic and_3007;
+  assign and_3007 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {2'h0, from}))));
   // hls/stages/patches.hpp:157
-  logic and_2992;
-  assign and_2992 = not_2980 & (patches_fixed_q | ((not_575_s2_q & and_2988) & and_1746));
+  logic and_3011;
+  assign and_3011 = not_2999 & (patches_fixed_q | ((not_577_s2_q & and_3007) & and_1752));
   // hls/stages/patches.hpp:358
-  logic not_3004;
-  assign not_3004 = ~select_1689[1];
+  logic not_3023;
+  assign not_3023 = ~select_1695[1];
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3006;
-  assign select_3006 = sample_pair_whole_s2_q ? (equal_1690 ? select_1689 : {not_3004, 1'b0}) : patches_fetch_q;
+  logic [1:0] select_3025;
+  assign select_3025 = sample_pair_whole_s2_q ? (equal_1696 ? select_1695 : {not_3023, 1'b0}) : patches_fetch_q;
   // hls/stages/patches.hpp:526
   logic [55:0] other;
   assign other = new_row_s2_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
   // hls/stages/agreement.hpp:275
-  logic [51:0] select_3105;
-  assign select_3105 = or_1782_s2_q ? {and_1927_s2_q, and_1924_s2_q, and_1908_s2_q, and_1905, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_3107;
-  assign select_3107 = equal_1776_s2_q ? patches_codes_at_q : (equal_1778_s2_q ? other[55:4] : select_3105);
+  logic [51:0] select_3124;
+  assign select_3124 = or_1788_s2_q ? {and_1933_s2_q, and_1930_s2_q, and_1914_s2_q, and_1911, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3126;
+  assign select_3126 = equal_1782_s2_q ? patches_codes_at_q : (equal_1784_s2_q ? other[55:4] : select_3124);
   // hls/stages/patches.hpp:509
   logic [27:0] word;
-  assign word = or_1881_s2_q ? patches_right_codes_rdata_q : 28'h0;
+  assign word = or_1887_s2_q ? patches_right_codes_rdata_q : 28'h0;
   // hls/stages/patches.hpp:525
-  logic [27:0] select_3110;
-  assign select_3110 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
+  logic [27:0] select_3129;
+  assign select_3129 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
   // hls/stages/agreement.hpp:275
-  logic [27:0] select_3112;
-  assign select_3112 = equal_1778_s2_q ? (new_row_s2_q ? word : select_3110) : patches_codes_further_q;
+  logic [27:0] select_3131;
+  assign select_3131 = equal_1784_s2_q ? (new_row_s2_q ? word : select_3129) : patches_codes_further_q;
   // hls/stages/patches.hpp:527
-  logic [55:0] select_3114;
-  assign select_3114 = less_1868_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3133;
+  assign select_3133 = less_1874_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/patches.hpp:497
-  logic [55:0] select_3116;
-  assign select_3116 = less_3115_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3135;
+  assign select_3135 = less_3134_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/agreement.hpp:275
-  logic [55:0] select_3118;
-  assign select_3118 = or_1782_s2_q ? (equal_1781_s2_q ? patches_next_codes_q : select_3116) : patches_next_codes_q;
-  logic [55:0] select_3120;
-  assign select_3120 = equal_1776_s2_q ? patches_next_codes_q : (equal_1778_s2_q ? select_3114 : select_3118);
+  logic [55:0] select_3137;
+  assign select_3137 = or_1788_s2_q ? (equal_1787_s2_q ? patches_next_codes_q : select_3135) : patches_next_codes_q;
+  logic [55:0] select_3139;
+  assign select_3139 = equal_1782_s2_q ? patches_next_codes_q : (equal_1784_s2_q ? select_3133 : select_3137);
   // hls/stages/count_bits.hpp:24
-  logic parity_3125;
-  assign parity_3125 = ^{and_1927_s2_q, and_1924_s2_q, and_1908_s2_q, and_1905};
+  logic parity_3144;
+  assign parity_3144 = ^{and_1933_s2_q, and_1930_s2_q, and_1914_s2_q, and_1911};
   // hls/stages/count_bits.hpp:25
-  logic or_3129;
-  assign or_3129 = ({and_1908_s2_q, and_1905} == 2'h3) | (and_1924_s2_q & (and_1908_s2_q | and_1905));
-  logic and_3130;
-  assign and_3130 = and_1927_s2_q & (^{and_1924_s2_q, and_1908_s2_q, and_1905});
+  logic or_3148;
+  assign or_3148 = ({and_1914_s2_q, and_1911} == 2'h3) | (and_1930_s2_q & (and_1914_s2_q | and_1911));
+  logic and_3149;
+  assign and_3149 = and_1933_s2_q & (^{and_1930_s2_q, and_1914_s2_q, and_1911});
   // hls/stages/count_bits.hpp:24
-  logic xor_3131;
-  assign xor_3131 = or_3129 ^ and_3130;
+  logic xor_3150;
+  assign xor_3150 = or_3148 ^ and_3149;
   // hls/stages/count_bits.hpp:27
-  logic and_3132;
-  assign and_3132 = or_3129 & and_3130;
+  logic and_3151;
+  assign and_3151 = or_3148 & and_3149;
   // hls/stages/agreement.hpp:275
-  logic [2:0] select_3134;
-  assign select_3134 = or_1782_s2_q ? (and_1950_s2_q ? {and_3132, xor_3131, parity_3125} : 3'h0) : 3'h0;
+  logic [2:0] select_3153;
+  assign select_3153 = or_1788_s2_q ? (and_1956_s2_q ? {and_3151, xor_3150, parity_3144} : 3'h0) : 3'h0;
   // hls/stages/patches.hpp:168
-  logic [9:0] sum_3138;
-  assign sum_3138 = {7'h0, patches_set_q} + (equal_1781_s2_q ? 10'h0 : patches_size_q);
+  logic [9:0] sum_3157;
+  assign sum_3157 = {7'h0, patches_set_q} + (equal_1787_s2_q ? 10'h0 : patches_size_q);
   // hls/stages/patches.hpp:526
-  logic [47:0] select_3148;
-  assign select_3148 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  logic [47:0] select_3167;
+  assign select_3167 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
   // hls/stages/agreement.hpp:275
-  logic [47:0] select_3150;
-  assign select_3150 = equal_1776_s2_q ? patches_left_row_q : (equal_1778_s2_q ? select_3148 : patches_left_row_q);
+  logic [47:0] select_3169;
+  assign select_3169 = equal_1782_s2_q ? patches_left_row_q : (equal_1784_s2_q ? select_3167 : patches_left_row_q);
   // hls/stages/patches.hpp:528
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3148;
+  assign bits = other[47:0] ^ select_3167;
   // hls/stages/count_bits.hpp:24
-  logic xor_3154;
-  assign xor_3154 = bits[17] ^ (^{select_3148[16:15], other[16:15]});
-  logic xor_3157;
-  assign xor_3157 = bits[11] ^ (^{select_3148[10:9], other[10:9]});
-  logic xor_3160;
-  assign xor_3160 = bits[14] ^ (^{select_3148[13:12], other[13:12]});
-  logic xor_3163;
-  assign xor_3163 = xor_3154 ^ (^{select_3148[14:9], other[14:9]});
-  logic xor_3166;
-  assign xor_3166 = bits[47] ^ (^{select_3148[46:45], other[46:45]});
-  logic xor_3169;
-  assign xor_3169 = bits[8] ^ (^{select_3148[7:6], other[7:6]});
-  logic xor_3172;
-  assign xor_3172 = bits[2] ^ (^{select_3148[1:0], other[1:0]});
-  logic xor_3175;
-  assign xor_3175 = bits[5] ^ (^{select_3148[4:3], other[4:3]});
-  logic xor_3178;
-  assign xor_3178 = xor_3169 ^ (^{select_3148[5:0], other[5:0]});
-  logic parity_3180;
-  assign parity_3180 = ^{select_3148[47:45], select_3148[8:0], other[47:45], other[8:0]};
-  logic xor_3181;
-  assign xor_3181 = xor_3163 ^ parity_3180;
-  logic xor_3184;
-  assign xor_3184 = bits[44] ^ (^{select_3148[43:42], other[43:42]});
-  logic xor_3187;
-  assign xor_3187 = bits[38] ^ (^{select_3148[37:36], other[37:36]});
-  logic xor_3190;
-  assign xor_3190 = bits[41] ^ (^{select_3148[40:39], other[40:39]});
-  logic xor_3196;
-  assign xor_3196 = bits[26] ^ (^{select_3148[25:24], other[25:24]});
-  logic xor_3199;
-  assign xor_3199 = bits[20] ^ (^{select_3148[19:18], other[19:18]});
-  logic xor_3202;
-  assign xor_3202 = bits[23] ^ (^{select_3148[22:21], other[22:21]});
-  logic xor_3205;
-  assign xor_3205 = xor_3196 ^ (^{select_3148[23:18], other[23:18]});
-  logic xor_3208;
-  assign xor_3208 = bits[35] ^ (^{select_3148[34:33], other[34:33]});
-  logic xor_3211;
-  assign xor_3211 = bits[29] ^ (^{select_3148[28:27], other[28:27]});
-  logic xor_3214;
-  assign xor_3214 = bits[32] ^ (^{select_3148[31:30], other[31:30]});
-  logic xor_3217;
-  assign xor_3217 = xor_3208 ^ (^{select_3148[32:27], other[32:27]});
+  logic xor_3173;
+  assign xor_3173 = bits[17] ^ (^{select_3167[16:15], other[16:15]});
+  logic xor_3176;
+  assign xor_3176 = bits[11] ^ (^{select_3167[10:9], other[10:9]});
+  logic xor_3179;
+  assign xor_3179 = bits[14] ^ (^{select_3167[13:12], other[13:12]});
+  logic xor_3182;
+  assign xor_3182 = xor_3173 ^ (^{select_3167[14:9], other[14:9]});
+  logic xor_3185;
+  assign xor_3185 = bits[47] ^ (^{select_3167[46:45], other[46:45]});
+  logic xor_3188;
+  assign xor_3188 = bits[8] ^ (^{select_3167[7:6], other[7:6]});
+  logic xor_3191;
+  assign xor_3191 = bits[2] ^ (^{select_3167[1:0], other[1:0]});
+  logic xor_3194;
+  assign xor_3194 = bits[5] ^ (^{select_3167[4:3], other[4:3]});
+  logic xor_3197;
+  assign xor_3197 = xor_3188 ^ (^{select_3167[5:0], other[5:0]});
+  logic parity_3199;
+  assign parity_3199 = ^{select_3167[47:45], select_3167[8:0], other[47:45], other[8:0]};
+  logic xor_3200;
+  assign xor_3200 = xor_3182 ^ parity_3199;
+  logic xor_3203;
+  assign xor_3203 = bits[44] ^ (^{select_3167[43:42], other[43:42]});
+  logic xor_3206;
+  assign xor_3206 = bits[38] ^ (^{select_3167[37:36], other[37:36]});
+  logic xor_3209;
+  assign xor_3209 = bits[41] ^ (^{select_3167[40:39], other[40:39]});
+  logic xor_3215;
+  assign xor_3215 = bits[26] ^ (^{select_3167[25:24], other[25:24]});
   logic xor_3218;
-  assign xor_3218 = xor_3205 ^ xor_3217;
-  // hls/stages/count_bits.hpp:25
-  logic or_3226;
-  assign or_3226 = (xor_3157 & xor_3160) | (xor_3154 & (xor_3157 | xor_3160));
-  logic or_3230;
-  assign or_3230 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3234;
-  assign or_3234 = (xor_3172 & xor_3175) | (xor_3169 & (xor_3172 | xor_3175));
-  // hls/stages/count_bits.hpp:23
-  logic or_3241;
-  assign or_3241 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  assign xor_3218 = bits[20] ^ (^{select_3167[19:18], other[19:18]});
+  logic xor_3221;
+  assign xor_3221 = bits[23] ^ (^{select_3167[22:21], other[22:21]});
+  logic xor_3224;
+  assign xor_3224 = xor_3215 ^ (^{select_3167[23:18], other[23:18]});
+  logic xor_3227;
+  assign xor_3227 = bits[35] ^ (^{select_3167[34:33], other[34:33]});
+  logic xor_3230;
+  assign xor_3230 = bits[29] ^ (^{select_3167[28:27], other[28:27]});
+  logic xor_3233;
+  assign xor_3233 = bits[32] ^ (^{select_3167[31:30], other[31:30]});
+  logic xor_3236;
+  assign xor_3236 = xor_3227 ^ (^{select_3167[32:27], other[32:27]});
+  logic xor_3237;
+  assign xor_3237 = xor_3224 ^ xor_3236;
   // hls/stages/count_bits.hpp:25
   logic or_3245;
-  assign or_3245 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  assign or_3245 = (xor_3176 & xor_3179) | (xor_3173 & (xor_3176 | xor_3179));
   logic or_3249;
-  assign or_3249 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3252;
-  assign parity_3252 = ^{or_3249, or_3245, or_3241};
+  assign or_3249 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+  logic or_3253;
+  assign or_3253 = (xor_3191 & xor_3194) | (xor_3188 & (xor_3191 | xor_3194));
   // hls/stages/count_bits.hpp:23
-  logic or_3256;
-  assign or_3256 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
-  // hls/stages/count_bits.hpp:25
   logic or_3260;
-  assign or_3260 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  assign or_3260 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  // hls/stages/count_bits.hpp:25
   logic or_3264;
-  assign or_3264 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+  assign or_3264 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  logic or_3268;
+  assign or_3268 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3267;
-  assign parity_3267 = ^{or_3264, or_3260, or_3256};
-  logic parity_3270;
-  assign parity_3270 = ^{or_3264, or_3260, or_3256, or_3249, or_3245, or_3241, or_3234, or_3230, or_3226};
+  logic parity_3271;
+  assign parity_3271 = ^{or_3268, or_3264, or_3260};
   // hls/stages/count_bits.hpp:23
-  logic or_3274;
-  assign or_3274 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  logic or_3275;
+  assign or_3275 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
   // hls/stages/count_bits.hpp:25
-  logic or_3278;
-  assign or_3278 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3282;
-  assign or_3282 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
-  // hls/stages/count_bits.hpp:23
-  logic or_3290;
-  assign or_3290 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_3294;
-  assign or_3294 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-  logic or_3298;
-  assign or_3298 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+  logic or_3279;
+  assign or_3279 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3283;
+  assign or_3283 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3301;
-  assign parity_3301 = ^{or_3298, or_3294, or_3290};
+  logic parity_3286;
+  assign parity_3286 = ^{or_3283, or_3279, or_3275};
+  logic parity_3289;
+  assign parity_3289 = ^{or_3283, or_3279, or_3275, or_3268, or_3264, or_3260, or_3253, or_3249, or_3245};
   // hls/stages/count_bits.hpp:23
-  logic or_3305;
-  assign or_3305 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+  logic or_3293;
+  assign or_3293 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
   // hls/stages/count_bits.hpp:25
+  logic or_3297;
+  assign or_3297 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3301;
+  assign or_3301 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+  // hls/stages/count_bits.hpp:23
   logic or_3309;
-  assign or_3309 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  assign or_3309 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
   logic or_3313;
-  assign or_3313 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  assign or_3313 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  logic or_3317;
+  assign or_3317 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3316;
-  assign parity_3316 = ^{or_3313, or_3309, or_3305};
-  logic parity_3319;
-  assign parity_3319 = ^{or_3313, or_3309, or_3305, or_3298, or_3294, or_3290, or_3282, or_3278, or_3274};
+  logic parity_3320;
+  assign parity_3320 = ^{or_3317, or_3313, or_3309};
+  // hls/stages/count_bits.hpp:23
+  logic or_3324;
+  assign or_3324 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
   // hls/stages/count_bits.hpp:25
-  logic or_3323;
-  assign or_3323 = (xor_3187 & xor_3190) | (xor_3184 & (xor_3187 | xor_3190));
-  logic or_3327;
-  assign or_3327 = (xor_3199 & xor_3202) | (xor_3196 & (xor_3199 | xor_3202));
-  logic or_3331;
-  assign or_3331 = (xor_3211 & xor_3214) | (xor_3208 & (xor_3211 | xor_3214));
+  logic or_3328;
+  assign or_3328 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3332;
+  assign or_3332 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3334;
-  assign parity_3334 = ^{or_3331, or_3327, or_3323};
+  logic parity_3335;
+  assign parity_3335 = ^{or_3332, or_3328, or_3324};
+  logic parity_3338;
+  assign parity_3338 = ^{or_3332, or_3328, or_3324, or_3317, or_3313, or_3309, or_3301, or_3297, or_3293};
   // hls/stages/count_bits.hpp:25
-  logic and_3335;
-  assign and_3335 = xor_3181 & (^{xor_3218, select_3148[44:36], other[44:36]});
-  logic or_3339;
-  assign or_3339 = (xor_3166 & xor_3178) | (xor_3163 & (xor_3166 | xor_3178));
-  logic and_3342;
-  assign and_3342 = (xor_3184 ^ (^{select_3148[41:36], other[41:36]})) & (xor_3205 | xor_3217);
-  logic or_3343;
-  assign or_3343 = (xor_3205 & xor_3217) | and_3342;
+  logic or_3342;
+  assign or_3342 = (xor_3206 & xor_3209) | (xor_3203 & (xor_3206 | xor_3209));
+  logic or_3346;
+  assign or_3346 = (xor_3218 & xor_3221) | (xor_3215 & (xor_3218 | xor_3221));
+  logic or_3350;
+  assign or_3350 = (xor_3230 & xor_3233) | (xor_3227 & (xor_3230 | xor_3233));
   // hls/stages/count_bits.hpp:24
-  logic parity_3346;
-  assign parity_3346 = ^{or_3343, or_3339, and_3335};
-  logic parity_3349;
-  assign parity_3349 = ^{or_3343, or_3339, and_3335, or_3331, or_3327, or_3323, or_3313, or_3309, or_3305, or_3298, or_3294, or_3290, or_3282, or_3278, or_3274};
-  logic parity_3351;
-  assign parity_3351 = ^{or_3343, or_3339, and_3335, or_3331, or_3327, or_3323, or_3313, or_3309, or_3305, or_3298, or_3294, or_3290, or_3282, or_3278, or_3274, or_3264, or_3260, or_3256, or_3249, or_3245, or_3241, or_3234, or_3230, or_3226};
+  logic parity_3353;
+  assign parity_3353 = ^{or_3350, or_3346, or_3342};
   // hls/stages/count_bits.hpp:25
-  logic and_3352;
-  assign and_3352 = parity_3270 & parity_3349;
-  logic or_3356;
-  assign or_3356 = (parity_3252 & parity_3267) | ((^{or_3234, or_3230, or_3226}) & (parity_3252 | parity_3267));
-  logic or_3360;
-  assign or_3360 = (parity_3334 & parity_3346) | (parity_3319 & (parity_3334 | parity_3346));
-  logic or_3367;
-  assign or_3367 = (parity_3301 & parity_3316) | ((^{or_3282, or_3278, or_3274}) & (parity_3301 | parity_3316));
-  logic or_3371;
-  assign or_3371 = (or_3327 & or_3331) | (or_3323 & (or_3327 | or_3331));
+  logic and_3354;
+  assign and_3354 = xor_3200 & (^{xor_3237, select_3167[44:36], other[44:36]});
+  logic or_3358;
+  assign or_3358 = (xor_3185 & xor_3197) | (xor_3182 & (xor_3185 | xor_3197));
+  logic and_3361;
+  assign and_3361 = (xor_3203 ^ (^{select_3167[41:36], other[41:36]})) & (xor_3224 | xor_3236);
+  logic or_3362;
+  assign or_3362 = (xor_3224 & xor_3236) | and_3361;
+  // hls/stages/count_bits.hpp:24
+  logic parity_3365;
+  assign parity_3365 = ^{or_3362, or_3358, and_3354};
+  logic parity_3368;
+  assign parity_3368 = ^{or_3362, or_3358, and_3354, or_3350, or_3346, or_3342, or_3332, or_3328, or_3324, or_3317, or_3313, or_3309, or_3301, or_3297, or_3293};
+  logic parity_3370;
+  assign parity_3370 = ^{or_3362, or_3358, and_3354, or_3350, or_3346, or_3342, or_3332, or_3328, or_3324, or_3317, or_3313, or_3309, or_3301, or_3297, or_3293, or_3283, or_3279, or_3275, or_3268, or_3264, or_3260, or_3253, or_3249, or_3245};
+  // hls/stages/count_bits.hpp:25
+  logic and_3371;
+  assign and_3371 = parity_3289 & parity_3368;
   logic or_3375;
-  assign or_3375 = (or_3339 & or_3343) | (and_3335 & (or_3339 | or_3343));
-  // hls/stages/count_bits.hpp:23
-  logic or_3382;
-  assign or_3382 = (or_3278 & or_3282) | (or_3274 & (or_3278 | or_3282));
-  // hls/stages/count_bits.hpp:25
+  assign or_3375 = (parity_3271 & parity_3286) | ((^{or_3253, or_3249, or_3245}) & (parity_3271 | parity_3286));
+  logic or_3379;
+  assign or_3379 = (parity_3353 & parity_3365) | (parity_3338 & (parity_3353 | parity_3365));
   logic or_3386;
-  assign or_3386 = (or_3294 & or_3298) | (or_3290 & (or_3294 | or_3298));
+  assign or_3386 = (parity_3320 & parity_3335) | ((^{or_3301, or_3297, or_3293}) & (parity_3320 | parity_3335));
   logic or_3390;
-  assign or_3390 = (or_3309 & or_3313) | (or_3305 & (or_3309 | or_3313));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3393;
-  assign parity_3393 = ^{or_3390, or_3386, or_3382};
+  assign or_3390 = (or_3346 & or_3350) | (or_3342 & (or_3346 | or_3350));
+  logic or_3394;
+  assign or_3394 = (or_3358 & or_3362) | (and_3354 & (or_3358 | or_3362));
   // hls/stages/count_bits.hpp:23
-  logic or_3397;
-  assign or_3397 = (or_3230 & or_3234) | (or_3226 & (or_3230 | or_3234));
-  // hls/stages/count_bits.hpp:25
   logic or_3401;
-  assign or_3401 = (or_3245 & or_3249) | (or_3241 & (or_3245 | or_3249));
+  assign or_3401 = (or_3297 & or_3301) | (or_3293 & (or_3297 | or_3301));
+  // hls/stages/count_bits.hpp:25
   logic or_3405;
-  assign or_3405 = (or_3260 & or_3264) | (or_3256 & (or_3260 | or_3264));
+  assign or_3405 = (or_3313 & or_3317) | (or_3309 & (or_3313 | or_3317));
+  logic or_3409;
+  assign or_3409 = (or_3328 & or_3332) | (or_3324 & (or_3328 | or_3332));
   // hls/stages/count_bits.hpp:24
-  logic parity_3408;
-  assign parity_3408 = ^{or_3405, or_3401, or_3397};
-  logic parity_3411;
-  assign parity_3411 = ^{or_3405, or_3401, or_3397, or_3390, or_3386, or_3382, or_3375, or_3371, or_3367};
-  logic parity_3413;
-  assign parity_3413 = ^{or_3405, or_3401, or_3397, or_3390, or_3386, or_3382, or_3375, or_3371, or_3367, or_3360, or_3356, and_3352};
+  logic parity_3412;
+  assign parity_3412 = ^{or_3409, or_3405, or_3401};
+  // hls/stages/count_bits.hpp:23
+  logic or_3416;
+  assign or_3416 = (or_3249 & or_3253) | (or_3245 & (or_3249 | or_3253));
   // hls/stages/count_bits.hpp:25
-  logic or_3417;
-  assign or_3417 = (or_3371 & or_3375) | (or_3367 & (or_3371 | or_3375));
-  logic or_3421;
-  assign or_3421 = (or_3386 & or_3390) | (or_3382 & (or_3386 | or_3390));
-  logic or_3425;
-  assign or_3425 = (or_3401 & or_3405) | (or_3397 & (or_3401 | or_3405));
+  logic or_3420;
+  assign or_3420 = (or_3264 & or_3268) | (or_3260 & (or_3264 | or_3268));
+  logic or_3424;
+  assign or_3424 = (or_3279 & or_3283) | (or_3275 & (or_3279 | or_3283));
   // hls/stages/count_bits.hpp:24
-  logic parity_3428;
-  assign parity_3428 = ^{or_3425, or_3421, or_3417};
+  logic parity_3427;
+  assign parity_3427 = ^{or_3424, or_3420, or_3416};
+  logic parity_3430;
+  assign parity_3430 = ^{or_3424, or_3420, or_3416, or_3409, or_3405, or_3401, or_3394, or_3390, or_3386};
+  logic parity_3432;
+  assign parity_3432 = ^{or_3424, or_3420, or_3416, or_3409, or_3405, or_3401, or_3394, or_3390, or_3386, or_3379, or_3375, and_3371};
   // hls/stages/count_bits.hpp:25
-  logic and_3429;
-  assign and_3429 = (^{or_3360, or_3356, and_3352}) & parity_3411;
-  logic or_3433;
-  assign or_3433 = (or_3356 & or_3360) | (and_3352 & (or_3356 | or_3360));
-  logic or_3437;
-  assign or_3437 = (parity_3393 & parity_3408) | ((^{or_3375, or_3371, or_3367}) & (parity_3393 | parity_3408));
+  logic or_3436;
+  assign or_3436 = (or_3390 & or_3394) | (or_3386 & (or_3390 | or_3394));
+  logic or_3440;
+  assign or_3440 = (or_3405 & or_3409) | (or_3401 & (or_3405 | or_3409));
+  logic or_3444;
+  assign or_3444 = (or_3420 & or_3424) | (or_3416 & (or_3420 | or_3424));
   // hls/stages/count_bits.hpp:24
-  logic parity_3440;
-  assign parity_3440 = ^{or_3437, or_3433, and_3429};
+  logic parity_3447;
+  assign parity_3447 = ^{or_3444, or_3440, or_3436};
   // hls/stages/count_bits.hpp:25
-  logic and_3442;
-  assign and_3442 = parity_3428 & parity_3440;
-  logic or_3446;
-  assign or_3446 = (or_3421 & or_3425) | (or_3417 & (or_3421 | or_3425));
-  logic or_3450;
-  assign or_3450 = (or_3433 & or_3437) | (and_3429 & (or_3433 | or_3437));
+  logic and_3448;
+  assign and_3448 = (^{or_3379, or_3375, and_3371}) & parity_3430;
+  logic or_3452;
+  assign or_3452 = (or_3375 & or_3379) | (and_3371 & (or_3375 | or_3379));
+  logic or_3456;
+  assign or_3456 = (parity_3412 & parity_3427) | ((^{or_3394, or_3390, or_3386}) & (parity_3412 | parity_3427));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3459;
+  assign parity_3459 = ^{or_3456, or_3452, and_3448};
+  // hls/stages/count_bits.hpp:25
+  logic and_3461;
+  assign and_3461 = parity_3447 & parity_3459;
+  logic or_3465;
+  assign or_3465 = (or_3440 & or_3444) | (or_3436 & (or_3440 | or_3444));
+  logic or_3469;
+  assign or_3469 = (or_3452 & or_3456) | (and_3448 & (or_3452 | or_3456));
   // hls/stages/agreement.hpp:275
-  logic [4:0] select_3495;
-  assign select_3495 = equal_1778_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
-  logic select_3498;
-  assign select_3498 = equal_1776_s2_q ? patches_summed_first_q : (equal_1778_s2_q ? new_row_s2_q : patches_summed_first_q);
-  // hls/stages/patches.hpp:559
-  logic [9:0] select_3506;
-  assign select_3506 = less_1956_s2_q ? (or_1959_s2_q ? patches_rows_rdata_q[9:0] : 10'h0) : 10'h0;
-  logic [4:0] select_3509;
-  assign select_3509 = less_1956_s2_q ? (or_1959_s2_q ? patches_rows_rdata_q[14:10] : 5'h0) : 5'h0;
-  logic [4:0] select_3512;
-  assign select_3512 = less_1956_s2_q ? (or_1959_s2_q ? patches_step_s2_q : 5'h0) : 5'h0;
-  // hls/stages/agreement.hpp:275
+  logic [4:0] select_3514;
+  assign select_3514 = equal_1784_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
   logic select_3517;
-  assign select_3517 = equal_1776_s2_q ? (less_1956_s2_q & (or_1959_s2_q & (patches_step_s2_q == 5'h0))) : patches_read_first_q;
+  assign select_3517 = equal_1782_s2_q ? patches_summed_first_q : (equal_1784_s2_q ? new_row_s2_q : patches_summed_first_q);
+  // hls/stages/patches.hpp:559
+  logic [9:0] select_3525;
+  assign select_3525 = less_1962_s2_q ? (or_1965_s2_q ? patches_rows_rdata_q[9:0] : 10'h0) : 10'h0;
+  logic [4:0] select_3528;
+  assign select_3528 = less_1962_s2_q ? (or_1965_s2_q ? patches_rows_rdata_q[14:10] : 5'h0) : 5'h0;
+  logic [4:0] select_3531;
+  assign select_3531 = less_1962_s2_q ? (or_1965_s2_q ? patches_step_s2_q : 5'h0) : 5'h0;
+  // hls/stages/agreement.hpp:275
+  logic select_3536;
+  assign select_3536 = equal_1782_s2_q ? (less_1962_s2_q & (or_1965_s2_q & (patches_step_s2_q == 5'h0))) : patches_read_first_q;
   // hls/stages/patches.hpp:180
-  logic or_3522;
-  assign or_3522 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3523;
-  assign and_3523 = patches_read_searches_s2_q & or_3522;
+  logic or_3541;
+  assign or_3541 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3542;
+  assign and_3542 = patches_read_searches_s2_q & or_3541;
   // hls/stages/patches.hpp:543
-  logic [4:0] select_3524;
-  assign select_3524 = and_3523 ? patches_read_at_q : patches_peak_row_q;
+  logic [4:0] select_3543;
+  assign select_3543 = and_3542 ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:550
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3524};
+  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3543};
   // hls/stages/patches.hpp:559
-  logic and_3529;
-  assign and_3529 = less_1956_s2_q & (or_1959_s2_q & (equal_1957_s2_q & (away == 6'h3f)));
-  logic and_3534;
-  assign and_3534 = less_1956_s2_q & (or_1959_s2_q & (equal_1957_s2_q & (away == 6'h1)));
+  logic and_3548;
+  assign and_3548 = less_1962_s2_q & (or_1965_s2_q & (equal_1963_s2_q & (away == 6'h3f)));
+  logic and_3553;
+  assign and_3553 = less_1962_s2_q & (or_1965_s2_q & (equal_1963_s2_q & (away == 6'h1)));
   // hls/stages/patches.hpp:556
-  logic [6:0] sum_3536;
-  assign sum_3536 = {away[5], away} + 7'h7d;
+  logic [6:0] sum_3555;
+  assign sum_3555 = {away[5], away} + 7'h7d;
   // hls/stages/patches.hpp:557
-  logic [9:0] select_3539;
-  assign select_3539 = (equal_1957_s2_q & ({sum_3536[6], sum_3536} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  logic [9:0] select_3558;
+  assign select_3558 = (equal_1963_s2_q & ({sum_3555[6], sum_3555} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
   // hls/stages/patches.hpp:559
-  logic [9:0] select_3541;
-  assign select_3541 = less_1956_s2_q ? (or_1959_s2_q ? select_3539 : 10'h3ff) : 10'h3ff;
+  logic [9:0] select_3560;
+  assign select_3560 = less_1962_s2_q ? (or_1965_s2_q ? select_3558 : 10'h3ff) : 10'h3ff;
   // hls/stages/patches.hpp:542
-  logic [14:0] select_3543;
-  assign select_3543 = and_3523 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  logic [14:0] select_3562;
+  assign select_3562 = and_3542 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3544;
-  assign select_3544 = equal_1776_s2_q ? select_3543[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3545;
-  assign select_3545 = equal_1776_s2_q ? select_3543[14:10] : patches_peak_best_column_q;
+  logic [9:0] select_3563;
+  assign select_3563 = equal_1782_s2_q ? select_3562[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3564;
+  assign select_3564 = equal_1782_s2_q ? select_3562[14:10] : patches_peak_best_column_q;
   // hls/stages/patches.hpp:544
-  logic [9:0] select_3547;
-  assign select_3547 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
+  logic [9:0] select_3566;
+  assign select_3566 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3548;
-  assign select_3548 = equal_1776_s2_q ? select_3547 : patches_peak_above_q;
+  logic [9:0] select_3567;
+  assign select_3567 = equal_1782_s2_q ? select_3566 : patches_peak_above_q;
   // hls/stages/patches.hpp:545
-  logic [9:0] select_3549;
-  assign select_3549 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  logic [9:0] select_3568;
+  assign select_3568 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3550;
-  assign select_3550 = equal_1776_s2_q ? select_3549 : patches_peak_below_q;
+  logic [9:0] select_3569;
+  assign select_3569 = equal_1782_s2_q ? select_3568 : patches_peak_below_q;
   // hls/stages/patches.hpp:546
-  logic [9:0] select_3552;
-  assign select_3552 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
+  logic [9:0] select_3571;
+  assign select_3571 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3554;
-  assign select_3554 = equal_1776_s2_q ? (patches_read_first_q ? patches_read_far_q : select_3552) : patches_peak_far_q;
-  logic [9:0] select_3557;
-  assign select_3557 = equal_1776_s2_q ? (equal_3555_s2_q ? sum_3138 : patches_peak_size_q) : patches_peak_size_q;
-  // hls/stages/agreement.hpp:788
-  logic select_3808;
-  assign select_3808 = equal_574_s2_q ? shown_shown_q : (so_s2_q ? select_2022 : shown_shown_q);
-  logic select_3810;
-  assign select_3810 = equal_574_s2_q ? shown_nearer_q : (so_s2_q ? select_2025 : shown_nearer_q);
+  logic [9:0] select_3573;
+  assign select_3573 = equal_1782_s2_q ? (patches_read_first_q ? patches_read_far_q : select_3571) : patches_peak_far_q;
+  logic [9:0] select_3576;
+  assign select_3576 = equal_1782_s2_q ? (equal_3574_s2_q ? sum_3157 : patches_peak_size_q) : patches_peak_size_q;
+  // hls/stages/agreement.hpp:795
+  logic select_3827;
+  assign select_3827 = equal_576_s2_q ? shown_shown_q : (drew_q ? select_2028 : shown_shown_q);
+  logic select_3829;
+  assign select_3829 = equal_576_s2_q ? shown_nearer_q : (drew_q ? select_2031 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_3812;
-  assign sum_3812 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:460
-  logic [2:0] select_3814;
-  assign select_3814 = less_3811_s2_q ? (sum_3812[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_3816;
-  assign select_3816 = equal_2466_s2_q ? (equal_679_s2_q ? 3'h0 : select_3814) : region_row_q;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_3821;
-  assign select_3821 = equal_574_s2_q ? select_1976 : (so_s2_q ? (ends_cell_s2_q ? select_2075 : select_1976) : 8'h1);
-  // hls/stages/agreement.hpp:460
-  logic [8:0] select_3835;
-  assign select_3835 = equal_679_s2_q ? {{2{difference_3833[6]}}, difference_3833} : (less_3811_s2_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:520
-  logic [8:0] select_3837;
-  assign select_3837 = and_549_s2_q ? (equal_2466_s2_q ? select_3835 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:460
-  logic [6:0] select_3839;
-  assign select_3839 = equal_679_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_3841;
-  assign select_3841 = and_549_s2_q ? (equal_2466_s2_q ? select_3839 : region_down_back_q) : region_down_back_q;
+  logic [7:0] sum_3831;
+  assign sum_3831 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/agreement.hpp:464
+  logic [2:0] select_3833;
+  assign select_3833 = less_3830_s2_q ? (sum_3831[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_3835;
+  assign select_3835 = equal_2475_s2_q ? (equal_684_s2_q ? 3'h0 : select_3833) : region_row_q;
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_3840;
+  assign select_3840 = equal_576_s2_q ? select_1982 : (drew_q ? (ends_cell_s2_q ? select_2082 : select_1982) : 8'h1);
+  // hls/stages/agreement.hpp:464
+  logic [8:0] select_3854;
+  assign select_3854 = equal_684_s2_q ? {{2{difference_3852[6]}}, difference_3852} : (less_3830_s2_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:527
+  logic [8:0] select_3856;
+  assign select_3856 = and_551_s2_q ? (equal_2475_s2_q ? select_3854 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:464
+  logic [6:0] select_3858;
+  assign select_3858 = equal_684_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:527
+  logic [6:0] select_3860;
+  assign select_3860 = and_551_s2_q ? (equal_2475_s2_q ? select_3858 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3842;
-  assign sum_3842 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_3861;
+  assign sum_3861 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3843;
-  assign select_3843 = sum_3812[7] ? {1'b1, sum_3812[6:0], region_down_rest_q[0]} : sum_3842;
+  logic [8:0] select_3862;
+  assign select_3862 = sum_3831[7] ? {1'b1, sum_3831[6:0], region_down_rest_q[0]} : sum_3861;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3812[7];
-  // hls/stages/agreement.hpp:460
-  logic select_3847;
-  assign select_3847 = equal_2466_s2_q ? (equal_679_s2_q | (less_3811_s2_q ? next : region_fresh_q)) : region_fresh_q;
+  assign next = ~sum_3831[7];
+  // hls/stages/agreement.hpp:464
+  logic select_3866;
+  assign select_3866 = equal_2475_s2_q ? (equal_684_s2_q | (less_3830_s2_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:205
-  logic or_3852;
-  assign or_3852 = segment_starts_q | not_577_s2_q;
-  // hls/stages/agreement.hpp:1030
-  logic select_3855;
-  assign select_3855 = inside_v_s2_q ? (sum_1989_s2_q ? (equal_1769 & or_1991) : or_1991) : or_3852;
-  // hls/stages/agreement.hpp:788
-  logic select_3858;
-  assign select_3858 = equal_574_s2_q ? or_3852 : (so_s2_q ? (ends_cell_s2_q ? select_3855 : or_3852) : or_3852);
-  // hls/stages/agreement.hpp:1147
-  logic equal_3882;
-  assign equal_3882 = x_s2_q[6:0] == 7'h7f;
-  // hls/stages/agreement.hpp:788
-  logic select_4018;
-  assign select_4018 = so_s2_q ? (ends_cell_s2_q ? and_2063 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4021;
-  assign select_4021 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
-  logic select_4023;
-  assign select_4023 = equal_574_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4021 : centres_values_0_of_skin_q);
-  logic select_4024;
-  assign select_4024 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_4026;
-  assign select_4026 = equal_574_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4024 : centres_values_1_textured_q);
-  logic select_4027;
-  assign select_4027 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_4029;
-  assign select_4029 = equal_574_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4027 : centres_values_1_of_skin_q);
-  // hls/stages/agreement.hpp:460
-  logic [10:0] select_4033;
-  assign select_4033 = equal_2466_s2_q ? (equal_4030_s2_q ? 11'h0 : (map_row_q + {5'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:520
-  logic [5:0] select_4036;
-  assign select_4036 = and_549_s2_q ? (equal_2466_s2_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:1271
-  logic xor_4037;
-  assign xor_4037 = write_half_q ^ done_q;
-  // hls/stages/agreement.hpp:438
-  logic select_4039;
-  assign select_4039 = and_1968_s2_q ? (left_first_s2_q ? xor_4037 : write_half_q) : write_half_q;
-  // hls/stages/agreement.hpp:278
-  logic select_4041;
-  assign select_4041 = and_1968_s2_q ? (left_first_s2_q ? xor_4037 : select_4039) : write_half_q;
+  logic or_3871;
+  assign or_3871 = segment_starts_q | not_579_s2_q;
+  // hls/stages/agreement.hpp:1037
+  logic select_3874;
+  assign select_3874 = inside_v_s2_q ? (sum_1995_s2_q ? (equal_1775 & or_1997) : or_1997) : or_3871;
+  // hls/stages/agreement.hpp:795
+  logic select_3877;
+  assign select_3877 = equal_576_s2_q ? or_3871 : (drew_q ? (ends_cell_s2_q ? select_3874 : or_3871) : or_3871);
+  logic select_4037;
+  assign select_4037 = drew_q ? (ends_cell_s2_q ? and_2070 : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_4040;
+  assign select_4040 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4042;
+  assign select_4042 = equal_576_s2_q ? centres_values_0_of_skin_q : (drew_q ? select_4040 : centres_values_0_of_skin_q);
   logic select_4043;
-  assign select_4043 = left_first_s2_q ? select_2028 : (and_1968_s2_q ? select_2029 : read_half_q);
-  logic and_4047;
-  assign and_4047 = (~drew_q) & (done_q | said_q);
-  logic [9:0] select_4056;
-  assign select_4056 = left_first_s2_q ? 10'h1 : (and_1968_s2_q ? select_2033 : rows_passed_q);
-  logic [8:0] select_4059;
-  assign select_4059 = left_first_s2_q ? {select_2031[7:0], or_2030} : (and_1968_s2_q ? {select_2031[7:0], or_2030} : columns_passed_q);
+  assign select_4043 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4045;
+  assign select_4045 = equal_576_s2_q ? centres_values_1_textured_q : (drew_q ? select_4043 : centres_values_1_textured_q);
+  logic select_4046;
+  assign select_4046 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4048;
+  assign select_4048 = equal_576_s2_q ? centres_values_1_of_skin_q : (drew_q ? select_4046 : centres_values_1_of_skin_q);
+  // hls/stages/agreement.hpp:464
+  logic [10:0] select_4054;
+  assign select_4054 = equal_2475_s2_q ? (or_4051_s2_q ? (map_row_q + {5'h0, map_width_q}) : 11'h0) : map_row_q;
+  // hls/stages/agreement.hpp:527
+  logic [5:0] select_4057;
+  assign select_4057 = and_551_s2_q ? (equal_2475_s2_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
+  // hls/stages/agreement.hpp:1279
+  logic xor_4058;
+  assign xor_4058 = write_half_q ^ done_s2_q;
+  // hls/stages/agreement.hpp:442
+  logic select_4060;
+  assign select_4060 = and_1974_s2_q ? (left_first_s2_q ? xor_4058 : write_half_q) : write_half_q;
+  // hls/stages/agreement.hpp:278
   logic select_4062;
-  assign select_4062 = left_first_s2_q ? marks_last_s2_q : (and_1968_s2_q ? marks_last_s2_q : line_ended_q);
-  logic select_4065;
-  assign select_4065 = left_first_s2_q ? and_2047 : (and_1968_s2_q ? and_2047 : began_q);
-  logic [2:0] select_4068;
-  assign select_4068 = left_first_s2_q ? select_2049 : (and_1968_s2_q ? select_2049 : seen_x_q);
-  // hls/stages/agreement.hpp:1300
-  logic [2:0] select_4073;
-  assign select_4073 = left_first_s2_q ? 3'h0 : (and_2034 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
+  assign select_4062 = and_1974_s2_q ? (left_first_s2_q ? xor_4058 : select_4060) : write_half_q;
+  logic select_4064;
+  assign select_4064 = left_first_s2_q ? select_2034 : (and_1974_s2_q ? select_2035 : read_half_q);
+  logic [9:0] select_4077;
+  assign select_4077 = left_first_s2_q ? 10'h1 : (and_1974_s2_q ? select_2039 : rows_passed_q);
+  logic [8:0] select_4080;
+  assign select_4080 = left_first_s2_q ? {select_2037[7:0], or_2036} : (and_1974_s2_q ? {select_2037[7:0], or_2036} : columns_passed_q);
+  logic select_4083;
+  assign select_4083 = left_first_s2_q ? marks_last_s2_q : (and_1974_s2_q ? marks_last_s2_q : line_ended_q);
+  logic select_4086;
+  assign select_4086 = left_first_s2_q ? and_2053 : (and_1974_s2_q ? and_2053 : began_q);
+  logic [2:0] select_4089;
+  assign select_4089 = left_first_s2_q ? select_2055 : (and_1974_s2_q ? select_2055 : seen_x_q);
+  // hls/stages/agreement.hpp:1309
+  logic [2:0] select_4094;
+  assign select_4094 = left_first_s2_q ? 3'h0 : (and_2040 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
   // hls/stages/agreement.hpp:278
-  logic [2:0] select_4075;
-  assign select_4075 = left_first_s2_q ? 3'h0 : (and_1968_s2_q ? select_4073 : seen_y_q);
-  logic [7:0] select_4078;
-  assign select_4078 = left_first_s2_q ? select_2042 : (and_1968_s2_q ? select_2042 : seen_column_q);
-  // hls/stages/agreement.hpp:436
-  logic [7:0] select_4084;
-  assign select_4084 = left_first_s2_q ? select_4082 : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic [2:0] select_4096;
+  assign select_4096 = left_first_s2_q ? 3'h0 : (and_1974_s2_q ? select_4094 : seen_y_q);
+  logic [7:0] select_4099;
+  assign select_4099 = left_first_s2_q ? select_2048 : (and_1974_s2_q ? select_2048 : seen_column_q);
+  // hls/stages/agreement.hpp:440
+  logic [7:0] select_4105;
+  assign select_4105 = left_first_s2_q ? select_4103 : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/agreement.hpp:278
-  logic [7:0] select_4086;
-  assign select_4086 = left_first_s2_q ? select_4082 : (and_1968_s2_q ? select_4084 : seen_rows_left_q);
-  // hls/stages/agreement.hpp:436
-  logic and_4091;
-  assign and_4091 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
+  logic [7:0] select_4107;
+  assign select_4107 = left_first_s2_q ? select_4103 : (and_1974_s2_q ? select_4105 : seen_rows_left_q);
+  // hls/stages/agreement.hpp:440
+  logic and_4112;
+  assign and_4112 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
   // hls/stages/agreement.hpp:278
-  logic select_4093;
-  assign select_4093 = left_first_s2_q ? and_4091 : (and_1968_s2_q ? and_4091 : at_cell_end_q);
-  logic select_4096;
-  assign select_4096 = left_first_s2_q ? next_row : (and_1968_s2_q ? next_row : was_next_row_q);
-  logic [10:0] select_4099;
-  assign select_4099 = left_first_s2_q ? 11'h0 : (and_1968_s2_q ? select_2039 : seen_base_q);
+  logic select_4114;
+  assign select_4114 = left_first_s2_q ? and_4112 : (and_1974_s2_q ? and_4112 : at_cell_end_q);
+  logic select_4117;
+  assign select_4117 = left_first_s2_q ? next_row : (and_1974_s2_q ? next_row : was_next_row_q);
+  logic [10:0] select_4120;
+  assign select_4120 = left_first_s2_q ? 11'h0 : (and_1974_s2_q ? select_2045 : seen_base_q);
   // hls/stages/registration.hpp:258
-  logic not_4172;
-  assign not_4172 = ~quarter[1];
-  logic [3:0] select_4173;
-  assign select_4173 = quarter[0] ? {quarter[1], 1'b0, not_4172, 1'b0} : {1'b0, quarter[1], 1'b0, not_4172};
+  logic not_4193;
+  assign not_4193 = ~quarter[1];
+  logic [3:0] select_4194;
+  assign select_4194 = quarter[0] ? {quarter[1], 1'b0, not_4193, 1'b0} : {1'b0, quarter[1], 1'b0, not_4193};
 
   // Memory registration_sums, 12 x 32, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4362,10 +4411,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1614;
+  assign registration_sums_raddr = select_1620;
 `ifndef SYNTHESIS
   logic registration_sums_re;
-  assign registration_sums_re = s2_en & select_1657;
+  assign registration_sums_re = s2_en & select_1663;
 `endif
   logic [31:0] registration_sums_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4381,17 +4430,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 23'h0;
 `endif
   logic [5:0] patches_choices_raddr;
-  assign patches_choices_raddr = select_1688;
+  assign patches_choices_raddr = select_1694;
 `ifndef SYNTHESIS
   logic patches_choices_re;
-  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_1690));
+  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_1696));
 `endif
   logic [22:0] patches_choices_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_choices_rdata_q <= patches_choices_mem[patches_choices_raddr];
   end
 
-  // Memory regions, 64 x 30, DISTANCE 12, hls/stages/agreement.hpp:1398; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 12, hls/stages/agreement.hpp:1408; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4400,17 +4449,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 30'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1986;
+  assign regions_raddr = select_1992;
 `ifndef SYNTHESIS
   logic regions_re;
-  assign regions_re = s2_en & (equal_574_s2_q ? (x_s2_q[6] & not_1987) : and_1994);
+  assign regions_re = s2_en & (equal_576_s2_q ? (x_s2_q[6] & not_1993) : and_2000);
 `endif
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) regions_rdata_q <= regions_mem[regions_raddr];
   end
 
-  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:1409; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:1419; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:3289];
@@ -4418,10 +4467,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 3290; i++) map_mem[i] = 2'h0;
 `endif
   logic [11:0] map_raddr;
-  assign map_raddr = sum_2044;
+  assign map_raddr = sum_2050;
 `ifndef SYNTHESIS
   logic map_re;
-  assign map_re = s2_en & select_2056;
+  assign map_re = s2_en & select_2062;
 `endif
   logic [1:0] map_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4430,11 +4479,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [7:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_514_s2_q;
+  assign averager_memory_waddr = select_516_s2_q;
   logic averager_memory_we;
-  assign averager_memory_we = s2_en & and_523_s2_q;
+  assign averager_memory_we = s2_en & and_525_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_542, and_538, sum_534, sum_530};
+    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_544, and_540, sum_536, sum_532};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4452,9 +4501,9 @@ module horopter_agreement (
   logic [5:0] census_memory_waddr;
   assign census_memory_waddr = last_s2_2_q;
   logic census_memory_we;
-  assign census_memory_we = s2_en & and_549_s2_q;
+  assign census_memory_we = s2_en & and_551_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_567, whole_2, select_559, select_555};
+    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_569, whole_2, select_561, select_557};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4470,11 +4519,11 @@ module horopter_agreement (
 
   // Memory moments_memory, write
   logic [10:0] moments_memory_waddr;
-  assign moments_memory_waddr = select_573_s2_q;
+  assign moments_memory_waddr = select_575_s2_q;
   logic moments_memory_we;
-  assign moments_memory_we = s2_en & and_591_s2_q;
+  assign moments_memory_we = s2_en & and_593_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {and_646_s2_q, and_644_s2_q, and_639_s2_q, and_637};
+    if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {and_651_s2_q, and_649_s2_q, and_644_s2_q, and_642};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4492,9 +4541,9 @@ module horopter_agreement (
   logic [5:0] best_left_waddr;
   assign best_left_waddr = x_s2_2_q[5:0];
   logic best_left_we;
-  assign best_left_we = s2_en & and_1561_s2_q;
+  assign best_left_we = s2_en & and_1567_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1560, select_1557, select_1554, select_1552, select_1534, select_1531, select_1523, select_1522, select_1517};
+    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1566, select_1563, select_1560, select_1558, select_1540, select_1537, select_1529, select_1528, select_1523};
   end
 `ifndef SYNTHESIS
   logic [5:0] best_left_raddr_s1_sim;
@@ -4525,9 +4574,9 @@ module horopter_agreement (
   logic [5:0] best_right_waddr;
   assign best_right_waddr = right_s2_q;
   logic best_right_we;
-  assign best_right_we = s2_en & and_1561_s2_q;
+  assign best_right_we = s2_en & and_1567_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1571, select_1570, select_1567, select_1566};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1577, select_1576, select_1573, select_1572};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4543,11 +4592,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [5:0] shown_right_waddr;
-  assign shown_right_waddr = select_1578_s2_q;
+  assign shown_right_waddr = select_1584_s2_q;
   logic shown_right_we;
-  assign shown_right_we = s2_en & and_1589;
+  assign shown_right_we = s2_en & and_1595;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1586, not_577_s2_q};
+    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1592, not_579_s2_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4567,7 +4616,7 @@ module horopter_agreement (
   logic left_turns_we;
   assign left_turns_we = s2_en & moments_taken_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_turns_we) left_turns_mem[left_turns_waddr] <= {and_1597, and_1594};
+    if (left_turns_we) left_turns_mem[left_turns_waddr] <= {and_1603, and_1600};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4587,7 +4636,7 @@ module horopter_agreement (
   logic right_turns_we;
   assign right_turns_we = s2_en & moments_taken_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_turns_we) right_turns_mem[right_turns_waddr] <= {and_1606, and_1603};
+    if (right_turns_we) right_turns_mem[right_turns_waddr] <= {and_1612, and_1609};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4603,11 +4652,11 @@ module horopter_agreement (
 
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_1889, patches_code_row_s2_q[1:0], of_row_2_s2_q};
+  assign patches_right_codes_waddr = {sum_1895, patches_code_row_s2_q[1:0], of_row_2_s2_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s2_en & and_1941_s2_q;
+  assign patches_right_codes_we = s2_en & and_1947_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {and_1927_s2_q, and_1924_s2_q, and_1908_s2_q, and_1905, patches_codes_at_q[51:28]};
+    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {and_1933_s2_q, and_1930_s2_q, and_1914_s2_q, and_1911, patches_codes_at_q[51:28]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4623,11 +4672,11 @@ module horopter_agreement (
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_1945, patches_code_row_s2_q[1:0]};
+  assign patches_left_codes_waddr = {sum_1951, patches_code_row_s2_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s2_en & and_1955_s2_q;
+  assign patches_left_codes_we = s2_en & and_1961_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {and_1927_s2_q, and_1924_s2_q, and_1908_s2_q, and_1905, patches_codes_at_q[51:8]};
+    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {and_1933_s2_q, and_1930_s2_q, and_1914_s2_q, and_1911, patches_codes_at_q[51:8]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4645,9 +4694,9 @@ module horopter_agreement (
   logic [5:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s2_q[5:0];
   logic seen_columns_we;
-  assign seen_columns_we = s2_en & and_1574_s2_q;
+  assign seen_columns_we = s2_en & and_1580_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2021, textured};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2027, textured};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4755,9 +4804,6 @@ module horopter_agreement (
       map_width_q <= 6'h0;
       write_half_q <= 1'b0;
       read_half_q <= 1'b1;
-      done_q <= 1'b0;
-      drew_q <= 1'b0;
-      said_q <= 1'b0;
       rows_passed_q <= 10'h0;
       columns_passed_q <= 9'h0;
       line_ended_q <= 1'b1;
@@ -4774,108 +4820,105 @@ module horopter_agreement (
       sample_pair_pixel_1_q <= pixel_0_s2_q;
       sample_of_skin_q <= mask_s2_q;
       averager_running_mask_q <= sample_pair_whole_s2_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2190;
-      averager_mask_q <= select_2192;
-      averager_of_skin_q <= select_2194;
-      census_filled_q <= and_549_s2_q ? {select_682[2:0], 1'b1} : census_filled_q;
-      moments_turned_0_q <= sum_2289;
-      moments_turned_1_q <= sum_2291;
-      moments_before_0_q <= equal_574_s2_q ? select_2293 : moments_before_0_q;
-      moments_before_1_q <= equal_574_s2_q ? select_2295 : moments_before_1_q;
-      moments_has_before_q <= select_2298;
-      moments_most_before_q <= select_2301;
-      moments_left_begins_q <= select_2305;
-      moments_left_alone_q <= select_2309;
-      moments_left_other_stops_q <= select_2312;
-      moments_right_begins_q <= select_2315;
-      moments_right_alone_q <= select_2319;
-      moments_right_other_stops_q <= select_2322;
-      moments_out_of_step_q <= or_2325;
-      moments_turns_0_q <= and_2333;
-      moments_turns_1_q <= and_2337;
-      moments_begins_alone_q <= and_2346;
-      moments_ends_q <= equal_574_s2_q & (equal_2292 & (not_2347 | and_2349));
-      rows_passed_above_q <= and_549_s2_q ? select_681 : rows_passed_above_q;
-      chosen_score_q <= less_2576 ? select_1511 : select_2575;
-      chosen_near_q <= (select_2578 < select_1546) ? select_1546 : select_2578;
-      chosen_place_q <= less_2576 ? {select_1519, not_1518} : 3'h2;
-      before_0_q <= select_2575;
-      before_1_q <= sum_1261;
-      before_2_q <= sum_1509;
-      shift_allowed_q <= not_2583 & (~less_2584);
+      averager_running_of_skin_q <= select_2199;
+      averager_mask_q <= select_2201;
+      averager_of_skin_q <= select_2203;
+      census_filled_q <= and_551_s2_q ? {select_687[2:0], 1'b1} : census_filled_q;
+      moments_turned_0_q <= sum_2298;
+      moments_turned_1_q <= sum_2300;
+      moments_before_0_q <= equal_576_s2_q ? select_2302 : moments_before_0_q;
+      moments_before_1_q <= equal_576_s2_q ? select_2304 : moments_before_1_q;
+      moments_has_before_q <= select_2307;
+      moments_most_before_q <= select_2310;
+      moments_left_begins_q <= select_2314;
+      moments_left_alone_q <= select_2318;
+      moments_left_other_stops_q <= select_2321;
+      moments_right_begins_q <= select_2324;
+      moments_right_alone_q <= select_2328;
+      moments_right_other_stops_q <= select_2331;
+      moments_out_of_step_q <= or_2334;
+      moments_turns_0_q <= and_2342;
+      moments_turns_1_q <= and_2346;
+      moments_begins_alone_q <= and_2355;
+      moments_ends_q <= equal_576_s2_q & (equal_2301 & (not_2356 | and_2358));
+      rows_passed_above_q <= and_551_s2_q ? select_686 : rows_passed_above_q;
+      chosen_score_q <= less_2595 ? select_1517 : select_2594;
+      chosen_near_q <= (select_2597 < select_1552) ? select_1552 : select_2597;
+      chosen_place_q <= less_2595 ? {select_1525, not_1524} : 3'h2;
+      before_0_q <= select_2594;
+      before_1_q <= sum_1267;
+      before_2_q <= sum_1515;
+      shift_allowed_q <= not_2602 & (~less_2603);
       shift_not_right_q <= $signed(run_shift_s2_q) < $signed(6'h1);
-      counts_turned_left_q <= and_2591 ? 14'h0 : (counts_turned_left_q + {13'h0, and_2710});
-      counts_turned_right_q <= and_2591 ? 14'h0 : (counts_turned_right_q + {13'h0, and_2717});
-      registration_displacement_over_q <= so_s2_q ? sum_2741[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2743;
-      registration_slope_here_q <= select_2745;
-      registration_expected_q <= select_2747;
-      registration_of_right_q <= equal_574_s2_q ? registration_of_right_q : select_2809;
-      registration_was_inside_q <= equal_574_s2_q ? registration_was_inside_q : select_2812;
-      registration_fresh_q <= select_2821;
-      patches_chance_q <= and_549_s2_q ? select_2978 : patches_chance_q;
-      patches_fixed_q <= and_2992;
-      patches_choice_valid_q <= and_1774 ? (select_1747 & not_2980) : select_1747;
-      patches_choice_column_q <= select_1752;
-      patches_choice_shift_q <= select_1757;
-      patches_choice_slope_q <= select_1768;
-      patches_band_q <= sample_pair_whole_s2_q ? select_1789 : patches_band_q;
-      patches_fetch_q <= select_3006;
-      patches_codes_at_q <= select_3107;
-      patches_codes_further_q <= equal_1776_s2_q ? patches_codes_further_q : select_3112;
-      patches_next_codes_q <= select_3120;
-      patches_set_q <= equal_1776_s2_q ? 3'h0 : (equal_1778_s2_q ? 3'h0 : select_3134);
-      patches_size_q <= sum_3138;
-      patches_left_row_q <= select_3150;
-      patches_summed_row_column_q <= equal_1776_s2_q ? patches_summed_row_column_q : select_3495;
-      patches_summed_first_q <= select_3498;
-      patches_read_row_differing_q <= equal_1776_s2_q ? select_3506 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_1776_s2_q ? select_3509 : patches_read_row_column_q;
-      patches_read_at_q <= equal_1776_s2_q ? select_3512 : patches_read_at_q;
-      patches_read_first_q <= select_3517;
-      patches_read_above_q <= equal_1776_s2_q ? and_3529 : patches_read_above_q;
-      patches_read_below_q <= equal_1776_s2_q ? and_3534 : patches_read_below_q;
-      patches_read_far_q <= equal_1776_s2_q ? select_3541 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_3544;
-      patches_peak_best_column_q <= select_3545;
-      patches_peak_row_q <= equal_1776_s2_q ? select_3524 : patches_peak_row_q;
-      patches_peak_above_q <= select_3548;
-      patches_peak_below_q <= select_3550;
-      patches_peak_far_q <= select_3554;
-      patches_peak_size_q <= select_3557;
-      patches_frame_ended_q <= equal_574_s2_q & equal_2292;
-      shown_shown_q <= select_3808;
-      shown_nearer_q <= select_3810;
-      region_row_q <= and_549_s2_q ? select_3816 : region_row_q;
+      counts_turned_left_q <= and_2610 ? 14'h0 : (counts_turned_left_q + {13'h0, and_2730});
+      counts_turned_right_q <= and_2610 ? 14'h0 : (counts_turned_right_q + {13'h0, and_2737});
+      registration_displacement_over_q <= drew_q ? sum_2761[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2763;
+      registration_slope_here_q <= select_2765;
+      registration_expected_q <= select_2767;
+      registration_of_right_q <= equal_576_s2_q ? registration_of_right_q : select_2829;
+      registration_was_inside_q <= equal_576_s2_q ? registration_was_inside_q : select_2832;
+      registration_fresh_q <= select_2841;
+      patches_chance_q <= and_551_s2_q ? select_2997 : patches_chance_q;
+      patches_fixed_q <= and_3011;
+      patches_choice_valid_q <= and_1780 ? (select_1753 & not_2999) : select_1753;
+      patches_choice_column_q <= select_1758;
+      patches_choice_shift_q <= select_1763;
+      patches_choice_slope_q <= select_1774;
+      patches_band_q <= sample_pair_whole_s2_q ? select_1795 : patches_band_q;
+      patches_fetch_q <= select_3025;
+      patches_codes_at_q <= select_3126;
+      patches_codes_further_q <= equal_1782_s2_q ? patches_codes_further_q : select_3131;
+      patches_next_codes_q <= select_3139;
+      patches_set_q <= equal_1782_s2_q ? 3'h0 : (equal_1784_s2_q ? 3'h0 : select_3153);
+      patches_size_q <= sum_3157;
+      patches_left_row_q <= select_3169;
+      patches_summed_row_column_q <= equal_1782_s2_q ? patches_summed_row_column_q : select_3514;
+      patches_summed_first_q <= select_3517;
+      patches_read_row_differing_q <= equal_1782_s2_q ? select_3525 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_1782_s2_q ? select_3528 : patches_read_row_column_q;
+      patches_read_at_q <= equal_1782_s2_q ? select_3531 : patches_read_at_q;
+      patches_read_first_q <= select_3536;
+      patches_read_above_q <= equal_1782_s2_q ? and_3548 : patches_read_above_q;
+      patches_read_below_q <= equal_1782_s2_q ? and_3553 : patches_read_below_q;
+      patches_read_far_q <= equal_1782_s2_q ? select_3560 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_3563;
+      patches_peak_best_column_q <= select_3564;
+      patches_peak_row_q <= equal_1782_s2_q ? select_3543 : patches_peak_row_q;
+      patches_peak_above_q <= select_3567;
+      patches_peak_below_q <= select_3569;
+      patches_peak_far_q <= select_3573;
+      patches_peak_size_q <= select_3576;
+      patches_frame_ended_q <= equal_576_s2_q & equal_2301;
+      shown_shown_q <= select_3827;
+      shown_nearer_q <= select_3829;
+      region_row_q <= and_551_s2_q ? select_3835 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_3821;
-      region_down_rest_q <= select_3837;
-      region_down_back_q <= select_3841;
-      region_down_next_q <= select_3843;
-      region_fresh_q <= and_549_s2_q ? select_3847 : region_fresh_q;
-      segment_starts_q <= select_3858;
-      centres_values_0_textured_q <= equal_574_s2_q ? centres_values_0_textured_q : select_4018;
-      centres_values_0_of_skin_q <= select_4023;
-      centres_values_1_textured_q <= select_4026;
-      centres_values_1_of_skin_q <= select_4029;
-      map_row_q <= and_549_s2_q ? select_4033 : map_row_q;
-      map_width_q <= select_4036;
-      write_half_q <= select_4041;
-      read_half_q <= and_1968_s2_q ? select_4043 : read_half_q;
-      done_q <= and_1968_s2_q ? (not_2045 & and_4047) : and_4047;
-      drew_q <= so_s2_q;
-      said_q <= equal_574_s2_q & equal_3882;
-      rows_passed_q <= and_1968_s2_q ? select_4056 : rows_passed_q;
-      columns_passed_q <= and_1968_s2_q ? select_4059 : columns_passed_q;
-      line_ended_q <= and_1968_s2_q ? select_4062 : line_ended_q;
-      began_q <= and_1968_s2_q ? select_4065 : began_q;
-      seen_x_q <= and_1968_s2_q ? select_4068 : seen_x_q;
-      seen_y_q <= and_1968_s2_q ? select_4075 : seen_y_q;
-      seen_column_q <= and_1968_s2_q ? select_4078 : seen_column_q;
-      seen_rows_left_q <= and_1968_s2_q ? select_4086 : seen_rows_left_q;
-      at_cell_end_q <= and_1968_s2_q ? select_4093 : at_cell_end_q;
-      was_next_row_q <= and_1968_s2_q ? select_4096 : was_next_row_q;
-      seen_base_q <= and_1968_s2_q ? select_4099 : seen_base_q;
+      region_columns_q <= select_3840;
+      region_down_rest_q <= select_3856;
+      region_down_back_q <= select_3860;
+      region_down_next_q <= select_3862;
+      region_fresh_q <= and_551_s2_q ? select_3866 : region_fresh_q;
+      segment_starts_q <= select_3877;
+      centres_values_0_textured_q <= equal_576_s2_q ? centres_values_0_textured_q : select_4037;
+      centres_values_0_of_skin_q <= select_4042;
+      centres_values_1_textured_q <= select_4045;
+      centres_values_1_of_skin_q <= select_4048;
+      map_row_q <= and_551_s2_q ? select_4054 : map_row_q;
+      map_width_q <= select_4057;
+      write_half_q <= select_4062;
+      read_half_q <= and_1974_s2_q ? select_4064 : read_half_q;
+      rows_passed_q <= and_1974_s2_q ? select_4077 : rows_passed_q;
+      columns_passed_q <= and_1974_s2_q ? select_4080 : columns_passed_q;
+      line_ended_q <= and_1974_s2_q ? select_4083 : line_ended_q;
+      began_q <= and_1974_s2_q ? select_4086 : began_q;
+      seen_x_q <= and_1974_s2_q ? select_4089 : seen_x_q;
+      seen_y_q <= and_1974_s2_q ? select_4096 : seen_y_q;
+      seen_column_q <= and_1974_s2_q ? select_4099 : seen_column_q;
+      seen_rows_left_q <= and_1974_s2_q ? select_4107 : seen_rows_left_q;
+      at_cell_end_q <= and_1974_s2_q ? select_4114 : at_cell_end_q;
+      was_next_row_q <= and_1974_s2_q ? select_4117 : was_next_row_q;
+      seen_base_q <= and_1974_s2_q ? select_4120 : seen_base_q;
     end
   end
 
@@ -4961,81 +5004,81 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      left_pixel_q <= and_1968_s2_q ? left_pixel_q : pixel_0_s2_q;
-      averager_running_0_q <= sample_pair_whole_s2_q ? select_526 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s2_q ? sum_532 : averager_running_1_q;
-      averager_total_0_q <= select_2168;
-      averager_total_1_q <= select_2170;
-      census_columns_values_0_cell_0_left_q <= select_2195;
-      census_columns_values_0_cell_0_right_q <= select_2196;
-      census_columns_values_0_cell_0_mask_q <= and_549_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2198;
-      census_columns_values_0_cell_1_right_q <= select_2199;
-      census_columns_values_0_cell_1_mask_q <= select_2200;
-      census_columns_values_0_cell_2_left_q <= select_2201;
-      census_columns_values_0_cell_2_right_q <= select_2202;
-      census_columns_values_0_cell_2_mask_q <= select_2203;
-      census_columns_values_0_cell_2_of_skin_q <= select_2204;
-      census_columns_values_0_cell_3_left_q <= select_2205;
-      census_columns_values_0_cell_3_right_q <= select_2206;
-      census_columns_values_0_cell_3_mask_q <= select_2207;
-      census_columns_values_0_cell_4_left_q <= select_2208;
-      census_columns_values_0_cell_4_right_q <= select_2209;
-      census_columns_values_0_cell_4_mask_q <= select_2210;
-      census_columns_values_1_cell_0_left_q <= select_2211;
-      census_columns_values_1_cell_0_right_q <= select_2212;
-      census_columns_values_1_cell_0_mask_q <= select_2213;
-      census_columns_values_1_cell_1_left_q <= select_2214;
-      census_columns_values_1_cell_1_right_q <= select_2215;
-      census_columns_values_1_cell_1_mask_q <= select_2216;
-      census_columns_values_1_cell_2_left_q <= select_2217;
-      census_columns_values_1_cell_2_right_q <= select_2218;
-      census_columns_values_1_cell_2_mask_q <= select_2219;
-      census_columns_values_1_cell_2_of_skin_q <= select_2220;
-      census_columns_values_1_cell_3_left_q <= select_2221;
-      census_columns_values_1_cell_3_right_q <= select_2222;
-      census_columns_values_1_cell_3_mask_q <= select_2223;
-      census_columns_values_1_cell_4_left_q <= select_2224;
-      census_columns_values_1_cell_4_right_q <= select_2225;
-      census_columns_values_1_cell_4_mask_q <= select_2226;
-      census_columns_values_2_cell_0_left_q <= select_2227;
-      census_columns_values_2_cell_0_right_q <= select_2228;
-      census_columns_values_2_cell_0_mask_q <= select_2229;
-      census_columns_values_2_cell_1_left_q <= select_2230;
-      census_columns_values_2_cell_1_right_q <= select_2231;
-      census_columns_values_2_cell_1_mask_q <= select_2232;
-      census_columns_values_2_cell_2_left_q <= select_2233;
-      census_columns_values_2_cell_2_right_q <= select_2234;
-      census_columns_values_2_cell_2_mask_q <= select_2235;
-      census_columns_values_2_cell_3_left_q <= select_2236;
-      census_columns_values_2_cell_3_right_q <= select_2237;
-      census_columns_values_2_cell_3_mask_q <= select_2238;
-      census_columns_values_2_cell_4_left_q <= select_2239;
-      census_columns_values_2_cell_4_right_q <= select_2240;
-      census_columns_values_2_cell_4_mask_q <= select_2241;
-      census_columns_values_3_cell_0_mask_q <= select_2242;
-      census_columns_values_3_cell_1_left_q <= select_2243;
-      census_columns_values_3_cell_1_right_q <= select_2244;
-      census_columns_values_3_cell_1_mask_q <= select_2245;
-      census_columns_values_3_cell_2_mask_q <= select_2246;
-      census_columns_values_3_cell_3_left_q <= select_2247;
-      census_columns_values_3_cell_3_right_q <= select_2248;
-      census_columns_values_3_cell_3_mask_q <= select_2249;
-      census_columns_values_3_cell_4_mask_q <= select_2250;
-      sharpness_last_mean_0_q <= and_549_s2_q ? select_555 : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_549_s2_q ? select_559 : sharpness_last_mean_1_q;
+      left_pixel_q <= and_1974_s2_q ? left_pixel_q : pixel_0_s2_q;
+      averager_running_0_q <= sample_pair_whole_s2_q ? select_528 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s2_q ? sum_534 : averager_running_1_q;
+      averager_total_0_q <= select_2177;
+      averager_total_1_q <= select_2179;
+      census_columns_values_0_cell_0_left_q <= select_2204;
+      census_columns_values_0_cell_0_right_q <= select_2205;
+      census_columns_values_0_cell_0_mask_q <= and_551_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
+      census_columns_values_0_cell_1_left_q <= select_2207;
+      census_columns_values_0_cell_1_right_q <= select_2208;
+      census_columns_values_0_cell_1_mask_q <= select_2209;
+      census_columns_values_0_cell_2_left_q <= select_2210;
+      census_columns_values_0_cell_2_right_q <= select_2211;
+      census_columns_values_0_cell_2_mask_q <= select_2212;
+      census_columns_values_0_cell_2_of_skin_q <= select_2213;
+      census_columns_values_0_cell_3_left_q <= select_2214;
+      census_columns_values_0_cell_3_right_q <= select_2215;
+      census_columns_values_0_cell_3_mask_q <= select_2216;
+      census_columns_values_0_cell_4_left_q <= select_2217;
+      census_columns_values_0_cell_4_right_q <= select_2218;
+      census_columns_values_0_cell_4_mask_q <= select_2219;
+      census_columns_values_1_cell_0_left_q <= select_2220;
+      census_columns_values_1_cell_0_right_q <= select_2221;
+      census_columns_values_1_cell_0_mask_q <= select_2222;
+      census_columns_values_1_cell_1_left_q <= select_2223;
+      census_columns_values_1_cell_1_right_q <= select_2224;
+      census_columns_values_1_cell_1_mask_q <= select_2225;
+      census_columns_values_1_cell_2_left_q <= select_2226;
+      census_columns_values_1_cell_2_right_q <= select_2227;
+      census_columns_values_1_cell_2_mask_q <= select_2228;
+      census_columns_values_1_cell_2_of_skin_q <= select_2229;
+      census_columns_values_1_cell_3_left_q <= select_2230;
+      census_columns_values_1_cell_3_right_q <= select_2231;
+      census_columns_values_1_cell_3_mask_q <= select_2232;
+      census_columns_values_1_cell_4_left_q <= select_2233;
+      census_columns_values_1_cell_4_right_q <= select_2234;
+      census_columns_values_1_cell_4_mask_q <= select_2235;
+      census_columns_values_2_cell_0_left_q <= select_2236;
+      census_columns_values_2_cell_0_right_q <= select_2237;
+      census_columns_values_2_cell_0_mask_q <= select_2238;
+      census_columns_values_2_cell_1_left_q <= select_2239;
+      census_columns_values_2_cell_1_right_q <= select_2240;
+      census_columns_values_2_cell_1_mask_q <= select_2241;
+      census_columns_values_2_cell_2_left_q <= select_2242;
+      census_columns_values_2_cell_2_right_q <= select_2243;
+      census_columns_values_2_cell_2_mask_q <= select_2244;
+      census_columns_values_2_cell_3_left_q <= select_2245;
+      census_columns_values_2_cell_3_right_q <= select_2246;
+      census_columns_values_2_cell_3_mask_q <= select_2247;
+      census_columns_values_2_cell_4_left_q <= select_2248;
+      census_columns_values_2_cell_4_right_q <= select_2249;
+      census_columns_values_2_cell_4_mask_q <= select_2250;
+      census_columns_values_3_cell_0_mask_q <= select_2251;
+      census_columns_values_3_cell_1_left_q <= select_2252;
+      census_columns_values_3_cell_1_right_q <= select_2253;
+      census_columns_values_3_cell_1_mask_q <= select_2254;
+      census_columns_values_3_cell_2_mask_q <= select_2255;
+      census_columns_values_3_cell_3_left_q <= select_2256;
+      census_columns_values_3_cell_3_right_q <= select_2257;
+      census_columns_values_3_cell_3_mask_q <= select_2258;
+      census_columns_values_3_cell_4_mask_q <= select_2259;
+      sharpness_last_mean_0_q <= and_551_s2_q ? select_557 : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_551_s2_q ? select_561 : sharpness_last_mean_1_q;
       middle_sum_columns_values_0_q <= slot_s2_q[0] ? middle_sum_columns_values_0_q : column_s2_q;
-      middle_sum_columns_values_1_q <= select_2566;
-      middle_sum_columns_values_2_q <= select_2567;
-      middle_sum_columns_values_3_q <= select_2568;
-      middle_sum_columns_values_4_q <= select_2569;
-      middle_sum_columns_values_5_q <= select_2570;
-      middle_sum_columns_values_6_q <= select_2571;
-      middle_sum_sum_sums_values_0_q <= slot_s2_q[0] ? middle_sum_sum_sums_values_0_q : sum_1011;
-      sums_0_sum_sums_values_0_q <= sum_1261;
-      sums_0_sum_sums_values_1_q <= equal_1259 ? 8'h0 : sums_0_sum_sums_values_0_q;
-      sums_1_sum_sums_values_0_q <= sum_1509;
-      sums_1_sum_sums_values_1_q <= equal_1259 ? 8'h0 : sums_1_sum_sums_values_0_q;
+      middle_sum_columns_values_1_q <= select_2585;
+      middle_sum_columns_values_2_q <= select_2586;
+      middle_sum_columns_values_3_q <= select_2587;
+      middle_sum_columns_values_4_q <= select_2588;
+      middle_sum_columns_values_5_q <= select_2589;
+      middle_sum_columns_values_6_q <= select_2590;
+      middle_sum_sum_sums_values_0_q <= slot_s2_q[0] ? middle_sum_sum_sums_values_0_q : sum_1017;
+      sums_0_sum_sums_values_0_q <= sum_1267;
+      sums_0_sum_sums_values_1_q <= equal_1265 ? 8'h0 : sums_0_sum_sums_values_0_q;
+      sums_1_sum_sums_values_0_q <= sum_1515;
+      sums_1_sum_sums_values_1_q <= equal_1265 ? 8'h0 : sums_1_sum_sums_values_0_q;
     end
   end
 
@@ -5053,6 +5096,7 @@ module horopter_agreement (
   logic [2:0] slot_s3_q;
   logic ends_cell_s3_q;
   logic lower_half_s3_q;
+  logic draws_late_s3_q;
   logic registration_of_right_s3_q;
   logic [4:0] patches_choosing_band_s3_q;
   logic patches_lower_s3_q;
@@ -5066,25 +5110,20 @@ module horopter_agreement (
   logic region_fresh_s3_q;
   logic centres_values_1_textured_s3_q;
   logic centres_values_1_of_skin_s3_q;
-  logic done_s3_q;
-  logic [2:0] select_510_s3_q;
+  logic [2:0] select_512_s3_q;
   logic row_starts_s3_q;
-  logic [5:0] select_543_s3_q;
+  logic [5:0] select_545_s3_q;
   logic [5:0] last_s3_q;
-  logic and_547_s3_q;
   logic and_549_s3_q;
+  logic and_551_s3_q;
   logic [8:0] grey_s3_q;
-  logic equal_552_s3_q;
+  logic equal_554_s3_q;
   logic [8:0] grey_2_s3_q;
   logic whole_2_s3_q;
-  logic equal_569_s3_q;
-  logic equal_574_s3_q;
-  logic not_575_s3_q;
-  logic less_652_s3_q;
-  logic less_653_s3_q;
-  logic less_654_s3_q;
-  logic less_655_s3_q;
-  logic less_656_s3_q;
+  logic equal_571_s3_q;
+  logic equal_576_s3_q;
+  logic not_577_s3_q;
+  logic so_s3_q;
   logic less_657_s3_q;
   logic less_658_s3_q;
   logic less_659_s3_q;
@@ -5104,93 +5143,101 @@ module horopter_agreement (
   logic less_673_s3_q;
   logic less_674_s3_q;
   logic less_675_s3_q;
-  logic and_683_s3_q;
-  logic and_708_s3_q;
-  logic and_709_s3_q;
-  logic [11:0] sum_724_s3_q;
-  logic [9:0] sum_727_s3_q;
-  logic and_735_s3_q;
-  logic and_739_s3_q;
-  logic less_740_s3_q;
-  logic less_744_s3_q;
-  logic less_746_s3_q;
-  logic equal_1607_s3_q;
+  logic less_676_s3_q;
+  logic less_677_s3_q;
+  logic less_678_s3_q;
+  logic less_679_s3_q;
+  logic less_680_s3_q;
+  logic and_688_s3_q;
+  logic and_713_s3_q;
+  logic and_714_s3_q;
+  logic [11:0] sum_729_s3_q;
+  logic [9:0] sum_732_s3_q;
+  logic and_740_s3_q;
+  logic and_744_s3_q;
+  logic less_745_s3_q;
+  logic less_749_s3_q;
+  logic less_751_s3_q;
+  logic equal_1613_s3_q;
   logic all_s3_q;
-  logic [1:0] sum_1613_s3_q;
-  logic equal_1615_s3_q;
-  logic equal_1617_s3_q;
-  logic equal_1619_s3_q;
+  logic [1:0] sum_1619_s3_q;
   logic equal_1621_s3_q;
   logic equal_1623_s3_q;
   logic equal_1625_s3_q;
   logic equal_1627_s3_q;
   logic equal_1629_s3_q;
-  logic less_1638_s3_q;
-  logic or_1642_s3_q;
-  logic equal_1662_s3_q;
-  logic and_1672_s3_q;
-  logic select_1689_s3_q;
-  logic equal_1690_s3_q;
-  logic and_1698_s3_q;
-  logic equal_1700_s3_q;
-  logic select_1747_s3_q;
-  logic and_1775_s3_q;
-  logic equal_1776_s3_q;
-  logic equal_1778_s3_q;
-  logic not_1783_s3_q;
-  logic and_1791_s3_q;
-  logic [4:0] select_1806_s3_q;
-  logic select_1812_s3_q;
-  logic [3:0] select_1852_s3_q;
-  logic and_1968_s3_q;
-  logic select_1970_s3_q;
-  logic and_1973_s3_q;
-  logic or_1979_s3_q;
-  logic or_1982_s3_q;
+  logic equal_1631_s3_q;
+  logic equal_1633_s3_q;
+  logic equal_1635_s3_q;
+  logic less_1644_s3_q;
+  logic or_1648_s3_q;
+  logic equal_1668_s3_q;
+  logic and_1678_s3_q;
+  logic select_1695_s3_q;
+  logic equal_1696_s3_q;
+  logic and_1704_s3_q;
+  logic equal_1706_s3_q;
+  logic select_1753_s3_q;
+  logic and_1781_s3_q;
+  logic equal_1782_s3_q;
+  logic equal_1784_s3_q;
+  logic not_1789_s3_q;
+  logic and_1797_s3_q;
+  logic [4:0] select_1812_s3_q;
+  logic select_1818_s3_q;
+  logic [3:0] select_1858_s3_q;
+  logic and_1974_s3_q;
+  logic select_1976_s3_q;
+  logic and_1979_s3_q;
   logic or_1985_s3_q;
-  logic not_1987_s3_q;
+  logic or_1988_s3_q;
+  logic or_1991_s3_q;
+  logic not_1993_s3_q;
   logic textured_s3_q;
   logic explained_s3_q;
-  logic and_2014_s3_q;
-  logic and_2019_s3_q;
-  logic and_2051_s3_q;
-  logic less_2052_s3_q;
-  logic [11:0] sum_2060_s3_q;
+  logic and_2020_s3_q;
+  logic and_2025_s3_q;
+  logic and_2057_s3_q;
+  logic less_2058_s3_q;
+  logic [11:0] sum_2067_s3_q;
   logic [2:0] textured_2_s3_q;
-  logic or_2078_s3_q;
-  logic or_2081_s3_q;
-  logic or_2084_s3_q;
+  logic or_2085_s3_q;
+  logic or_2088_s3_q;
+  logic or_2091_s3_q;
   logic [2:0] shown_2_s3_q;
   logic [2:0] near_2_s3_q;
-  logic and_2134_s3_q;
-  logic [11:0] sum_2266_s3_q;
-  logic [9:0] sum_2269_s3_q;
-  logic equal_2277_s3_q;
+  logic and_2143_s3_q;
+  logic [11:0] sum_2275_s3_q;
+  logic [9:0] sum_2278_s3_q;
+  logic equal_2286_s3_q;
   logic [8:0] contrast_s3_q;
   logic [8:0] contrast_2_s3_q;
-  logic and_2591_s3_q;
-  logic and_2597_s3_q;
+  logic and_2610_s3_q;
+  logic and_2616_s3_q;
   logic [2:0] explained_2_s3_q;
-  logic and_2659_s3_q;
-  logic and_2693_s3_q;
-  logic and_2751_s3_q;
-  logic and_2752_s3_q;
+  logic and_2678_s3_q;
+  logic and_2712_s3_q;
+  logic and_2771_s3_q;
+  logic and_2772_s3_q;
   logic [7:0] residual_s3_q;
-  logic and_2788_s3_q;
-  logic and_2802_s3_q;
-  logic equal_2845_s3_q;
-  logic parity_3222_s3_q;
-  logic parity_3351_s3_q;
-  logic parity_3413_s3_q;
-  logic xor_3441_s3_q;
-  logic parity_3453_s3_q;
-  logic or_3457_s3_q;
-  logic equal_3458_s3_q;
-  logic and_3558_s3_q;
-  logic less_3583_s3_q;
-  logic equal_3882_s3_q;
-  logic and_4102_s3_q;
-  logic equal_4175_s3_q;
+  logic and_2808_s3_q;
+  logic and_2822_s3_q;
+  logic equal_2864_s3_q;
+  logic parity_3241_s3_q;
+  logic parity_3370_s3_q;
+  logic parity_3432_s3_q;
+  logic xor_3460_s3_q;
+  logic parity_3472_s3_q;
+  logic or_3476_s3_q;
+  logic equal_3477_s3_q;
+  logic and_3577_s3_q;
+  logic less_3602_s3_q;
+  logic equal_3901_s3_q;
+  logic and_4075_s3_q;
+  logic and_4123_s3_q;
+  logic and_4125_s3_q;
+  logic not_4143_s3_q;
+  logic equal_4196_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       saturated_s3_q <= saturated_s2_q;
@@ -5207,6 +5254,7 @@ module horopter_agreement (
       slot_s3_q <= slot_s2_q;
       ends_cell_s3_q <= ends_cell_s2_q;
       lower_half_s3_q <= lower_half_s2_q;
+      draws_late_s3_q <= draws_late_s2_q;
       registration_of_right_s3_q <= registration_of_right_q;
       patches_choosing_band_s3_q <= patches_choosing_band_s2_q;
       patches_lower_s3_q <= patches_lower_s2_q;
@@ -5220,25 +5268,20 @@ module horopter_agreement (
       region_fresh_s3_q <= region_fresh_q;
       centres_values_1_textured_s3_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s3_q <= centres_values_1_of_skin_q;
-      done_s3_q <= done_q;
-      select_510_s3_q <= select_510_s2_q;
+      select_512_s3_q <= select_512_s2_q;
       row_starts_s3_q <= row_starts_s2_q;
-      select_543_s3_q <= select_543_s2_q;
+      select_545_s3_q <= select_545_s2_q;
       last_s3_q <= last_s2_2_q;
-      and_547_s3_q <= and_547_s2_q;
       and_549_s3_q <= and_549_s2_q;
+      and_551_s3_q <= and_551_s2_q;
       grey_s3_q <= grey;
-      equal_552_s3_q <= equal_552;
+      equal_554_s3_q <= equal_554;
       grey_2_s3_q <= grey_2;
       whole_2_s3_q <= whole_2;
-      equal_569_s3_q <= equal_569_s2_q;
-      equal_574_s3_q <= equal_574_s2_q;
-      not_575_s3_q <= not_575_s2_q;
-      less_652_s3_q <= less_652;
-      less_653_s3_q <= less_653;
-      less_654_s3_q <= less_654;
-      less_655_s3_q <= less_655;
-      less_656_s3_q <= less_656;
+      equal_571_s3_q <= equal_571_s2_q;
+      equal_576_s3_q <= equal_576_s2_q;
+      not_577_s3_q <= not_577_s2_q;
+      so_s3_q <= drew_q;
       less_657_s3_q <= less_657;
       less_658_s3_q <= less_658;
       less_659_s3_q <= less_659;
@@ -5258,93 +5301,101 @@ module horopter_agreement (
       less_673_s3_q <= less_673;
       less_674_s3_q <= less_674;
       less_675_s3_q <= less_675;
-      and_683_s3_q <= and_683;
-      and_708_s3_q <= whole_22 & and_683;
-      and_709_s3_q <= census_columns_values_1_cell_2_mask_q & and_683;
-      sum_724_s3_q <= {1'b0, sum_720} + {2'h0, sum_723};
-      sum_727_s3_q <= {9'h0, difference_725[9]} + {1'b0, xor_726};
-      and_735_s3_q <= and_735;
-      and_739_s3_q <= and_739;
-      less_740_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
-      less_744_s3_q <= {{5{sum_743[6]}}, sum_743, half_grey_levels_2[3:0]} < 16'hffe1;
-      less_746_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
-      equal_1607_s3_q <= equal_1607;
+      less_676_s3_q <= less_676;
+      less_677_s3_q <= less_677;
+      less_678_s3_q <= less_678;
+      less_679_s3_q <= less_679;
+      less_680_s3_q <= less_680;
+      and_688_s3_q <= and_688;
+      and_713_s3_q <= whole_22 & and_688;
+      and_714_s3_q <= census_columns_values_1_cell_2_mask_q & and_688;
+      sum_729_s3_q <= {1'b0, sum_725} + {2'h0, sum_728};
+      sum_732_s3_q <= {9'h0, difference_730[9]} + {1'b0, xor_731};
+      and_740_s3_q <= and_740;
+      and_744_s3_q <= and_744;
+      less_745_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
+      less_749_s3_q <= {{5{sum_748[6]}}, sum_748, half_grey_levels_2[3:0]} < 16'hffe1;
+      less_751_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
+      equal_1613_s3_q <= equal_1613;
       all_s3_q <= all;
-      sum_1613_s3_q <= sum_1613;
-      equal_1615_s3_q <= equal_1615;
-      equal_1617_s3_q <= equal_1617;
-      equal_1619_s3_q <= equal_1619;
+      sum_1619_s3_q <= sum_1619;
       equal_1621_s3_q <= equal_1621;
       equal_1623_s3_q <= equal_1623;
       equal_1625_s3_q <= equal_1625;
       equal_1627_s3_q <= equal_1627;
       equal_1629_s3_q <= equal_1629;
-      less_1638_s3_q <= less_1638;
-      or_1642_s3_q <= or_1642;
-      equal_1662_s3_q <= (registration_fresh_q & select_1660) == 4'h0;
-      and_1672_s3_q <= not_575_s2_q & and_1656;
-      select_1689_s3_q <= select_1689[1];
-      equal_1690_s3_q <= equal_1690;
-      and_1698_s3_q <= and_1698;
-      equal_1700_s3_q <= equal_1700;
-      select_1747_s3_q <= select_1747;
-      and_1775_s3_q <= and_1775;
-      equal_1776_s3_q <= equal_1776_s2_q;
-      equal_1778_s3_q <= equal_1778_s2_q;
-      not_1783_s3_q <= not_1783_s2_q;
-      and_1791_s3_q <= and_1775 & equal_1790;
-      select_1806_s3_q <= select_1806_s2_q;
+      equal_1631_s3_q <= equal_1631;
+      equal_1633_s3_q <= equal_1633;
+      equal_1635_s3_q <= equal_1635;
+      less_1644_s3_q <= less_1644;
+      or_1648_s3_q <= or_1648;
+      equal_1668_s3_q <= (registration_fresh_q & select_1666) == 4'h0;
+      and_1678_s3_q <= not_577_s2_q & and_1662;
+      select_1695_s3_q <= select_1695[1];
+      equal_1696_s3_q <= equal_1696;
+      and_1704_s3_q <= and_1704;
+      equal_1706_s3_q <= equal_1706;
+      select_1753_s3_q <= select_1753;
+      and_1781_s3_q <= and_1781;
+      equal_1782_s3_q <= equal_1782_s2_q;
+      equal_1784_s3_q <= equal_1784_s2_q;
+      not_1789_s3_q <= not_1789_s2_q;
+      and_1797_s3_q <= and_1781 & equal_1796;
       select_1812_s3_q <= select_1812_s2_q;
-      select_1852_s3_q <= select_1852_s2_q;
-      and_1968_s3_q <= and_1968_s2_q;
-      select_1970_s3_q <= select_1970_s2_q;
-      and_1973_s3_q <= and_1973_s2_q;
-      or_1979_s3_q <= or_1979;
-      or_1982_s3_q <= or_1982;
+      select_1818_s3_q <= select_1818_s2_q;
+      select_1858_s3_q <= select_1858_s2_q;
+      and_1974_s3_q <= and_1974_s2_q;
+      select_1976_s3_q <= select_1976_s2_q;
+      and_1979_s3_q <= and_1979_s2_q;
       or_1985_s3_q <= or_1985;
-      not_1987_s3_q <= not_1987;
+      or_1988_s3_q <= or_1988;
+      or_1991_s3_q <= or_1991;
+      not_1993_s3_q <= not_1993;
       textured_s3_q <= textured;
       explained_s3_q <= explained;
-      and_2014_s3_q <= inside_v_s2_q & (and_2012 & and_1585);
-      and_2019_s3_q <= not_575_s2_q & and_1994;
-      and_2051_s3_q <= and_2051;
-      less_2052_s3_q <= less_2052;
-      sum_2060_s3_q <= sum_2060;
+      and_2020_s3_q <= inside_v_s2_q & (and_2018 & and_1591);
+      and_2025_s3_q <= not_577_s2_q & and_2000;
+      and_2057_s3_q <= and_2057;
+      less_2058_s3_q <= less_2058;
+      sum_2067_s3_q <= sum_2067;
       textured_2_s3_q <= textured_2;
-      or_2078_s3_q <= or_2078;
-      or_2081_s3_q <= select_2075[7] | (~({select_2075[6], select_2075[3:2]} == 3'h0));
-      or_2084_s3_q <= select_2075[7] | (~(select_2075[6:4] == 3'h0));
+      or_2085_s3_q <= or_2085;
+      or_2088_s3_q <= select_2082[7] | (~({select_2082[6], select_2082[3:2]} == 3'h0));
+      or_2091_s3_q <= select_2082[7] | (~(select_2082[6:4] == 3'h0));
       shown_2_s3_q <= shown_2;
       near_2_s3_q <= near_2;
-      and_2134_s3_q <= and_2134;
-      sum_2266_s3_q <= {1'b0, sum_2262} + {2'h0, sum_2265};
-      sum_2269_s3_q <= {9'h0, difference_2267[9]} + {1'b0, xor_2268};
-      equal_2277_s3_q <= equal_2277_s2_q;
+      and_2143_s3_q <= and_2143;
+      sum_2275_s3_q <= {1'b0, sum_2271} + {2'h0, sum_2274};
+      sum_2278_s3_q <= {9'h0, difference_2276[9]} + {1'b0, xor_2277};
+      equal_2286_s3_q <= equal_2286_s2_q;
       contrast_s3_q <= contrast;
       contrast_2_s3_q <= contrast_2;
-      and_2591_s3_q <= and_2591;
-      and_2597_s3_q <= and_2597;
+      and_2610_s3_q <= and_2610;
+      and_2616_s3_q <= and_2616;
       explained_2_s3_q <= explained_2;
-      and_2659_s3_q <= not_575_s2_q & and_2658;
-      and_2693_s3_q <= not_575_s2_q & and_2692;
-      and_2751_s3_q <= not_575_s2_q & (so_s2_q & (half_ends & equal_2748));
-      and_2752_s3_q <= and_2752;
+      and_2678_s3_q <= not_577_s2_q & and_2677;
+      and_2712_s3_q <= not_577_s2_q & and_2711;
+      and_2771_s3_q <= not_577_s2_q & (drew_q & (half_ends & equal_2768));
+      and_2772_s3_q <= and_2772;
       residual_s3_q <= residual[7:0];
-      and_2788_s3_q <= and_2788;
-      and_2802_s3_q <= and_2752 & less_2801;
-      equal_2845_s3_q <= (registration_fresh_q & select_2843) == 4'h0;
-      parity_3222_s3_q <= ^{xor_3218, xor_3181, select_3148[44:36], other[44:36]};
-      parity_3351_s3_q <= parity_3351;
-      parity_3413_s3_q <= parity_3413;
-      xor_3441_s3_q <= parity_3428 ^ parity_3440;
-      parity_3453_s3_q <= ^{or_3450, or_3446, and_3442};
-      or_3457_s3_q <= (or_3446 & or_3450) | (and_3442 & (or_3446 | or_3450));
-      equal_3458_s3_q <= equal_3458_s2_q;
-      and_3558_s3_q <= equal_1776_s2_q & equal_3555_s2_q;
-      less_3583_s3_q <= select_3548 < select_3550;
-      equal_3882_s3_q <= equal_3882;
-      and_4102_s3_q <= and_2134 & (sum_2060 == sum_2044);
-      equal_4175_s3_q <= (registration_fresh_q & select_4173) == 4'h0;
+      and_2808_s3_q <= and_2808;
+      and_2822_s3_q <= and_2772 & less_2821;
+      equal_2864_s3_q <= (registration_fresh_q & select_2862) == 4'h0;
+      parity_3241_s3_q <= ^{xor_3237, xor_3200, select_3167[44:36], other[44:36]};
+      parity_3370_s3_q <= parity_3370;
+      parity_3432_s3_q <= parity_3432;
+      xor_3460_s3_q <= parity_3447 ^ parity_3459;
+      parity_3472_s3_q <= ^{or_3469, or_3465, and_3461};
+      or_3476_s3_q <= (or_3465 & or_3469) | (and_3461 & (or_3465 | or_3469));
+      equal_3477_s3_q <= equal_3477_s2_q;
+      and_3577_s3_q <= equal_1782_s2_q & equal_3574_s2_q;
+      less_3602_s3_q <= select_3567 < select_3569;
+      equal_3901_s3_q <= equal_3901_s2_q;
+      and_4075_s3_q <= said_q;
+      and_4123_s3_q <= and_2143 & (sum_2067 == sum_2050);
+      and_4125_s3_q <= and_4125_s2_q;
+      not_4143_s3_q <= not_4143_s2_q;
+      equal_4196_s3_q <= (registration_fresh_q & select_4194) == 4'h0;
     end
   end
 
@@ -5520,750 +5571,752 @@ module horopter_agreement (
   logic [2:0] box_nearer_columns_values_3_q;
   logic [2:0] box_nearer_columns_values_4_q;
   logic [4:0] box_nearer_sum_sums_values_0_q;
-  logic proven_q;
   logic seen_q;
   logic nearer_q;
   // hls/stages/census.hpp:284
   logic [11:0] texture;
-  assign texture = sum_724_s3_q + {2'h0, sum_727_s3_q};
+  assign texture = sum_729_s3_q + {2'h0, sum_732_s3_q};
   // hls/stages/census.hpp:295
-  logic [12:0] sum_729;
-  assign sum_729 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-  logic [13:0] sum_731;
-  assign sum_731 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_729});
+  logic [12:0] sum_734;
+  assign sum_734 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+  logic [13:0] sum_736;
+  assign sum_736 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_734});
   // hls/stages/census.hpp:317
-  logic less_732;
-  assign less_732 = 9'h4 < sum_731[13:5];
-  logic and_733;
-  assign and_733 = and_683_s3_q & less_732;
+  logic less_737;
+  assign less_737 = 9'h4 < sum_736[13:5];
+  logic and_738;
+  assign and_738 = and_688_s3_q & less_737;
   // hls/stages/moments.hpp:30
-  logic and_745;
-  assign and_745 = (and_708_s3_q & and_735_s3_q) & less_744_s3_q;
+  logic and_750;
+  assign and_750 = (and_713_s3_q & and_740_s3_q) & less_749_s3_q;
   // hls/stages/registration.hpp:265
-  logic equal_1664;
-  assign equal_1664 = sum_1613_s3_q == 2'h0;
+  logic equal_1670;
+  assign equal_1670 = sum_1619_s3_q == 2'h0;
   // hls/stages/registration.hpp:263
   logic [6:0] down;
-  assign down = sum_1613_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_1619_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:265
-  logic [13:0] select_1666;
-  assign select_1666 = equal_1664 ? registration_half_across_q : {{7{down[6]}}, down};
-  logic [19:0] sum_1667;
-  assign sum_1667 = (equal_1662_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1666[13]}}, select_1666};
+  logic [13:0] select_1672;
+  assign select_1672 = equal_1670 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_1673;
+  assign sum_1673 = (equal_1668_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1672[13]}}, select_1672};
   // hls/stages/registration.hpp:264
   logic [6:0] up;
-  assign up = sum_1613_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_1619_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:266
-  logic [6:0] select_1670;
-  assign select_1670 = equal_1664 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_1671;
-  assign sum_1671 = (equal_1662_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1670[6]}}, select_1670};
+  logic [6:0] select_1676;
+  assign select_1676 = equal_1670 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_1677;
+  assign sum_1677 = (equal_1668_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1676[6]}}, select_1676};
   // hls/stages/patches.hpp:357
-  logic [22:0] select_1792;
-  assign select_1792 = and_1791_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1747_s3_q} : patches_choices_rdata_q;
+  logic [22:0] select_1798;
+  assign select_1798 = and_1797_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1753_s3_q} : patches_choices_rdata_q;
   // hls/stages/patches.hpp:127
-  logic select_1794;
-  assign select_1794 = equal_1690_s3_q ? patches_place_0_valid_q : (select_1689_s3_q ? patches_place_0_valid_q : select_1792[0]);
+  logic select_1800;
+  assign select_1800 = equal_1696_s3_q ? patches_place_0_valid_q : (select_1695_s3_q ? patches_place_0_valid_q : select_1798[0]);
   // hls/stages/patches.hpp:132
-  logic [7:0] sum_1795;
-  assign sum_1795 = {1'b0, select_543_s3_q, select_510_s3_q[2]} + 8'h3;
+  logic [7:0] sum_1801;
+  assign sum_1801 = {1'b0, select_545_s3_q, select_512_s3_q[2]} + 8'h3;
   // hls/stages/patches.hpp:358
-  logic [21:0] select_1796;
-  assign select_1796 = select_1689_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1792[22:1];
+  logic [21:0] select_1802;
+  assign select_1802 = select_1695_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1798[22:1];
   // hls/stages/patches.hpp:127
-  logic [7:0] select_1797;
-  assign select_1797 = equal_1690_s3_q ? patches_place_0_column_q : select_1796[7:0];
-  logic [5:0] select_1798;
-  assign select_1798 = equal_1690_s3_q ? patches_place_0_shift_q : select_1796[13:8];
+  logic [7:0] select_1803;
+  assign select_1803 = equal_1696_s3_q ? patches_place_0_column_q : select_1802[7:0];
+  logic [5:0] select_1804;
+  assign select_1804 = equal_1696_s3_q ? patches_place_0_shift_q : select_1802[13:8];
   // hls/stages/patches.hpp:328
-  logic [7:0] sum_1799;
-  assign sum_1799 = select_1797 + {{2{select_1798[5]}}, select_1798};
+  logic [7:0] sum_1805;
+  assign sum_1805 = select_1803 + {{2{select_1804[5]}}, select_1804};
   // hls/stages/patches.hpp:132
-  logic equal_1800;
-  assign equal_1800 = {sum_1799, sum_1795[0], select_510_s3_q[1:0]} == {1'b0, sum_1795[7:1], 3'h0};
+  logic equal_1806;
+  assign equal_1806 = {sum_1805, sum_1801[0], select_512_s3_q[1:0]} == {1'b0, sum_1801[7:1], 3'h0};
   // hls/stages/patches.hpp:134
-  logic or_1802;
-  assign or_1802 = row_starts_s3_q | (select_1794 & equal_1800);
+  logic or_1808;
+  assign or_1808 = row_starts_s3_q | (select_1800 & equal_1806);
   // hls/stages/agreement.hpp:276
-  logic [4:0] select_1803;
-  assign select_1803 = or_1802 ? 5'h0 : patches_right_next_0_q[4:0];
+  logic [4:0] select_1809;
+  assign select_1809 = or_1808 ? 5'h0 : patches_right_next_0_q[4:0];
   // hls/stages/patches.hpp:134
-  logic [5:0] select_1813;
-  assign select_1813 = or_1802 ? {row_starts_s3_q, 5'h0} : patches_right_next_0_q;
+  logic [5:0] select_1819;
+  assign select_1819 = or_1808 ? {row_starts_s3_q, 5'h0} : patches_right_next_0_q;
   // hls/stages/patches.hpp:138
-  logic and_1815;
-  assign and_1815 = select_1812_s3_q & (~select_1813[5]);
+  logic and_1821;
+  assign and_1821 = select_1818_s3_q & (~select_1819[5]);
   // hls/stages/patches.hpp:127
-  logic select_1823;
-  assign select_1823 = equal_1690_s3_q ? patches_place_1_valid_q : (select_1689_s3_q ? select_1792[0] : patches_place_1_valid_q);
+  logic select_1829;
+  assign select_1829 = equal_1696_s3_q ? patches_place_1_valid_q : (select_1695_s3_q ? select_1798[0] : patches_place_1_valid_q);
   // hls/stages/patches.hpp:358
-  logic [21:0] select_1824;
-  assign select_1824 = select_1689_s3_q ? select_1792[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  logic [21:0] select_1830;
+  assign select_1830 = select_1695_s3_q ? select_1798[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:127
-  logic [7:0] select_1825;
-  assign select_1825 = equal_1690_s3_q ? patches_place_1_column_q : select_1824[7:0];
-  logic [5:0] select_1826;
-  assign select_1826 = equal_1690_s3_q ? patches_place_1_shift_q : select_1824[13:8];
-  // hls/stages/patches.hpp:328
-  logic [7:0] sum_1827;
-  assign sum_1827 = select_1825 + {{2{select_1826[5]}}, select_1826};
-  // hls/stages/patches.hpp:132
-  logic equal_1828;
-  assign equal_1828 = {sum_1827[7], sum_1795, select_510_s3_q[1:0]} == {1'b0, sum_1827[6:0], 3'h0};
-  // hls/stages/patches.hpp:134
-  logic or_1830;
-  assign or_1830 = row_starts_s3_q | (select_1823 & equal_1828);
-  // hls/stages/agreement.hpp:276
-  logic [4:0] select_1831;
-  assign select_1831 = or_1830 ? 5'h0 : patches_right_next_1_q[4:0];
-  // hls/stages/patches.hpp:134
+  logic [7:0] select_1831;
+  assign select_1831 = equal_1696_s3_q ? patches_place_1_column_q : select_1830[7:0];
   logic [5:0] select_1832;
-  assign select_1832 = or_1830 ? {row_starts_s3_q, 5'h0} : patches_right_next_1_q;
+  assign select_1832 = equal_1696_s3_q ? patches_place_1_shift_q : select_1830[13:8];
+  // hls/stages/patches.hpp:328
+  logic [7:0] sum_1833;
+  assign sum_1833 = select_1831 + {{2{select_1832[5]}}, select_1832};
+  // hls/stages/patches.hpp:132
+  logic equal_1834;
+  assign equal_1834 = {sum_1833[7], sum_1801, select_512_s3_q[1:0]} == {1'b0, sum_1833[6:0], 3'h0};
+  // hls/stages/patches.hpp:134
+  logic or_1836;
+  assign or_1836 = row_starts_s3_q | (select_1829 & equal_1834);
+  // hls/stages/agreement.hpp:276
+  logic [4:0] select_1837;
+  assign select_1837 = or_1836 ? 5'h0 : patches_right_next_1_q[4:0];
+  // hls/stages/patches.hpp:134
+  logic [5:0] select_1838;
+  assign select_1838 = or_1836 ? {row_starts_s3_q, 5'h0} : patches_right_next_1_q;
   // hls/stages/patches.hpp:138
-  logic and_1834;
-  assign and_1834 = select_1812_s3_q & (~select_1832[5]);
+  logic and_1840;
+  assign and_1840 = select_1818_s3_q & (~select_1838[5]);
   // hls/stages/patches.hpp:323
-  logic [6:0] sum_1841;
-  assign sum_1841 = select_1797[6:0] + 7'h7f;
+  logic [6:0] sum_1847;
+  assign sum_1847 = select_1803[6:0] + 7'h7f;
   // hls/stages/patches.hpp:133
-  logic equal_1842;
-  assign equal_1842 = {sum_1841[6], select_543_s3_q, select_510_s3_q} == {1'b0, sum_1841[5:0], 3'h4};
+  logic equal_1848;
+  assign equal_1848 = {sum_1847[6], select_545_s3_q, select_512_s3_q} == {1'b0, sum_1847[5:0], 3'h4};
   // hls/stages/patches.hpp:135
-  logic or_1844;
-  assign or_1844 = row_starts_s3_q | (select_1794 & equal_1842);
-  logic [4:0] select_1845;
-  assign select_1845 = or_1844 ? {row_starts_s3_q, 4'h0} : patches_left_next_0_q;
+  logic or_1850;
+  assign or_1850 = row_starts_s3_q | (select_1800 & equal_1848);
+  logic [4:0] select_1851;
+  assign select_1851 = or_1850 ? {row_starts_s3_q, 4'h0} : patches_left_next_0_q;
   // hls/stages/patches.hpp:323
-  logic [6:0] sum_1846;
-  assign sum_1846 = select_1825[6:0] + 7'h7f;
+  logic [6:0] sum_1852;
+  assign sum_1852 = select_1831[6:0] + 7'h7f;
   // hls/stages/patches.hpp:133
-  logic equal_1847;
-  assign equal_1847 = {sum_1846[6], select_543_s3_q, select_510_s3_q} == {1'b0, sum_1846[5:0], 3'h4};
+  logic equal_1853;
+  assign equal_1853 = {sum_1852[6], select_545_s3_q, select_512_s3_q} == {1'b0, sum_1852[5:0], 3'h4};
   // hls/stages/patches.hpp:135
-  logic [4:0] select_1850;
-  assign select_1850 = (row_starts_s3_q | (select_1823 & equal_1847)) ? {row_starts_s3_q, 4'h0} : patches_left_next_1_q;
+  logic [4:0] select_1856;
+  assign select_1856 = (row_starts_s3_q | (select_1829 & equal_1853)) ? {row_starts_s3_q, 4'h0} : patches_left_next_1_q;
   // hls/stages/patches.hpp:143
   logic [3:0] column_4;
-  assign column_4 = select_1845[4] ? select_1850[3:0] : select_1845[3:0];
+  assign column_4 = select_1851[4] ? select_1856[3:0] : select_1851[3:0];
   // hls/stages/agreement.hpp:276
-  logic select_1853;
-  assign select_1853 = or_1844 ? row_starts_s3_q : patches_left_next_0_q[4];
+  logic select_1859;
+  assign select_1859 = or_1850 ? row_starts_s3_q : patches_left_next_0_q[4];
   // hls/stages/patches.hpp:143
-  logic and_1859;
-  assign and_1859 = (select_1812_s3_q & (select_1806_s3_q[3] ^ select_1806_s3_q[4])) & ((~select_1845[4]) | (~select_1850[4]));
+  logic and_1865;
+  assign and_1865 = (select_1818_s3_q & (select_1812_s3_q[3] ^ select_1812_s3_q[4])) & ((~select_1851[4]) | (~select_1856[4]));
   // hls/stages/patches.hpp:186
-  logic less_1963;
-  assign less_1963 = patches_sums_values_0_q < patches_best_differing_q;
+  logic less_1969;
+  assign less_1969 = patches_sums_values_0_q < patches_best_differing_q;
   // hls/stages/patches.hpp:187
-  logic not_1964;
-  assign not_1964 = ~less_1963;
-  logic [1:0] select_1965;
-  assign select_1965 = patches_summed_first_s3_q ? 2'h2 : {less_1963, not_1964};
-  logic [12:0] select_1966;
-  assign select_1966 = select_1965[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
-  logic [14:0] select_1974;
-  assign select_1974 = select_1965[0] ? {patches_best_column_q, patches_best_differing_q} : {4'h0, and_1973_s3_q, 1'b0, select_1970_s3_q, left_pixel_q};
-  logic [14:0] select_1975;
-  assign select_1975 = select_1965[1] ? {select_1966[12:8], patches_sums_values_0_q[9:8], select_1966[7:0]} : select_1974;
-  // hls/stages/agreement.hpp:900
-  logic [5:0] select_2000;
-  assign select_2000 = segment_started_q ? segment_textured_q : 6'h0;
-  // hls/stages/agreement.hpp:901
-  logic [5:0] sum_2001;
-  assign sum_2001 = {5'h0, textured_s3_q} + select_2000;
-  // hls/stages/agreement.hpp:1061
-  logic [9:0] sum_2003;
-  assign sum_2003 = {4'h0, sum_2001} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
-  // hls/stages/agreement.hpp:900
-  logic [5:0] select_2005;
-  assign select_2005 = segment_started_q ? segment_explained_q : 6'h0;
-  // hls/stages/agreement.hpp:901
-  logic [5:0] sum_2006;
-  assign sum_2006 = {5'h0, explained_s3_q} + select_2005;
-  // hls/stages/agreement.hpp:1062
-  logic [9:0] sum_2008;
-  assign sum_2008 = {4'h0, sum_2006} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
-  // hls/stages/agreement.hpp:900
-  logic [5:0] select_2015;
-  assign select_2015 = segment_started_q ? segment_nearer_q : 6'h0;
-  // hls/stages/agreement.hpp:902
-  logic [5:0] sum_2016;
-  assign sum_2016 = {5'h0, and_2014_s3_q} + select_2015;
-  // hls/stages/agreement.hpp:1063
-  logic [9:0] sum_2018;
-  assign sum_2018 = {4'h0, sum_2016} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
-  // hls/stages/agreement.hpp:1094
-  logic [2:0] select_2069;
-  assign select_2069 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2070;
-  assign difference_2070 = {1'b0, textured_2_s3_q} - {1'b0, select_2069};
-  logic [4:0] t;
-  assign t = {difference_2070[3], difference_2070} + (equal_569_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1100
-  logic equal_2073;
-  assign equal_2073 = t[4:1] == 4'h0;
+  logic not_1970;
+  assign not_1970 = ~less_1969;
+  logic [1:0] select_1971;
+  assign select_1971 = patches_summed_first_s3_q ? 2'h2 : {less_1969, not_1970};
+  logic [12:0] select_1972;
+  assign select_1972 = select_1971[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
+  logic [14:0] select_1980;
+  assign select_1980 = select_1971[0] ? {patches_best_column_q, patches_best_differing_q} : {4'h0, and_1979_s3_q, 1'b0, select_1976_s3_q, left_pixel_q};
+  logic [14:0] select_1981;
+  assign select_1981 = select_1971[1] ? {select_1972[12:8], patches_sums_values_0_q[9:8], select_1972[7:0]} : select_1980;
+  // hls/stages/agreement.hpp:907
+  logic [5:0] select_2006;
+  assign select_2006 = segment_started_q ? segment_textured_q : 6'h0;
+  // hls/stages/agreement.hpp:908
+  logic [5:0] sum_2007;
+  assign sum_2007 = {5'h0, textured_s3_q} + select_2006;
+  // hls/stages/agreement.hpp:1068
+  logic [9:0] sum_2009;
+  assign sum_2009 = {4'h0, sum_2007} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
+  // hls/stages/agreement.hpp:907
+  logic [5:0] select_2011;
+  assign select_2011 = segment_started_q ? segment_explained_q : 6'h0;
+  // hls/stages/agreement.hpp:908
+  logic [5:0] sum_2012;
+  assign sum_2012 = {5'h0, explained_s3_q} + select_2011;
+  // hls/stages/agreement.hpp:1069
+  logic [9:0] sum_2014;
+  assign sum_2014 = {4'h0, sum_2012} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
+  // hls/stages/agreement.hpp:907
+  logic [5:0] select_2021;
+  assign select_2021 = segment_started_q ? segment_nearer_q : 6'h0;
+  // hls/stages/agreement.hpp:909
+  logic [5:0] sum_2022;
+  assign sum_2022 = {5'h0, and_2020_s3_q} + select_2021;
+  // hls/stages/agreement.hpp:1070
+  logic [9:0] sum_2024;
+  assign sum_2024 = {4'h0, sum_2022} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
   // hls/stages/agreement.hpp:1101
-  logic not_2085;
-  assign not_2085 = ~region_row_s3_q[2];
-  logic [2:0] select_2086;
-  assign select_2086 = region_row_s3_q[1] ? {1'b0, not_2085, 1'b0} : {region_row_s3_q[2], 1'b0, not_2085};
-  logic [5:0] select_2087;
-  assign select_2087 = region_row_s3_q[0] ? {select_2086[2], 1'b0, select_2086[1], 1'b0, select_2086[0], 1'b0} : {1'b0, select_2086[2], 1'b0, select_2086[1], 1'b0, select_2086[0]};
-  logic [11:0] select_2088;
-  assign select_2088 = or_2084_s3_q ? {select_2087[5], 1'b0, select_2087[4], 1'b0, select_2087[3], 1'b0, select_2087[2], 1'b0, select_2087[1], 1'b0, select_2087[0], 1'b0} : {1'b0, select_2087[5], 1'b0, select_2087[4], 1'b0, select_2087[3], 1'b0, select_2087[2], 1'b0, select_2087[1], 1'b0, select_2087[0]};
-  logic [23:0] select_2089;
-  assign select_2089 = or_2081_s3_q ? {select_2088[11], 1'b0, select_2088[10], 1'b0, select_2088[9], 1'b0, select_2088[8], 1'b0, select_2088[7], 1'b0, select_2088[6], 1'b0, select_2088[5], 1'b0, select_2088[4], 1'b0, select_2088[3], 1'b0, select_2088[2], 1'b0, select_2088[1], 1'b0, select_2088[0], 1'b0} : {1'b0, select_2088[11], 1'b0, select_2088[10], 1'b0, select_2088[9], 1'b0, select_2088[8], 1'b0, select_2088[7], 1'b0, select_2088[6], 1'b0, select_2088[5], 1'b0, select_2088[4], 1'b0, select_2088[3], 1'b0, select_2088[2], 1'b0, select_2088[1], 1'b0, select_2088[0]};
-  logic [47:0] select_2090;
-  assign select_2090 = or_2078_s3_q ? {select_2089[23], 1'b0, select_2089[22], 1'b0, select_2089[21], 1'b0, select_2089[20], 1'b0, select_2089[19], 1'b0, select_2089[18], 1'b0, select_2089[17], 1'b0, select_2089[16], 1'b0, select_2089[15], 1'b0, select_2089[14], 1'b0, select_2089[13], 1'b0, select_2089[12], 1'b0, select_2089[11], 1'b0, select_2089[10], 1'b0, select_2089[9], 1'b0, select_2089[8], 1'b0, select_2089[7], 1'b0, select_2089[6], 1'b0, select_2089[5], 1'b0, select_2089[4], 1'b0, select_2089[3], 1'b0, select_2089[2], 1'b0, select_2089[1], 1'b0, select_2089[0], 1'b0} : {1'b0, select_2089[23], 1'b0, select_2089[22], 1'b0, select_2089[21], 1'b0, select_2089[20], 1'b0, select_2089[19], 1'b0, select_2089[18], 1'b0, select_2089[17], 1'b0, select_2089[16], 1'b0, select_2089[15], 1'b0, select_2089[14], 1'b0, select_2089[13], 1'b0, select_2089[12], 1'b0, select_2089[11], 1'b0, select_2089[10], 1'b0, select_2089[9], 1'b0, select_2089[8], 1'b0, select_2089[7], 1'b0, select_2089[6], 1'b0, select_2089[5], 1'b0, select_2089[4], 1'b0, select_2089[3], 1'b0, select_2089[2], 1'b0, select_2089[1], 1'b0, select_2089[0]};
-  // hls/stages/agreement.hpp:1030
-  logic and_2094;
-  assign and_2094 = good_known_q & (~((good_q & select_2090) == 48'h0));
-  // hls/stages/agreement.hpp:1096
-  logic [2:0] select_2103;
-  assign select_2103 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2104;
-  assign difference_2104 = {1'b0, shown_2_s3_q} - {1'b0, select_2103};
-  logic [4:0] around;
-  assign around = {difference_2104[3], difference_2104} + (equal_569_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  logic [2:0] select_2076;
+  assign select_2076 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2077;
+  assign difference_2077 = {1'b0, textured_2_s3_q} - {1'b0, select_2076};
+  logic [4:0] t;
+  assign t = {difference_2077[3], difference_2077} + (equal_571_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1107
+  logic equal_2080;
+  assign equal_2080 = t[4:1] == 4'h0;
+  // hls/stages/agreement.hpp:1108
+  logic [2:0] region_row;
+  assign region_row = draws_late_s3_q ? 3'h5 : region_row_s3_q;
+  // hls/stages/agreement.hpp:1109
+  logic not_2093;
+  assign not_2093 = ~region_row[2];
+  logic [2:0] select_2094;
+  assign select_2094 = region_row[1] ? {1'b0, not_2093, 1'b0} : {region_row[2], 1'b0, not_2093};
+  logic [5:0] select_2095;
+  assign select_2095 = region_row[0] ? {select_2094[2], 1'b0, select_2094[1], 1'b0, select_2094[0], 1'b0} : {1'b0, select_2094[2], 1'b0, select_2094[1], 1'b0, select_2094[0]};
+  logic [11:0] select_2096;
+  assign select_2096 = or_2091_s3_q ? {select_2095[5], 1'b0, select_2095[4], 1'b0, select_2095[3], 1'b0, select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0], 1'b0} : {1'b0, select_2095[5], 1'b0, select_2095[4], 1'b0, select_2095[3], 1'b0, select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0]};
+  logic [23:0] select_2097;
+  assign select_2097 = or_2088_s3_q ? {select_2096[11], 1'b0, select_2096[10], 1'b0, select_2096[9], 1'b0, select_2096[8], 1'b0, select_2096[7], 1'b0, select_2096[6], 1'b0, select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0], 1'b0} : {1'b0, select_2096[11], 1'b0, select_2096[10], 1'b0, select_2096[9], 1'b0, select_2096[8], 1'b0, select_2096[7], 1'b0, select_2096[6], 1'b0, select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0]};
+  logic [47:0] select_2098;
+  assign select_2098 = or_2085_s3_q ? {select_2097[23], 1'b0, select_2097[22], 1'b0, select_2097[21], 1'b0, select_2097[20], 1'b0, select_2097[19], 1'b0, select_2097[18], 1'b0, select_2097[17], 1'b0, select_2097[16], 1'b0, select_2097[15], 1'b0, select_2097[14], 1'b0, select_2097[13], 1'b0, select_2097[12], 1'b0, select_2097[11], 1'b0, select_2097[10], 1'b0, select_2097[9], 1'b0, select_2097[8], 1'b0, select_2097[7], 1'b0, select_2097[6], 1'b0, select_2097[5], 1'b0, select_2097[4], 1'b0, select_2097[3], 1'b0, select_2097[2], 1'b0, select_2097[1], 1'b0, select_2097[0], 1'b0} : {1'b0, select_2097[23], 1'b0, select_2097[22], 1'b0, select_2097[21], 1'b0, select_2097[20], 1'b0, select_2097[19], 1'b0, select_2097[18], 1'b0, select_2097[17], 1'b0, select_2097[16], 1'b0, select_2097[15], 1'b0, select_2097[14], 1'b0, select_2097[13], 1'b0, select_2097[12], 1'b0, select_2097[11], 1'b0, select_2097[10], 1'b0, select_2097[9], 1'b0, select_2097[8], 1'b0, select_2097[7], 1'b0, select_2097[6], 1'b0, select_2097[5], 1'b0, select_2097[4], 1'b0, select_2097[3], 1'b0, select_2097[2], 1'b0, select_2097[1], 1'b0, select_2097[0]};
+  // hls/stages/agreement.hpp:1037
+  logic and_2102;
+  assign and_2102 = good_known_q & (~((good_q & select_2098) == 48'h0));
   // hls/stages/agreement.hpp:1103
-  logic [5:0] sum_2107;
-  assign sum_2107 = {1'b0, around} + {2'h0, around[4:1]};
+  logic [2:0] select_2111;
+  assign select_2111 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2112;
+  assign difference_2112 = {1'b0, shown_2_s3_q} - {1'b0, select_2111};
+  logic [4:0] around;
+  assign around = {difference_2112[3], difference_2112} + (equal_571_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1111
+  logic [5:0] sum_2115;
+  assign sum_2115 = {1'b0, around} + {2'h0, around[4:1]};
   logic is_seen;
-  assign is_seen = equal_2073 ? and_2094 : (~({sum_2107, around[0]} < {2'h0, t}));
-  // hls/stages/agreement.hpp:1097
-  logic [2:0] select_2119;
-  assign select_2119 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2120;
-  assign difference_2120 = {1'b0, near_2_s3_q} - {1'b0, select_2119};
+  assign is_seen = equal_2080 ? and_2102 : (~({sum_2115, around[0]} < {2'h0, t}));
+  // hls/stages/agreement.hpp:1104
+  logic [2:0] select_2127;
+  assign select_2127 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2128;
+  assign difference_2128 = {1'b0, near_2_s3_q} - {1'b0, select_2127};
   logic [4:0] n;
-  assign n = {difference_2120[3], difference_2120} + (equal_569_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1112
-  logic and_2124;
-  assign and_2124 = is_seen & ({1'b0, around[4:1]} < n);
+  assign n = {difference_2128[3], difference_2128} + (equal_571_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1120
+  logic and_2132;
+  assign and_2132 = is_seen & ({1'b0, around[4:1]} < n);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_2160;
-  assign select_2160 = sample_pair_whole_s3_q ? (and_547_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2162;
-  assign select_2162 = sample_pair_whole_s3_q ? (and_547_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2164;
-  assign select_2164 = sample_pair_whole_s3_q ? (and_547_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2166;
-  assign select_2166 = sample_pair_whole_s3_q ? (and_547_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  logic [8:0] select_2169;
+  assign select_2169 = sample_pair_whole_s3_q ? (and_549_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2171;
+  assign select_2171 = sample_pair_whole_s3_q ? (and_549_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2173;
+  assign select_2173 = sample_pair_whole_s3_q ? (and_549_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2175;
+  assign select_2175 = sample_pair_whole_s3_q ? (and_549_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2171;
-  assign sum_2171 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
-  logic [9:0] difference_2172;
-  assign difference_2172 = {1'b0, sum_2171[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_2180;
+  assign sum_2180 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
+  logic [9:0] difference_2181;
+  assign difference_2181 = {1'b0, sum_2180[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2173;
-  assign xor_2173 = {difference_2172[8:0], sum_2171[0]} ^ {10{difference_2172[9]}};
+  logic [9:0] xor_2182;
+  assign xor_2182 = {difference_2181[8:0], sum_2180[0]} ^ {10{difference_2181[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2172[9]} + {1'b0, xor_2173};
+  assign size = {10'h0, difference_2181[9]} + {1'b0, xor_2182};
   // hls/stages/census.hpp:222
   logic [13:0] detail;
-  assign detail = {3'h0, size} + (equal_552_s3_q ? 14'h0 : averager_detail_0_q);
+  assign detail = {3'h0, size} + (equal_554_s3_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2178;
-  assign select_2178 = sample_pair_whole_s3_q ? (and_547_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2187;
+  assign select_2187 = sample_pair_whole_s3_q ? (and_549_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2179;
-  assign sum_2179 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
-  logic [9:0] difference_2180;
-  assign difference_2180 = {1'b0, sum_2179[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_2188;
+  assign sum_2188 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
+  logic [9:0] difference_2189;
+  assign difference_2189 = {1'b0, sum_2188[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2181;
-  assign xor_2181 = {difference_2180[8:0], sum_2179[0]} ^ {10{difference_2180[9]}};
+  logic [9:0] xor_2190;
+  assign xor_2190 = {difference_2189[8:0], sum_2188[0]} ^ {10{difference_2189[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2180[9]} + {1'b0, xor_2181};
+  assign size_2 = {10'h0, difference_2189[9]} + {1'b0, xor_2190};
   // hls/stages/census.hpp:222
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2} + (equal_552_s3_q ? 14'h0 : averager_detail_1_q);
+  assign detail_2 = {3'h0, size_2} + (equal_554_s3_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2186;
-  assign select_2186 = sample_pair_whole_s3_q ? (and_547_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2195;
+  assign select_2195 = sample_pair_whole_s3_q ? (and_549_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/census.hpp:286
-  logic [11:0] sum_2270;
-  assign sum_2270 = sum_2266_s3_q + {2'h0, sum_2269_s3_q};
-  // hls/stages/agreement.hpp:520
-  logic [11:0] select_2272;
-  assign select_2272 = and_549_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2273;
-  assign select_2273 = and_549_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [11:0] select_2274;
-  assign select_2274 = and_549_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_2275;
-  assign select_2275 = and_549_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  logic [11:0] sum_2279;
+  assign sum_2279 = sum_2275_s3_q + {2'h0, sum_2278_s3_q};
+  // hls/stages/agreement.hpp:527
+  logic [11:0] select_2281;
+  assign select_2281 = and_551_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2282;
+  assign select_2282 = and_551_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2283;
+  assign select_2283 = and_551_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2284;
+  assign select_2284 = and_551_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:296
-  logic [12:0] sum_2278;
-  assign sum_2278 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2270};
-  logic [13:0] sum_2280;
-  assign sum_2280 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2278});
+  logic [12:0] sum_2287;
+  assign sum_2287 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2279};
+  logic [13:0] sum_2289;
+  assign sum_2289 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2287});
   // hls/stages/census.hpp:323
-  logic and_2282;
-  assign and_2282 = and_708_s3_q & (9'h4 < sum_2280[13:5]);
+  logic and_2291;
+  assign and_2291 = and_713_s3_q & (9'h4 < sum_2289[13:5]);
   // hls/stages/census.hpp:324
-  logic and_2283;
-  assign and_2283 = and_708_s3_q & less_732;
+  logic and_2292;
+  assign and_2292 = and_713_s3_q & less_737;
   // hls/stages/census.hpp:325
-  logic [19:0] sum_2284;
-  assign sum_2284 = census_left_misses_q + {{17{and_2283}}, and_2282, 1'b0, and_2282};
-  // hls/stages/agreement.hpp:520
-  logic [19:0] select_2286;
-  assign select_2286 = and_549_s3_q ? (equal_2277_s3_q ? 20'h0 : sum_2284) : census_left_misses_q;
+  logic [19:0] sum_2293;
+  assign sum_2293 = census_left_misses_q + {{17{and_2292}}, and_2291, 1'b0, and_2291};
+  // hls/stages/agreement.hpp:527
+  logic [19:0] select_2295;
+  assign select_2295 = and_551_s3_q ? (equal_2286_s3_q ? 20'h0 : sum_2293) : census_left_misses_q;
   // hls/stages/agreement.hpp:276
-  logic [27:0] select_2356;
-  assign select_2356 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
-  // hls/stages/agreement.hpp:520
-  logic select_2359;
-  assign select_2359 = and_549_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic [27:0] select_2365;
+  assign select_2365 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
+  // hls/stages/agreement.hpp:527
+  logic select_2368;
+  assign select_2368 = and_551_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:373
-  logic and_2362;
-  assign and_2362 = whole_2_s3_q & (~(last_s3_q[5:1] == 5'h0));
-  // hls/stages/agreement.hpp:457
-  logic and_2368;
-  assign and_2368 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
-  logic and_2369;
-  assign and_2369 = and_2362 & and_2368;
+  logic and_2371;
+  assign and_2371 = whole_2_s3_q & (~(last_s3_q[5:1] == 5'h0));
+  // hls/stages/agreement.hpp:461
+  logic and_2377;
+  assign and_2377 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
+  logic and_2378;
+  assign and_2378 = and_2371 & and_2377;
   // hls/stages/census.hpp:372
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2356[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2365[13:0]};
   // hls/stages/census.hpp:374
-  logic [12:0] select_2371;
-  assign select_2371 = and_2369 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2380;
+  assign select_2380 = and_2378 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:375
-  logic [23:0] select_2373;
-  assign select_2373 = equal_2277_s3_q ? {11'h0, select_2371} : (sharpness_sums_detail_0_q + {11'h0, select_2371});
-  // hls/stages/agreement.hpp:457
-  logic and_2380;
-  assign and_2380 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
-  logic and_2381;
-  assign and_2381 = and_2362 & and_2380;
+  logic [23:0] select_2382;
+  assign select_2382 = equal_2286_s3_q ? {11'h0, select_2380} : (sharpness_sums_detail_0_q + {11'h0, select_2380});
+  // hls/stages/agreement.hpp:461
+  logic and_2389;
+  assign and_2389 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
+  logic and_2390;
+  assign and_2390 = and_2371 & and_2389;
   // hls/stages/census.hpp:372
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2356[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2365[27:14]};
   // hls/stages/census.hpp:374
-  logic [12:0] select_2383;
-  assign select_2383 = and_2381 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2392;
+  assign select_2392 = and_2390 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:375
-  logic [23:0] select_2385;
-  assign select_2385 = equal_2277_s3_q ? {11'h0, select_2383} : (sharpness_sums_detail_1_q + {11'h0, select_2383});
-  logic [8:0] select_2388;
-  assign select_2388 = and_2369 ? contrast_s3_q : 9'h0;
-  logic [23:0] sum_2389;
-  assign sum_2389 = (equal_2277_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2388};
-  logic [8:0] select_2392;
-  assign select_2392 = and_2381 ? contrast_2_s3_q : 9'h0;
-  logic [23:0] sum_2393;
-  assign sum_2393 = (equal_2277_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2392};
+  logic [23:0] select_2394;
+  assign select_2394 = equal_2286_s3_q ? {11'h0, select_2392} : (sharpness_sums_detail_1_q + {11'h0, select_2392});
+  logic [8:0] select_2397;
+  assign select_2397 = and_2378 ? contrast_s3_q : 9'h0;
+  logic [23:0] sum_2398;
+  assign sum_2398 = (equal_2286_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2397};
+  logic [8:0] select_2401;
+  assign select_2401 = and_2390 ? contrast_2_s3_q : 9'h0;
+  logic [23:0] sum_2402;
+  assign sum_2402 = (equal_2286_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2401};
   // hls/stages/agreement.hpp:211
-  logic equal_2395;
-  assign equal_2395 = x_s3_q[7:3] == 5'h0;
+  logic equal_2404;
+  assign equal_2404 = x_s3_q[7:3] == 5'h0;
   // hls/stages/census.hpp:388
-  logic less_2396;
-  assign less_2396 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
+  logic less_2405;
+  assign less_2405 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
   // hls/stages/census.hpp:427
-  logic less_2397;
-  assign less_2397 = x_s3_q[4:0] < 5'h3;
-  logic not_2398;
-  assign not_2398 = ~x_s3_q[1];
-  logic [2:0] select_2399;
-  assign select_2399 = x_s3_q[0] ? {1'b0, not_2398, 1'b0} : {x_s3_q[1], 1'b0, not_2398};
-  logic [5:0] select_2400;
-  assign select_2400 = slot_s3_q[2] ? {select_2399[2], 1'b0, select_2399[1], 1'b0, select_2399[0], 1'b0} : {1'b0, select_2399[2], 1'b0, select_2399[1], 1'b0, select_2399[0]};
-  logic [11:0] select_2401;
-  assign select_2401 = slot_s3_q[1] ? {select_2400[5], 1'b0, select_2400[4], 1'b0, select_2400[3], 1'b0, select_2400[2], 1'b0, select_2400[1], 1'b0, select_2400[0], 1'b0} : {1'b0, select_2400[5], 1'b0, select_2400[4], 1'b0, select_2400[3], 1'b0, select_2400[2], 1'b0, select_2400[1], 1'b0, select_2400[0]};
-  logic [23:0] select_2402;
-  assign select_2402 = slot_s3_q[0] ? {select_2401[11], 1'b0, select_2401[10], 1'b0, select_2401[9], 1'b0, select_2401[8], 1'b0, select_2401[7], 1'b0, select_2401[6], 1'b0, select_2401[5], 1'b0, select_2401[4], 1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0], 1'b0} : {1'b0, select_2401[11], 1'b0, select_2401[10], 1'b0, select_2401[9], 1'b0, select_2401[8], 1'b0, select_2401[7], 1'b0, select_2401[6], 1'b0, select_2401[5], 1'b0, select_2401[4], 1'b0, select_2401[3], 1'b0, select_2401[2], 1'b0, select_2401[1], 1'b0, select_2401[0]};
+  logic less_2406;
+  assign less_2406 = x_s3_q[4:0] < 5'h3;
+  logic not_2407;
+  assign not_2407 = ~x_s3_q[1];
+  logic [2:0] select_2408;
+  assign select_2408 = x_s3_q[0] ? {1'b0, not_2407, 1'b0} : {x_s3_q[1], 1'b0, not_2407};
+  logic [5:0] select_2409;
+  assign select_2409 = slot_s3_q[2] ? {select_2408[2], 1'b0, select_2408[1], 1'b0, select_2408[0], 1'b0} : {1'b0, select_2408[2], 1'b0, select_2408[1], 1'b0, select_2408[0]};
+  logic [11:0] select_2410;
+  assign select_2410 = slot_s3_q[1] ? {select_2409[5], 1'b0, select_2409[4], 1'b0, select_2409[3], 1'b0, select_2409[2], 1'b0, select_2409[1], 1'b0, select_2409[0], 1'b0} : {1'b0, select_2409[5], 1'b0, select_2409[4], 1'b0, select_2409[3], 1'b0, select_2409[2], 1'b0, select_2409[1], 1'b0, select_2409[0]};
+  logic [23:0] select_2411;
+  assign select_2411 = slot_s3_q[0] ? {select_2410[11], 1'b0, select_2410[10], 1'b0, select_2410[9], 1'b0, select_2410[8], 1'b0, select_2410[7], 1'b0, select_2410[6], 1'b0, select_2410[5], 1'b0, select_2410[4], 1'b0, select_2410[3], 1'b0, select_2410[2], 1'b0, select_2410[1], 1'b0, select_2410[0], 1'b0} : {1'b0, select_2410[11], 1'b0, select_2410[10], 1'b0, select_2410[9], 1'b0, select_2410[8], 1'b0, select_2410[7], 1'b0, select_2410[6], 1'b0, select_2410[5], 1'b0, select_2410[4], 1'b0, select_2410[3], 1'b0, select_2410[2], 1'b0, select_2410[1], 1'b0, select_2410[0]};
   // hls/stages/census.hpp:390
-  logic and_2406;
-  assign and_2406 = less_2397 & (~((sharpness_sums_contrast_1_q & select_2402) == 24'h0));
+  logic and_2415;
+  assign and_2415 = less_2406 & (~((sharpness_sums_contrast_1_q & select_2411) == 24'h0));
   // hls/stages/census.hpp:395
-  logic [17:0] select_2408;
-  assign select_2408 = (less_2396 & and_2406) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2417;
+  assign select_2417 = (less_2405 & and_2415) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2408};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2417};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2411;
-  assign select_2411 = equal_2395 ? (less_2396 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_2420;
+  assign select_2420 = equal_2404 ? (less_2405 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:390
-  logic and_2416;
-  assign and_2416 = less_2397 & (~((sharpness_sums_contrast_0_q & select_2402) == 24'h0));
+  logic and_2425;
+  assign and_2425 = less_2406 & (~((sharpness_sums_contrast_0_q & select_2411) == 24'h0));
   // hls/stages/census.hpp:395
-  logic [17:0] select_2418;
-  assign select_2418 = (less_2396 & and_2416) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2427;
+  assign select_2427 = (less_2405 & and_2425) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2418};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2427};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2421;
-  assign select_2421 = equal_2395 ? (less_2396 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2423;
-  assign select_2423 = equal_2395 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2425;
-  assign select_2425 = equal_2395 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2427;
-  assign select_2427 = equal_2395 ? {sharpness_comparing_contrast_0_q[0], and_2416} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2429;
-  assign select_2429 = equal_2395 ? {sharpness_comparing_contrast_1_q[0], and_2406} : sharpness_comparing_contrast_1_q;
+  logic [17:0] select_2430;
+  assign select_2430 = equal_2404 ? (less_2405 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2432;
+  assign select_2432 = equal_2404 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2434;
+  assign select_2434 = equal_2404 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2436;
+  assign select_2436 = equal_2404 ? {sharpness_comparing_contrast_0_q[0], and_2425} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2438;
+  assign select_2438 = equal_2404 ? {sharpness_comparing_contrast_1_q[0], and_2415} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2434;
-  assign select_2434 = drew_q ? (equal_2395 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2443;
+  assign select_2443 = so_s3_q ? (equal_2404 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2438;
-  assign select_2438 = drew_q ? (equal_2395 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  logic select_2447;
+  assign select_2447 = so_s3_q ? (equal_2404 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:387
-  logic equal_2439;
-  assign equal_2439 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
+  logic equal_2448;
+  assign equal_2448 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
   // hls/stages/census.hpp:403
-  logic xor_2440;
-  assign xor_2440 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2443;
-  assign select_2443 = (equal_2439 | xor_2440) ? (five_times[0] & xor_2440) : sharpness_comparing_less_detail_0_q;
+  logic xor_2449;
+  assign xor_2449 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic select_2452;
+  assign select_2452 = (equal_2448 | xor_2449) ? (five_times[0] & xor_2449) : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2445;
-  assign select_2445 = drew_q ? (equal_2395 ? select_2443 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  logic select_2454;
+  assign select_2454 = so_s3_q ? (equal_2404 ? select_2452 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
   // hls/stages/census.hpp:403
-  logic xor_2446;
-  assign xor_2446 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2449;
-  assign select_2449 = (equal_2439 | xor_2446) ? (five_times_2[0] & xor_2446) : sharpness_comparing_less_detail_1_q;
+  logic xor_2455;
+  assign xor_2455 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2458;
+  assign select_2458 = (equal_2448 | xor_2455) ? (five_times_2[0] & xor_2455) : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2451;
-  assign select_2451 = drew_q ? (equal_2395 ? select_2449 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  logic select_2460;
+  assign select_2460 = so_s3_q ? (equal_2404 ? select_2458 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
   // hls/stages/census.hpp:404
-  logic xor_2452;
-  assign xor_2452 = sharpness_comparing_contrast_0_q[1] ^ and_2406;
-  logic select_2455;
-  assign select_2455 = (equal_2439 | xor_2452) ? (and_2406 & xor_2452) : sharpness_comparing_less_contrast_0_q;
+  logic xor_2461;
+  assign xor_2461 = sharpness_comparing_contrast_0_q[1] ^ and_2415;
+  logic select_2464;
+  assign select_2464 = (equal_2448 | xor_2461) ? (and_2415 & xor_2461) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2457;
-  assign select_2457 = drew_q ? (equal_2395 ? select_2455 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  logic select_2466;
+  assign select_2466 = so_s3_q ? (equal_2404 ? select_2464 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/census.hpp:404
-  logic xor_2458;
-  assign xor_2458 = sharpness_comparing_contrast_1_q[1] ^ and_2416;
-  logic select_2461;
-  assign select_2461 = (equal_2439 | xor_2458) ? (and_2416 & xor_2458) : sharpness_comparing_less_contrast_1_q;
+  logic xor_2467;
+  assign xor_2467 = sharpness_comparing_contrast_1_q[1] ^ and_2425;
+  logic select_2470;
+  assign select_2470 = (equal_2448 | xor_2467) ? (and_2425 & xor_2467) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2463;
-  assign select_2463 = drew_q ? (equal_2395 ? select_2461 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_2599;
-  assign select_2599 = and_2591_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2597_s3_q});
-  // hls/stages/agreement.hpp:788
-  logic and_2602;
-  assign and_2602 = not_575_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
-  logic and_2607;
-  assign and_2607 = not_575_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
-  logic and_2612;
-  assign and_2612 = not_575_s3_q & (drew_q & (ends_cell_s3_q & and_2014_s3_q));
-  // hls/stages/agreement.hpp:1105
-  logic not_2616;
-  assign not_2616 = ~(x_s3_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:1095
-  logic [2:0] select_2625;
-  assign select_2625 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2626;
-  assign difference_2626 = {1'b0, explained_2_s3_q} - {1'b0, select_2625};
-  logic [4:0] e;
-  assign e = {difference_2626[3], difference_2626} + (equal_569_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  logic select_2472;
+  assign select_2472 = so_s3_q ? (equal_2404 ? select_2470 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:933
+  logic [13:0] select_2618;
+  assign select_2618 = and_2610_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2616_s3_q});
+  // hls/stages/agreement.hpp:795
+  logic and_2621;
+  assign and_2621 = not_577_s3_q & (so_s3_q & (ends_cell_s3_q & textured_s3_q));
+  logic and_2626;
+  assign and_2626 = not_577_s3_q & (so_s3_q & (ends_cell_s3_q & explained_s3_q));
+  logic and_2631;
+  assign and_2631 = not_577_s3_q & (so_s3_q & (ends_cell_s3_q & and_2020_s3_q));
+  // hls/stages/agreement.hpp:1113
+  logic not_2635;
+  assign not_2635 = ~(x_s3_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:1102
-  logic [5:0] sum_2629;
-  assign sum_2629 = {1'b0, e} + {2'h0, e[4:1]};
-  // hls/stages/agreement.hpp:1106
-  logic not_2633;
-  assign not_2633 = ~(equal_2073 ? and_2094 : (~({sum_2629, e[0]} < {2'h0, t})));
-  // hls/stages/agreement.hpp:788
-  logic and_2636;
-  assign and_2636 = ends_cell_s3_q & (not_2616 & (centres_values_1_textured_s3_q & not_2633));
-  logic and_2638;
-  assign and_2638 = not_575_s3_q & (drew_q & and_2636);
-  // hls/stages/agreement.hpp:1132
-  logic less_2641;
-  assign less_2641 = region_row_s3_q < x_s3_q[5:3];
-  logic [9:0] select_2642;
-  assign select_2642 = less_2641 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_2645;
-  assign select_2645 = less_2641 ? 10'h0 : regions_rdata_q[19:10];
-  // hls/stages/agreement.hpp:1133
-  logic [10:0] sum_2646;
-  assign sum_2646 = {1'b0, select_2645} + {3'h0, select_2645[9:2]};
-  logic and_2648;
-  assign and_2648 = (~(select_2642[9:4] == 6'h0)) & ({sum_2646, select_2645[1:0]} < {3'h0, select_2642});
-  // hls/stages/agreement.hpp:1142
-  logic [9:0] select_2651;
-  assign select_2651 = x_s3_q[6] ? (equal_1607_s3_q ? 10'h0 : (and_2648 ? select_2642 : 10'h0)) : 10'h0;
-  // hls/stages/agreement.hpp:788
-  logic [9:0] select_2652;
-  assign select_2652 = equal_574_s3_q ? select_2651 : 10'h0;
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_2654;
-  assign select_2654 = and_2591_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2652});
-  logic [13:0] select_2661;
-  assign select_2661 = and_2591_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2659_s3_q});
+  logic [2:0] select_2644;
+  assign select_2644 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2645;
+  assign difference_2645 = {1'b0, explained_2_s3_q} - {1'b0, select_2644};
+  logic [4:0] e;
+  assign e = {difference_2645[3], difference_2645} + (equal_571_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1110
-  logic and_2663;
-  assign and_2663 = not_2616 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
-  // hls/stages/agreement.hpp:788
-  logic and_2666;
-  assign and_2666 = not_575_s3_q & (drew_q & (ends_cell_s3_q & and_2663));
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_2668;
-  assign select_2668 = and_2591_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2666});
-  // hls/stages/agreement.hpp:1110
-  logic and_2670;
-  assign and_2670 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_2633);
-  // hls/stages/agreement.hpp:788
-  logic and_2674;
-  assign and_2674 = not_575_s3_q & (drew_q & (ends_cell_s3_q & (not_2616 & and_2670)));
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_2676;
-  assign select_2676 = and_2591_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2674});
+  logic [5:0] sum_2648;
+  assign sum_2648 = {1'b0, e} + {2'h0, e[4:1]};
+  // hls/stages/agreement.hpp:1114
+  logic not_2652;
+  assign not_2652 = ~(equal_2080 ? and_2102 : (~({sum_2648, e[0]} < {2'h0, t})));
+  // hls/stages/agreement.hpp:795
+  logic and_2655;
+  assign and_2655 = ends_cell_s3_q & (not_2635 & (centres_values_1_textured_s3_q & not_2652));
+  logic and_2657;
+  assign and_2657 = not_577_s3_q & (so_s3_q & and_2655);
+  // hls/stages/agreement.hpp:1140
+  logic less_2660;
+  assign less_2660 = region_row_s3_q < x_s3_q[5:3];
+  logic [9:0] select_2661;
+  assign select_2661 = less_2660 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_2664;
+  assign select_2664 = less_2660 ? 10'h0 : regions_rdata_q[19:10];
+  // hls/stages/agreement.hpp:1141
+  logic [10:0] sum_2665;
+  assign sum_2665 = {1'b0, select_2664} + {3'h0, select_2664[9:2]};
+  logic and_2667;
+  assign and_2667 = (~(select_2661[9:4] == 6'h0)) & ({sum_2665, select_2664[1:0]} < {3'h0, select_2661});
+  // hls/stages/agreement.hpp:1150
+  logic [9:0] select_2670;
+  assign select_2670 = x_s3_q[6] ? (equal_1613_s3_q ? 10'h0 : (and_2667 ? select_2661 : 10'h0)) : 10'h0;
+  // hls/stages/agreement.hpp:795
+  logic [9:0] select_2671;
+  assign select_2671 = equal_576_s3_q ? select_2670 : 10'h0;
+  // hls/stages/agreement.hpp:933
+  logic [13:0] select_2673;
+  assign select_2673 = and_2610_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2671});
+  logic [13:0] select_2680;
+  assign select_2680 = and_2610_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2678_s3_q});
+  // hls/stages/agreement.hpp:1118
+  logic and_2682;
+  assign and_2682 = not_2635 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
+  // hls/stages/agreement.hpp:795
+  logic and_2685;
+  assign and_2685 = not_577_s3_q & (so_s3_q & (ends_cell_s3_q & and_2682));
+  // hls/stages/agreement.hpp:933
+  logic [13:0] select_2687;
+  assign select_2687 = and_2610_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2685});
+  // hls/stages/agreement.hpp:1118
+  logic and_2689;
+  assign and_2689 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_2652);
+  // hls/stages/agreement.hpp:795
+  logic and_2693;
+  assign and_2693 = not_577_s3_q & (so_s3_q & (ends_cell_s3_q & (not_2635 & and_2689)));
+  // hls/stages/agreement.hpp:933
   logic [13:0] select_2695;
-  assign select_2695 = and_2591_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2693_s3_q});
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_2770;
-  assign select_2770 = drew_q ? (equal_1700_s3_q ? (and_2752_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2771;
-  assign select_2771 = equal_574_s3_q ? 8'h0 : select_2770;
+  assign select_2695 = and_2610_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2693});
+  logic [13:0] select_2714;
+  assign select_2714 = and_2610_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2712_s3_q});
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_2790;
+  assign select_2790 = so_s3_q ? (equal_1706_s3_q ? (and_2772_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_2791;
+  assign select_2791 = equal_576_s3_q ? 8'h0 : select_2790;
   // hls/stages/registration.hpp:134
-  logic [13:0] select_2773;
-  assign select_2773 = and_2751_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_2771[7]}}, select_2771});
-  // hls/stages/agreement.hpp:788
-  logic and_2776;
-  assign and_2776 = not_575_s3_q & (drew_q & (and_2752_s3_q & equal_1700_s3_q));
+  logic [13:0] select_2793;
+  assign select_2793 = and_2771_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_2791[7]}}, select_2791});
+  // hls/stages/agreement.hpp:795
+  logic and_2796;
+  assign and_2796 = not_577_s3_q & (so_s3_q & (and_2772_s3_q & equal_1706_s3_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_2778;
-  assign select_2778 = and_2751_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2776});
+  logic [5:0] select_2798;
+  assign select_2798 = and_2771_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2796});
   // hls/stages/registration.hpp:107
-  logic and_2780;
-  assign and_2780 = and_2752_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_2782;
-  assign select_2782 = drew_q ? (equal_1700_s3_q ? {and_2780, and_2752_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2783;
-  assign select_2783 = equal_574_s3_q ? 2'h0 : select_2782;
+  logic and_2800;
+  assign and_2800 = and_2772_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
+  // hls/stages/agreement.hpp:795
+  logic [1:0] select_2802;
+  assign select_2802 = so_s3_q ? (equal_1706_s3_q ? {and_2800, and_2772_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2803;
+  assign select_2803 = equal_576_s3_q ? 2'h0 : select_2802;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2784;
-  assign sum_2784 = registration_half_votes_down_q + {{5{select_2783[1]}}, select_2783};
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_2790;
-  assign select_2790 = drew_q ? (equal_1700_s3_q ? {and_2788_s3_q, and_2752_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2791;
-  assign select_2791 = equal_574_s3_q ? 2'h0 : select_2790;
+  logic [6:0] sum_2804;
+  assign sum_2804 = registration_half_votes_down_q + {{5{select_2803[1]}}, select_2803};
+  // hls/stages/agreement.hpp:795
+  logic [1:0] select_2810;
+  assign select_2810 = so_s3_q ? (equal_1706_s3_q ? {and_2808_s3_q, and_2772_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2811;
+  assign select_2811 = equal_576_s3_q ? 2'h0 : select_2810;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2792;
-  assign sum_2792 = registration_half_votes_up_q + {{5{select_2791[1]}}, select_2791};
+  logic [6:0] sum_2812;
+  assign sum_2812 = registration_half_votes_up_q + {{5{select_2811[1]}}, select_2811};
   // hls/stages/registration.hpp:107
-  logic and_2795;
-  assign and_2795 = and_2752_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_2797;
-  assign select_2797 = drew_q ? (equal_1700_s3_q ? {and_2795, and_2752_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2798;
-  assign select_2798 = equal_574_s3_q ? 2'h0 : select_2797;
+  logic and_2815;
+  assign and_2815 = and_2772_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
+  // hls/stages/agreement.hpp:795
+  logic [1:0] select_2817;
+  assign select_2817 = so_s3_q ? (equal_1706_s3_q ? {and_2815, and_2772_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2818;
+  assign select_2818 = equal_576_s3_q ? 2'h0 : select_2817;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2799;
-  assign sum_2799 = registration_half_half_votes_down_q + {{5{select_2798[1]}}, select_2798};
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_2804;
-  assign select_2804 = drew_q ? (equal_1700_s3_q ? {and_2802_s3_q, and_2752_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2805;
-  assign select_2805 = equal_574_s3_q ? 2'h0 : select_2804;
+  logic [6:0] sum_2819;
+  assign sum_2819 = registration_half_half_votes_down_q + {{5{select_2818[1]}}, select_2818};
+  // hls/stages/agreement.hpp:795
+  logic [1:0] select_2824;
+  assign select_2824 = so_s3_q ? (equal_1706_s3_q ? {and_2822_s3_q, and_2772_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2825;
+  assign select_2825 = equal_576_s3_q ? 2'h0 : select_2824;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2806;
-  assign sum_2806 = registration_half_half_votes_up_q + {{5{select_2805[1]}}, select_2805};
-  // hls/stages/agreement.hpp:788
-  logic and_2840;
-  assign and_2840 = equal_574_s3_q & (x_s3_q[6] & (not_1987_s3_q & less_1638_s3_q));
-  // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2847;
-  assign select_2847 = or_1642_s3_q ? 12'h0 : (equal_2845_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1142
-  logic [11:0] select_2850;
-  assign select_2850 = x_s3_q[6] ? (equal_1607_s3_q ? 12'h0 : (less_1638_s3_q ? select_2847 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:788
-  logic [11:0] select_2851;
-  assign select_2851 = equal_574_s3_q ? select_2850 : 12'h0;
-  // hls/stages/registration.hpp:153
-  logic and_2852;
-  assign and_2852 = x_s3_q[1] & all_s3_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_2855;
-  assign and_2855 = not_1987_s3_q & (less_1638_s3_q & ({and_2852, x_s3_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:788
-  logic and_2857;
-  assign and_2857 = equal_574_s3_q & (x_s3_q[6] & and_2855);
-  // hls/stages/registration.hpp:252
-  logic [13:0] sum_2859;
-  assign sum_2859 = {{2{select_2851[11]}}, select_2851} + (and_2857 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2862;
-  assign select_2862 = or_1642_s3_q ? 12'h0 : (equal_2845_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1142
-  logic [11:0] select_2865;
-  assign select_2865 = x_s3_q[6] ? (equal_1607_s3_q ? 12'h0 : (less_1638_s3_q ? select_2862 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:788
+  logic [6:0] sum_2826;
+  assign sum_2826 = registration_half_half_votes_up_q + {{5{select_2825[1]}}, select_2825};
+  // hls/stages/agreement.hpp:795
+  logic and_2859;
+  assign and_2859 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q & less_1644_s3_q));
+  // hls/stages/agreement.hpp:1138
   logic [11:0] select_2866;
-  assign select_2866 = equal_574_s3_q ? select_2865 : 12'h0;
+  assign select_2866 = or_1648_s3_q ? 12'h0 : (equal_2864_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:1150
+  logic [11:0] select_2869;
+  assign select_2869 = x_s3_q[6] ? (equal_1613_s3_q ? 12'h0 : (less_1644_s3_q ? select_2866 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:795
+  logic [11:0] select_2870;
+  assign select_2870 = equal_576_s3_q ? select_2869 : 12'h0;
+  // hls/stages/registration.hpp:153
+  logic and_2871;
+  assign and_2871 = x_s3_q[1] & all_s3_q;
+  // hls/stages/agreement.hpp:1150
+  logic and_2874;
+  assign and_2874 = not_1993_s3_q & (less_1644_s3_q & ({and_2871, x_s3_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:795
+  logic and_2876;
+  assign and_2876 = equal_576_s3_q & (x_s3_q[6] & and_2874);
+  // hls/stages/registration.hpp:252
+  logic [13:0] sum_2878;
+  assign sum_2878 = {{2{select_2870[11]}}, select_2870} + (and_2876 ? 14'h0 : registration_down_q);
+  // hls/stages/agreement.hpp:1138
+  logic [11:0] select_2881;
+  assign select_2881 = or_1648_s3_q ? 12'h0 : (equal_2864_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:1150
+  logic [11:0] select_2884;
+  assign select_2884 = x_s3_q[6] ? (equal_1613_s3_q ? 12'h0 : (less_1644_s3_q ? select_2881 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:795
+  logic [11:0] select_2885;
+  assign select_2885 = equal_576_s3_q ? select_2884 : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_2868;
-  assign sum_2868 = {{2{select_2866[11]}}, select_2866} + (and_2857 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2887;
+  assign sum_2887 = {{2{select_2885[11]}}, select_2885} + (and_2876 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:150
-  logic not_2870;
-  assign not_2870 = ~all_s3_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_2873;
-  assign and_2873 = not_1987_s3_q & (less_1638_s3_q & (x_s3_q[2:0] == {all_s3_q, not_2870, 1'b0}));
-  // hls/stages/agreement.hpp:788
-  logic and_2879;
-  assign and_2879 = equal_574_s3_q & (x_s3_q[6] & (not_1987_s3_q & (less_1638_s3_q & all_s3_q)));
+  logic not_2889;
+  assign not_2889 = ~all_s3_q;
+  // hls/stages/agreement.hpp:1150
+  logic and_2892;
+  assign and_2892 = not_1993_s3_q & (less_1644_s3_q & (x_s3_q[2:0] == {all_s3_q, not_2889, 1'b0}));
+  // hls/stages/agreement.hpp:795
+  logic and_2898;
+  assign and_2898 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q & (less_1644_s3_q & all_s3_q)));
   // hls/stages/registration.hpp:246
-  logic not_2880;
-  assign not_2880 = ~and_2879;
-  logic less_2881;
-  assign less_2881 = $signed({9'h1, {2{not_2880}}, and_2879}) < $signed(registration_up_q[13:2]);
-  logic select_2882;
-  assign select_2882 = (equal_574_s3_q & (x_s3_q[6] & and_2873)) ? less_2881 : registration_enough_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_2886;
-  assign and_2886 = x_s3_q[6] & (not_1987_s3_q & (less_1638_s3_q & (x_s3_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:788
-  logic and_2887;
-  assign and_2887 = equal_574_s3_q & and_2886;
+  logic not_2899;
+  assign not_2899 = ~and_2898;
+  logic less_2900;
+  assign less_2900 = $signed({9'h1, {2{not_2899}}, and_2898}) < $signed(registration_up_q[13:2]);
+  logic select_2901;
+  assign select_2901 = (equal_576_s3_q & (x_s3_q[6] & and_2892)) ? less_2900 : registration_enough_q;
+  // hls/stages/agreement.hpp:1150
+  logic and_2905;
+  assign and_2905 = x_s3_q[6] & (not_1993_s3_q & (less_1644_s3_q & (x_s3_q[2:0] == 3'h4)));
+  // hls/stages/agreement.hpp:795
+  logic and_2906;
+  assign and_2906 = equal_576_s3_q & and_2905;
   // hls/stages/registration.hpp:242
-  logic less_2888;
-  assign less_2888 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_2890;
-  assign less_2890 = $signed(14'h0) < $signed(registration_up_q);
+  logic less_2907;
+  assign less_2907 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2909;
+  assign less_2909 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_2892;
-  assign equal_2892 = x_s3_q[2:0] == 3'h7;
-  // hls/stages/agreement.hpp:788
-  logic and_2896;
-  assign and_2896 = equal_574_s3_q & (x_s3_q[6] & (not_1987_s3_q & (less_1638_s3_q & equal_2892)));
-  // hls/stages/agreement.hpp:1142
-  logic and_2903;
-  assign and_2903 = x_s3_q[6] & (not_1987_s3_q & (less_1638_s3_q & (x_s3_q[5:0] == 6'h0)));
+  logic equal_2911;
+  assign equal_2911 = x_s3_q[2:0] == 3'h7;
+  // hls/stages/agreement.hpp:795
+  logic and_2915;
+  assign and_2915 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q & (less_1644_s3_q & equal_2911)));
+  // hls/stages/agreement.hpp:1150
+  logic and_2922;
+  assign and_2922 = x_s3_q[6] & (not_1993_s3_q & (less_1644_s3_q & (x_s3_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
-  logic equal_2906;
-  assign equal_2906 = x_s3_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1142
-  logic and_2909;
-  assign and_2909 = not_1987_s3_q & (less_1638_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_2906));
+  logic equal_2925;
+  assign equal_2925 = x_s3_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:1150
+  logic and_2928;
+  assign and_2928 = not_1993_s3_q & (less_1644_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_2925));
   // hls/stages/registration.hpp:244
-  logic and_2913;
-  assign and_2913 = (equal_574_s3_q & (x_s3_q[6] & and_2909)) & (less_2890 | less_2888);
-  // hls/stages/agreement.hpp:1142
-  logic and_2918;
-  assign and_2918 = not_1987_s3_q & (less_1638_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_2906)));
+  logic and_2932;
+  assign and_2932 = (equal_576_s3_q & (x_s3_q[6] & and_2928)) & (less_2909 | less_2907);
+  // hls/stages/agreement.hpp:1150
+  logic and_2937;
+  assign and_2937 = not_1993_s3_q & (less_1644_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_2925)));
   // hls/stages/registration.hpp:244
-  logic and_2921;
-  assign and_2921 = registration_votes_up_q & registration_other_down_q;
-  logic select_2923;
-  assign select_2923 = registration_votes_down_q ? (registration_other_up_q | and_2921) : and_2921;
+  logic and_2940;
+  assign and_2940 = registration_votes_up_q & registration_other_down_q;
+  logic select_2942;
+  assign select_2942 = registration_votes_down_q ? (registration_other_up_q | and_2940) : and_2940;
   // hls/stages/registration.hpp:138
-  logic and_2925;
-  assign and_2925 = (equal_574_s3_q & (x_s3_q[6] & and_2918)) & (registration_other_enough_q & select_2923);
+  logic and_2944;
+  assign and_2944 = (equal_576_s3_q & (x_s3_q[6] & and_2937)) & (registration_other_enough_q & select_2942);
   // hls/stages/registration.hpp:245
-  logic or_2928;
-  assign or_2928 = registration_moved_q | (registration_enough_q & (and_2913 | and_2925));
+  logic or_2947;
+  assign or_2947 = registration_moved_q | (registration_enough_q & (and_2932 | and_2944));
   // hls/stages/agreement.hpp:276
-  logic [7:0] select_3011;
-  assign select_3011 = sample_pair_whole_s3_q ? (equal_1690_s3_q ? patches_place_0_slope_q : select_1796[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3016;
-  assign select_3016 = sample_pair_whole_s3_q ? (equal_1690_s3_q ? patches_place_1_slope_q : select_1824[21:14]) : patches_place_1_slope_q;
+  logic [7:0] select_3030;
+  assign select_3030 = sample_pair_whole_s3_q ? (equal_1696_s3_q ? patches_place_0_slope_q : select_1802[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3035;
+  assign select_3035 = sample_pair_whole_s3_q ? (equal_1696_s3_q ? patches_place_1_slope_q : select_1830[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:127
-  logic select_3018;
-  assign select_3018 = equal_1690_s3_q ? patches_valid_0_q : (select_1689_s3_q ? patches_valid_0_q : select_1792[0]);
+  logic select_3037;
+  assign select_3037 = equal_1696_s3_q ? patches_valid_0_q : (select_1695_s3_q ? patches_valid_0_q : select_1798[0]);
   // hls/stages/agreement.hpp:276
-  logic select_3021;
-  assign select_3021 = sample_pair_whole_s3_q ? (and_1815 ? (sample_present_s3_q & select_3018) : select_3018) : patches_valid_0_q;
+  logic select_3040;
+  assign select_3040 = sample_pair_whole_s3_q ? (and_1821 ? (sample_present_s3_q & select_3037) : select_3037) : patches_valid_0_q;
   // hls/stages/patches.hpp:127
-  logic select_3023;
-  assign select_3023 = equal_1690_s3_q ? patches_valid_1_q : (select_1689_s3_q ? select_1792[0] : patches_valid_1_q);
+  logic select_3042;
+  assign select_3042 = equal_1696_s3_q ? patches_valid_1_q : (select_1695_s3_q ? select_1798[0] : patches_valid_1_q);
   // hls/stages/agreement.hpp:276
-  logic select_3026;
-  assign select_3026 = sample_pair_whole_s3_q ? (and_1834 ? (sample_present_s3_q & select_3023) : select_3023) : patches_valid_1_q;
-  logic [5:0] select_3029;
-  assign select_3029 = sample_pair_whole_s3_q ? (select_1813[5] ? {1'b1, select_1813[4:0]} : (select_1813 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3032;
-  assign select_3032 = sample_pair_whole_s3_q ? (select_1832[5] ? {1'b1, select_1832[4:0]} : (select_1832 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3035;
-  assign select_3035 = sample_pair_whole_s3_q ? (select_1845[4] ? {1'b1, select_1845[3:0]} : (select_1845 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3038;
-  assign select_3038 = sample_pair_whole_s3_q ? (select_1850[4] ? {1'b1, select_1850[3:0]} : (select_1850 + 5'h1)) : patches_left_next_1_q;
+  logic select_3045;
+  assign select_3045 = sample_pair_whole_s3_q ? (and_1840 ? (sample_present_s3_q & select_3042) : select_3042) : patches_valid_1_q;
+  logic [5:0] select_3048;
+  assign select_3048 = sample_pair_whole_s3_q ? (select_1819[5] ? {1'b1, select_1819[4:0]} : (select_1819 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3051;
+  assign select_3051 = sample_pair_whole_s3_q ? (select_1838[5] ? {1'b1, select_1838[4:0]} : (select_1838 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3054;
+  assign select_3054 = sample_pair_whole_s3_q ? (select_1851[4] ? {1'b1, select_1851[3:0]} : (select_1851 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3057;
+  assign select_3057 = sample_pair_whole_s3_q ? (select_1856[4] ? {1'b1, select_1856[3:0]} : (select_1856 + 5'h1)) : patches_left_next_1_q;
   // hls/stages/patches.hpp:529
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3457_s3_q, parity_3453_s3_q, xor_3441_s3_q, parity_3413_s3_q, parity_3351_s3_q, parity_3222_s3_q} + (equal_3458_s3_q ? 10'h0 : patches_sums_values_16_q);
+  assign sum_3 = {4'h0, or_3476_s3_q, parity_3472_s3_q, xor_3460_s3_q, parity_3432_s3_q, parity_3370_s3_q, parity_3241_s3_q} + (equal_3477_s3_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3462;
-  assign select_3462 = equal_1776_s3_q ? patches_sums_values_0_q : (equal_1778_s3_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3463;
-  assign select_3463 = equal_1778_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3465;
-  assign select_3465 = equal_1778_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
-  logic [9:0] select_3467;
-  assign select_3467 = equal_1778_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
-  logic [9:0] select_3469;
-  assign select_3469 = equal_1778_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
-  logic [9:0] select_3471;
-  assign select_3471 = equal_1778_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
-  logic [9:0] select_3473;
-  assign select_3473 = equal_1778_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
-  logic [9:0] select_3475;
-  assign select_3475 = equal_1778_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
-  logic [9:0] select_3477;
-  assign select_3477 = equal_1778_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
-  logic [9:0] select_3479;
-  assign select_3479 = equal_1778_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
   logic [9:0] select_3481;
-  assign select_3481 = equal_1778_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
-  logic [9:0] select_3483;
-  assign select_3483 = equal_1778_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
-  logic [9:0] select_3485;
-  assign select_3485 = equal_1778_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
-  logic [9:0] select_3487;
-  assign select_3487 = equal_1778_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
-  logic [9:0] select_3489;
-  assign select_3489 = equal_1778_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
-  logic [9:0] select_3491;
-  assign select_3491 = equal_1778_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
-  logic [9:0] select_3493;
-  assign select_3493 = equal_1778_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  assign select_3481 = equal_1782_s3_q ? patches_sums_values_0_q : (equal_1784_s3_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3482;
+  assign select_3482 = equal_1784_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3484;
+  assign select_3484 = equal_1784_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3486;
+  assign select_3486 = equal_1784_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  logic [9:0] select_3488;
+  assign select_3488 = equal_1784_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  logic [9:0] select_3490;
+  assign select_3490 = equal_1784_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  logic [9:0] select_3492;
+  assign select_3492 = equal_1784_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  logic [9:0] select_3494;
+  assign select_3494 = equal_1784_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  logic [9:0] select_3496;
+  assign select_3496 = equal_1784_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  logic [9:0] select_3498;
+  assign select_3498 = equal_1784_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  logic [9:0] select_3500;
+  assign select_3500 = equal_1784_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3502;
+  assign select_3502 = equal_1784_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3504;
+  assign select_3504 = equal_1784_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3506;
+  assign select_3506 = equal_1784_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3508;
+  assign select_3508 = equal_1784_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3510;
+  assign select_3510 = equal_1784_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3512;
+  assign select_3512 = equal_1784_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
   // hls/stages/patches.hpp:601
-  logic [9:0] difference_3564;
-  assign difference_3564 = patches_peak_far_q - patches_peak_best_differing_q;
-  logic and_3567;
-  assign and_3567 = (~(patches_peak_far_q < patches_peak_best_differing_q)) & (~({difference_3564, 3'h0} < {3'h0, patches_peak_size_q}));
+  logic [9:0] difference_3583;
+  assign difference_3583 = patches_peak_far_q - patches_peak_best_differing_q;
+  logic and_3586;
+  assign and_3586 = (~(patches_peak_far_q < patches_peak_best_differing_q)) & (~({difference_3583, 3'h0} < {3'h0, patches_peak_size_q}));
   // hls/stages/patches.hpp:600
-  logic not_3570;
-  assign not_3570 = ~({1'b0, patches_peak_size_q[9:1]} < patches_peak_best_differing_q);
+  logic not_3589;
+  assign not_3589 = ~({1'b0, patches_peak_size_q[9:1]} < patches_peak_best_differing_q);
   // hls/stages/patches.hpp:608
-  logic and_3573;
-  assign and_3573 = (patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q) & (and_3567 & ((10'h38 < patches_peak_size_q) & not_3570));
+  logic and_3592;
+  assign and_3592 = (patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q) & (and_3586 & ((10'h38 < patches_peak_size_q) & not_3589));
   // hls/stages/patches.hpp:190
-  logic and_3575;
-  assign and_3575 = and_3558_s3_q & ((~(patches_peak_row_q[3:0] == 4'h0)) & and_3573);
+  logic and_3594;
+  assign and_3594 = and_3577_s3_q & ((~(patches_peak_row_q[3:0] == 4'h0)) & and_3592);
   // hls/stages/patches.hpp:667
-  logic not_3576;
-  assign not_3576 = ~patches_lower_s3_q;
+  logic not_3595;
+  assign not_3595 = ~patches_lower_s3_q;
   // hls/stages/patches.hpp:192
-  logic and_3578;
-  assign and_3578 = and_3575 & (not_1783_s3_q & not_3576);
+  logic and_3597;
+  assign and_3597 = and_3594 & (not_1789_s3_q & not_3595);
   // hls/stages/patches.hpp:669
-  logic [7:0] sum_3580;
-  assign sum_3580 = {7'h0, and_3578} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  logic [7:0] sum_3599;
+  assign sum_3599 = {7'h0, and_3597} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:586
-  logic [1:0] sum_3584;
-  assign sum_3584 = patches_peak_row_q[4:3] + 2'h3;
+  logic [1:0] sum_3603;
+  assign sum_3603 = patches_peak_row_q[4:3] + 2'h3;
   // hls/stages/patches.hpp:581
   logic [9:0] high;
-  assign high = less_3583_s3_q ? patches_peak_below_q : patches_peak_above_q;
+  assign high = less_3602_s3_q ? patches_peak_below_q : patches_peak_above_q;
   logic [9:0] low;
   assign low = (patches_peak_below_q < patches_peak_above_q) ? patches_peak_below_q : patches_peak_above_q;
   // hls/stages/patches.hpp:582
@@ -6272,542 +6325,533 @@ module horopter_agreement (
   logic [9:0] fall_2;
   assign fall_2 = high - patches_peak_best_differing_q;
   // hls/stages/patches.hpp:584
-  logic not_3591;
-  assign not_3591 = ~({eight, 3'h0} < {3'h0, fall_2});
-  logic [10:0] sum_3592;
-  assign sum_3592 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
-  logic not_3594;
-  assign not_3594 = ~({eight, 3'h0} < {1'b0, sum_3592, fall_2[0]});
-  logic [1:0] sum_3595;
-  assign sum_3595 = {1'b0, not_3591} + {1'b0, not_3594};
+  logic not_3610;
+  assign not_3610 = ~({eight, 3'h0} < {3'h0, fall_2});
+  logic [10:0] sum_3611;
+  assign sum_3611 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
+  logic not_3613;
+  assign not_3613 = ~({eight, 3'h0} < {1'b0, sum_3611, fall_2[0]});
+  logic [1:0] sum_3614;
+  assign sum_3614 = {1'b0, not_3610} + {1'b0, not_3613};
   // hls/stages/patches.hpp:585
-  logic [10:0] sum_3596;
-  assign sum_3596 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
-  logic not_3598;
-  assign not_3598 = ~({eight, 3'h0} < {sum_3596, fall_2[1:0]});
-  logic not_3601;
-  assign not_3601 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
-  logic [1:0] sum_3602;
-  assign sum_3602 = {1'b0, not_3598} + {1'b0, not_3601};
+  logic [10:0] sum_3615;
+  assign sum_3615 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
+  logic not_3617;
+  assign not_3617 = ~({eight, 3'h0} < {sum_3615, fall_2[1:0]});
+  logic not_3620;
+  assign not_3620 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
+  logic [1:0] sum_3621;
+  assign sum_3621 = {1'b0, not_3617} + {1'b0, not_3620};
   // hls/stages/patches.hpp:584
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3595} + {1'b0, sum_3602};
+  assign fraction = {1'b0, sum_3614} + {1'b0, sum_3621};
   // hls/stages/patches.hpp:587
-  logic [7:0] select_3605;
-  assign select_3605 = less_3583_s3_q ? ({sum_3584, patches_peak_row_q[2:0], 3'h0} - {5'h0, fraction}) : {sum_3584, patches_peak_row_q[2:0], fraction};
+  logic [7:0] select_3624;
+  assign select_3624 = less_3602_s3_q ? ({sum_3603, patches_peak_row_q[2:0], 3'h0} - {5'h0, fraction}) : {sum_3603, patches_peak_row_q[2:0], fraction};
   // hls/stages/patches.hpp:604
-  logic [7:0] select_3606;
-  assign select_3606 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  logic [7:0] select_3625;
+  assign select_3625 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
   // hls/stages/patches.hpp:603
-  logic [5:0] select_3607;
-  assign select_3607 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_3608;
-  assign sum_3608 = {2'h0, patches_peak_best_column_q[4:3]} + 4'hf;
-  logic [6:0] sum_3609;
-  assign sum_3609 = {select_3607[5], select_3607} + {{3{sum_3608[3]}}, sum_3608};
+  logic [5:0] select_3626;
+  assign select_3626 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_3627;
+  assign sum_3627 = {2'h0, patches_peak_best_column_q[4:3]} + 4'hf;
+  logic [6:0] sum_3628;
+  assign sum_3628 = {select_3626[5], select_3626} + {{3{sum_3627[3]}}, sum_3627};
   // hls/stages/patches.hpp:604
-  logic [17:0] product_3610;
-  assign product_3610 = $signed({{10{select_3606[7]}}, select_3606}) * $signed({{8{sum_3609[6]}}, sum_3609, patches_peak_best_column_q[2:0]});
+  logic [17:0] product_3629;
+  assign product_3629 = $signed({{10{select_3625[7]}}, select_3625}) * $signed({{8{sum_3628[6]}}, sum_3628, patches_peak_best_column_q[2:0]});
   // hls/stages/patches.hpp:605
-  logic [13:0] difference_3611;
-  assign difference_3611 = {{6{select_3605[7]}}, select_3605} - {product_3610[17], product_3610[17:5]};
+  logic [13:0] difference_3630;
+  assign difference_3630 = {{6{select_3624[7]}}, select_3624} - {product_3629[17], product_3629[17:5]};
   // hls/stages/patches.hpp:611
-  logic less_3612;
-  assign less_3612 = $signed({{7{difference_3582[6]}}, difference_3582}) < $signed(difference_3611);
+  logic less_3631;
+  assign less_3631 = $signed({{7{difference_3601[6]}}, difference_3601}) < $signed(difference_3630);
   // hls/stages/patches.hpp:189
-  logic not_3613;
-  assign not_3613 = ~less_3612;
+  logic not_3632;
+  assign not_3632 = ~less_3631;
   // hls/stages/patches.hpp:670
-  logic and_3614;
-  assign and_3614 = not_3613 & and_3578;
-  logic [7:0] sum_3615;
-  assign sum_3615 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3614};
-  // hls/stages/patches.hpp:189
-  logic not_3618;
-  assign not_3618 = ~($signed(difference_3611) < $signed({8'h0, cfg_patch_limit_i}));
-  // hls/stages/patches.hpp:671
-  logic and_3619;
-  assign and_3619 = not_3618 & and_3578;
-  logic [7:0] sum_3620;
-  assign sum_3620 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3619};
-  // hls/stages/patches.hpp:192
-  logic and_3622;
-  assign and_3622 = and_3575 & (patches_second_s3_q & not_3576);
-  // hls/stages/patches.hpp:669
-  logic [7:0] sum_3624;
-  assign sum_3624 = {7'h0, and_3622} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:670
-  logic and_3626;
-  assign and_3626 = not_3613 & and_3622;
-  logic [7:0] sum_3627;
-  assign sum_3627 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3626};
-  // hls/stages/patches.hpp:671
-  logic and_3629;
-  assign and_3629 = not_3618 & and_3622;
-  logic [7:0] sum_3630;
-  assign sum_3630 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3629};
-  // hls/stages/patches.hpp:192
-  logic and_3632;
-  assign and_3632 = and_3575 & (patches_lower_s3_q & not_1783_s3_q);
-  // hls/stages/patches.hpp:669
+  logic and_3633;
+  assign and_3633 = not_3632 & and_3597;
   logic [7:0] sum_3634;
-  assign sum_3634 = {7'h0, and_3632} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:670
-  logic and_3636;
-  assign and_3636 = not_3613 & and_3632;
-  logic [7:0] sum_3637;
-  assign sum_3637 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3636};
-  // hls/stages/patches.hpp:671
-  logic and_3639;
-  assign and_3639 = not_3618 & and_3632;
-  logic [7:0] sum_3640;
-  assign sum_3640 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3639};
-  // hls/stages/patches.hpp:192
-  logic and_3642;
-  assign and_3642 = and_3575 & (patches_lower_s3_q & patches_second_s3_q);
-  // hls/stages/patches.hpp:669
-  logic [7:0] sum_3644;
-  assign sum_3644 = {7'h0, and_3642} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
-  // hls/stages/patches.hpp:670
-  logic and_3646;
-  assign and_3646 = not_3613 & and_3642;
-  logic [7:0] sum_3647;
-  assign sum_3647 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3646};
-  // hls/stages/patches.hpp:671
-  logic and_3649;
-  assign and_3649 = not_3618 & and_3642;
-  logic [7:0] sum_3650;
-  assign sum_3650 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3649};
-  // hls/stages/agreement.hpp:1223
-  logic equal_3651;
-  assign equal_3651 = x_s3_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1130
-  logic less_3652;
-  assign less_3652 = x_s3_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:788
-  logic and_3656;
-  assign and_3656 = equal_574_s3_q & (x_s3_q[6] & (not_1987_s3_q & (equal_3651 & less_3652)));
-  // hls/stages/agreement.hpp:1142
-  logic and_3661;
-  assign and_3661 = x_s3_q[6] & (not_1987_s3_q & (less_3652 & (x_s3_q[2:0] == 3'h1)));
-  // hls/stages/agreement.hpp:788
-  logic and_3662;
-  assign and_3662 = equal_574_s3_q & and_3661;
-  // hls/stages/patches.hpp:633
-  logic [7:0] or_3664;
-  assign or_3664 = (and_3656 ? patches_quarters_0_places_q : 8'h0) | (and_3662 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/agreement.hpp:1142
-  logic and_3668;
-  assign and_3668 = x_s3_q[6] & (not_1987_s3_q & (less_3652 & (x_s3_q[2:0] == 3'h2)));
-  // hls/stages/agreement.hpp:788
-  logic and_3669;
-  assign and_3669 = equal_574_s3_q & and_3668;
-  // hls/stages/agreement.hpp:1142
-  logic and_3675;
-  assign and_3675 = x_s3_q[6] & (not_1987_s3_q & (less_3652 & (x_s3_q[2:0] == 3'h3)));
-  // hls/stages/agreement.hpp:788
-  logic and_3676;
-  assign and_3676 = equal_574_s3_q & and_3675;
-  // hls/stages/patches.hpp:633
-  logic [7:0] or_3678;
-  assign or_3678 = (or_3664 | (and_3669 ? patches_quarters_2_places_q : 8'h0)) | (and_3676 ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/patches.hpp:203
-  logic select_3682;
-  assign select_3682 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
-  // hls/stages/agreement.hpp:788
-  logic and_3686;
-  assign and_3686 = equal_574_s3_q & (x_s3_q[6] & (not_1987_s3_q & (less_3652 & select_3682)));
-  // hls/stages/patches.hpp:634
-  logic [7:0] select_3688;
-  assign select_3688 = and_3656 ? (and_3686 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
-  logic [7:0] select_3690;
-  assign select_3690 = and_3662 ? (and_3686 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_3693;
-  assign select_3693 = and_3669 ? (and_3686 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_3696;
-  assign select_3696 = and_3676 ? (and_3686 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
-  // hls/stages/patches.hpp:635
-  logic [7:0] select_3699;
-  assign select_3699 = and_3656 ? (and_3686 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
-  logic [7:0] select_3701;
-  assign select_3701 = and_3662 ? (and_3686 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_3704;
-  assign select_3704 = and_3669 ? (and_3686 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_3707;
-  assign select_3707 = and_3676 ? (and_3686 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
-  // hls/stages/patches.hpp:206
-  logic [4:0] sum_3709;
-  assign sum_3709 = {2'h0, x_s3_q[2:0]} + 5'h1f;
-  // hls/stages/agreement.hpp:1142
-  logic and_3713;
-  assign and_3713 = x_s3_q[6] & (not_1987_s3_q & (less_3652 & (sum_3709[4:2] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_3714;
-  assign and_3714 = equal_574_s3_q & and_3713;
-  // hls/stages/patches.hpp:630
-  logic [7:0] select_3717;
-  assign select_3717 = and_3714 ? (patches_word_places_q + (and_3662 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_3720;
-  assign select_3720 = and_3714 ? (patches_word_up_q + (and_3662 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] select_3723;
-  assign select_3723 = and_3714 ? (patches_word_down_q + (and_3662 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  assign sum_3634 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3633};
   // hls/stages/patches.hpp:189
-  logic [5:0] select_3726;
-  assign select_3726 = ($signed(difference_3611[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3611[5:0];
-  logic [5:0] select_3727;
-  assign select_3727 = ($signed(14'h10) < $signed(difference_3611)) ? 6'h10 : select_3726;
+  logic not_3637;
+  assign not_3637 = ~($signed(difference_3630) < $signed({8'h0, cfg_patch_limit_i}));
+  // hls/stages/patches.hpp:671
+  logic and_3638;
+  assign and_3638 = not_3637 & and_3597;
+  logic [7:0] sum_3639;
+  assign sum_3639 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3638};
+  // hls/stages/patches.hpp:192
+  logic and_3641;
+  assign and_3641 = and_3594 & (patches_second_s3_q & not_3595);
+  // hls/stages/patches.hpp:669
+  logic [7:0] sum_3643;
+  assign sum_3643 = {7'h0, and_3641} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:670
+  logic and_3645;
+  assign and_3645 = not_3632 & and_3641;
+  logic [7:0] sum_3646;
+  assign sum_3646 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3645};
+  // hls/stages/patches.hpp:671
+  logic and_3648;
+  assign and_3648 = not_3637 & and_3641;
+  logic [7:0] sum_3649;
+  assign sum_3649 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3648};
+  // hls/stages/patches.hpp:192
+  logic and_3651;
+  assign and_3651 = and_3594 & (patches_lower_s3_q & not_1789_s3_q);
+  // hls/stages/patches.hpp:669
+  logic [7:0] sum_3653;
+  assign sum_3653 = {7'h0, and_3651} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:670
+  logic and_3655;
+  assign and_3655 = not_3632 & and_3651;
+  logic [7:0] sum_3656;
+  assign sum_3656 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3655};
+  // hls/stages/patches.hpp:671
+  logic and_3658;
+  assign and_3658 = not_3637 & and_3651;
+  logic [7:0] sum_3659;
+  assign sum_3659 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3658};
+  // hls/stages/patches.hpp:192
+  logic and_3661;
+  assign and_3661 = and_3594 & (patches_lower_s3_q & patches_second_s3_q);
+  // hls/stages/patches.hpp:669
+  logic [7:0] sum_3663;
+  assign sum_3663 = {7'h0, and_3661} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:670
+  logic and_3665;
+  assign and_3665 = not_3632 & and_3661;
+  logic [7:0] sum_3666;
+  assign sum_3666 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3665};
+  // hls/stages/patches.hpp:671
+  logic and_3668;
+  assign and_3668 = not_3637 & and_3661;
+  logic [7:0] sum_3669;
+  assign sum_3669 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3668};
+  // hls/stages/agreement.hpp:1231
+  logic equal_3670;
+  assign equal_3670 = x_s3_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:1138
+  logic less_3671;
+  assign less_3671 = x_s3_q[5:3] < 3'h3;
+  // hls/stages/agreement.hpp:795
+  logic and_3675;
+  assign and_3675 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q & (equal_3670 & less_3671)));
+  // hls/stages/agreement.hpp:1150
+  logic and_3680;
+  assign and_3680 = x_s3_q[6] & (not_1993_s3_q & (less_3671 & (x_s3_q[2:0] == 3'h1)));
+  // hls/stages/agreement.hpp:795
+  logic and_3681;
+  assign and_3681 = equal_576_s3_q & and_3680;
+  // hls/stages/patches.hpp:633
+  logic [7:0] or_3683;
+  assign or_3683 = (and_3675 ? patches_quarters_0_places_q : 8'h0) | (and_3681 ? patches_quarters_1_places_q : 8'h0);
+  // hls/stages/agreement.hpp:1150
+  logic and_3687;
+  assign and_3687 = x_s3_q[6] & (not_1993_s3_q & (less_3671 & (x_s3_q[2:0] == 3'h2)));
+  // hls/stages/agreement.hpp:795
+  logic and_3688;
+  assign and_3688 = equal_576_s3_q & and_3687;
+  // hls/stages/agreement.hpp:1150
+  logic and_3694;
+  assign and_3694 = x_s3_q[6] & (not_1993_s3_q & (less_3671 & (x_s3_q[2:0] == 3'h3)));
+  // hls/stages/agreement.hpp:795
+  logic and_3695;
+  assign and_3695 = equal_576_s3_q & and_3694;
+  // hls/stages/patches.hpp:633
+  logic [7:0] or_3697;
+  assign or_3697 = (or_3683 | (and_3688 ? patches_quarters_2_places_q : 8'h0)) | (and_3695 ? patches_quarters_3_places_q : 8'h0);
+  // hls/stages/patches.hpp:203
+  logic select_3701;
+  assign select_3701 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
+  // hls/stages/agreement.hpp:795
+  logic and_3705;
+  assign and_3705 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q & (less_3671 & select_3701)));
+  // hls/stages/patches.hpp:634
+  logic [7:0] select_3707;
+  assign select_3707 = and_3675 ? (and_3705 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_3709;
+  assign select_3709 = and_3681 ? (and_3705 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_3712;
+  assign select_3712 = and_3688 ? (and_3705 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_3715;
+  assign select_3715 = and_3695 ? (and_3705 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  // hls/stages/patches.hpp:635
+  logic [7:0] select_3718;
+  assign select_3718 = and_3675 ? (and_3705 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_3720;
+  assign select_3720 = and_3681 ? (and_3705 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_3723;
+  assign select_3723 = and_3688 ? (and_3705 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_3726;
+  assign select_3726 = and_3695 ? (and_3705 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  // hls/stages/patches.hpp:206
+  logic [4:0] sum_3728;
+  assign sum_3728 = {2'h0, x_s3_q[2:0]} + 5'h1f;
+  // hls/stages/agreement.hpp:1150
+  logic and_3732;
+  assign and_3732 = x_s3_q[6] & (not_1993_s3_q & (less_3671 & (sum_3728[4:2] == 3'h0)));
+  // hls/stages/agreement.hpp:795
+  logic and_3733;
+  assign and_3733 = equal_576_s3_q & and_3732;
+  // hls/stages/patches.hpp:630
+  logic [7:0] select_3736;
+  assign select_3736 = and_3733 ? (patches_word_places_q + (and_3681 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_3739;
+  assign select_3739 = and_3733 ? (patches_word_up_q + (and_3681 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] select_3742;
+  assign select_3742 = and_3733 ? (patches_word_down_q + (and_3681 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  // hls/stages/patches.hpp:189
+  logic [5:0] select_3745;
+  assign select_3745 = ($signed(difference_3630[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3630[5:0];
+  logic [5:0] select_3746;
+  assign select_3746 = ($signed(14'h10) < $signed(difference_3630)) ? 6'h10 : select_3745;
   // hls/stages/patches.hpp:673
-  logic [5:0] select_3728;
-  assign select_3728 = and_3575 ? select_3727 : 6'h0;
+  logic [5:0] select_3747;
+  assign select_3747 = and_3594 ? select_3746 : 6'h0;
   // hls/stages/patches.hpp:674
-  logic [11:0] select_3730;
-  assign select_3730 = patches_round_ends_q ? {{6{select_3728[5]}}, select_3728} : (patches_across_q + {{6{select_3728[5]}}, select_3728});
-  // hls/stages/agreement.hpp:788
-  logic and_3734;
-  assign and_3734 = equal_574_s3_q & (x_s3_q[6] & (not_1987_s3_q & (equal_2892 & less_3652)));
-  // hls/stages/agreement.hpp:1142
-  logic and_3738;
-  assign and_3738 = x_s3_q[6] & (not_1987_s3_q & (less_3652 & (x_s3_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_3739;
-  assign and_3739 = equal_574_s3_q & and_3738;
+  logic [11:0] select_3749;
+  assign select_3749 = patches_round_ends_q ? {{6{select_3747[5]}}, select_3747} : (patches_across_q + {{6{select_3747[5]}}, select_3747});
+  // hls/stages/agreement.hpp:795
+  logic and_3753;
+  assign and_3753 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q & (equal_2911 & less_3671)));
+  // hls/stages/agreement.hpp:1150
+  logic and_3757;
+  assign and_3757 = x_s3_q[6] & (not_1993_s3_q & (less_3671 & (x_s3_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:795
+  logic and_3758;
+  assign and_3758 = equal_576_s3_q & and_3757;
   // hls/stages/patches.hpp:657
-  logic [7:0] select_3741;
-  assign select_3741 = and_3734 ? (and_3739 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  logic [7:0] select_3760;
+  assign select_3760 = and_3753 ? (and_3758 ? patches_sum_places_q : patches_places_q) : patches_places_q;
   // hls/stages/patches.hpp:659
-  logic or_3745;
-  assign or_3745 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  logic or_3764;
+  assign or_3764 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
   // hls/stages/patches.hpp:660
-  logic or_3748;
-  assign or_3748 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  logic or_3767;
+  assign or_3767 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
   // hls/stages/patches.hpp:661
-  logic [8:0] sum_3749;
-  assign sum_3749 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  logic [8:0] sum_3768;
+  assign sum_3768 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
   // hls/stages/patches.hpp:656
-  logic select_3751;
-  assign select_3751 = and_3734 ? (and_3739 ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  logic select_3770;
+  assign select_3770 = and_3753 ? (and_3758 ? patches_enough_q : patches_complete_q) : patches_complete_q;
   // hls/stages/patches.hpp:192
-  logic and_3754;
-  assign and_3754 = patches_enough_q & patches_mostly_q;
+  logic and_3773;
+  assign and_3773 = patches_enough_q & patches_mostly_q;
   // hls/stages/patches.hpp:656
-  logic [2:0] select_3756;
-  assign select_3756 = and_3739 ? {and_3754, patches_found_q[2:1]} : (and_3734 ? {and_3754, patches_found_q[2:1]} : patches_found_q);
+  logic [2:0] select_3775;
+  assign select_3775 = and_3758 ? {and_3773, patches_found_q[2:1]} : (and_3753 ? {and_3773, patches_found_q[2:1]} : patches_found_q);
   // hls/stages/patches.hpp:655
-  logic or_3760;
-  assign or_3760 = patches_partly_q | (patches_doubted_q & (~and_3739));
+  logic or_3779;
+  assign or_3779 = patches_partly_q | (patches_doubted_q & (~and_3758));
   // hls/stages/patches.hpp:656
-  logic select_3763;
-  assign select_3763 = and_3734 ? (and_3739 ? or_3760 : (and_3734 ? or_3760 : patches_doubted_q)) : patches_doubted_q;
+  logic select_3782;
+  assign select_3782 = and_3753 ? (and_3758 ? or_3779 : (and_3753 ? or_3779 : patches_doubted_q)) : patches_doubted_q;
   // hls/stages/patches.hpp:654
-  logic select_3764;
-  assign select_3764 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  logic select_3783;
+  assign select_3783 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
   // hls/stages/patches.hpp:643
-  logic [7:0] select_3768;
-  assign select_3768 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  logic [7:0] select_3787;
+  assign select_3787 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
   // hls/stages/patches.hpp:612
-  logic [10:0] sum_3770;
-  assign sum_3770 = {sum_3609[6], sum_3609, patches_peak_best_column_q[2:0]} + 11'h1;
+  logic [10:0] sum_3789;
+  assign sum_3789 = {sum_3628[6], sum_3628, patches_peak_best_column_q[2:0]} + 11'h1;
   // hls/stages/patches.hpp:674
-  logic and_3772;
-  assign and_3772 = ({{5{sum_3770[10]}}, sum_3770} < 16'h3) & and_3575;
-  logic [7:0] sum_3773;
-  assign sum_3773 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3772};
+  logic and_3791;
+  assign and_3791 = ({{5{sum_3789[10]}}, sum_3789} < 16'h3) & and_3594;
+  logic [7:0] sum_3792;
+  assign sum_3792 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3791};
   // hls/stages/patches.hpp:663
-  logic [12:0] product_3778;
-  assign product_3778 = {8'h0, patches_on_skin_limit_q} * {5'h0, select_3741};
+  logic [12:0] product_3797;
+  assign product_3797 = {8'h0, patches_on_skin_limit_q} * {5'h0, select_3760};
   // hls/stages/patches.hpp:192
-  logic and_3780;
-  assign and_3780 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_3778[12:5] < patches_on_skin_q);
-  logic select_3785;
-  assign select_3785 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic and_3799;
+  assign and_3799 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_3797[12:5] < patches_on_skin_q);
+  logic select_3804;
+  assign select_3804 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:644
-  logic or_3789;
-  assign or_3789 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  logic or_3808;
+  assign or_3808 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
   // hls/stages/patches.hpp:645
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
   // hls/stages/patches.hpp:646
-  logic select_3796;
-  assign select_3796 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  logic select_3815;
+  assign select_3815 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:647
-  logic and_3802;
-  assign and_3802 = patches_frame_ended_s3_q & (~patches_age_q[9]);
-  logic [9:0] sum_3803;
-  assign sum_3803 = patches_age_q + {9'h0, and_3802};
-  logic [9:0] select_3806;
-  assign select_3806 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3803)) : sum_3803;
-  // hls/stages/agreement.hpp:1188
-  logic or_3863;
-  assign or_3863 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1217
-  logic equal_3865;
-  assign equal_3865 = x_s3_q[6:3] == 4'h7;
-  // hls/stages/agreement.hpp:1226
+  logic and_3821;
+  assign and_3821 = patches_frame_ended_s3_q & (~patches_age_q[9]);
+  logic [9:0] sum_3822;
+  assign sum_3822 = patches_age_q + {9'h0, and_3821};
+  logic [9:0] select_3825;
+  assign select_3825 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3822)) : sum_3822;
+  // hls/stages/agreement.hpp:1196
+  logic or_3882;
+  assign or_3882 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  // hls/stages/agreement.hpp:1225
+  logic equal_3884;
+  assign equal_3884 = x_s3_q[6:3] == 4'h7;
+  // hls/stages/agreement.hpp:1234
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
-  // hls/stages/agreement.hpp:1227
-  logic select_3871;
-  assign select_3871 = (equal_3865 & equal_3651) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1135
-  logic [10:0] sum_3874;
-  assign sum_3874 = {1'b0, select_2645} + {2'h0, select_2645[9:1]};
-  logic select_3877;
-  assign select_3877 = (select_2642[9:3] == 7'h0) ? ((~or_3863) & (~select_3871)) : (~({sum_3874, select_2645[0]} < {2'h0, select_2642}));
-  // hls/stages/agreement.hpp:1142
-  logic [47:0] select_3879;
-  assign select_3879 = x_s3_q[6] ? (equal_1607_s3_q ? good_q : {select_3877, good_q[47:1]}) : good_q;
-  // hls/stages/agreement.hpp:788
-  logic select_3884;
-  assign select_3884 = equal_574_s3_q ? ((x_s3_q[6] & good_known_q) | equal_3882_s3_q) : good_known_q;
-  // hls/stages/agreement.hpp:1217
-  logic equal_3885;
-  assign equal_3885 = x_s3_q[6:3] == 4'ha;
-  logic equal_3887;
-  assign equal_3887 = x_s3_q[6:3] == 4'hc;
-  logic equal_3888;
-  assign equal_3888 = x_s3_q[6:3] == 4'hb;
-  logic equal_3889;
-  assign equal_3889 = x_s3_q[6:3] == 4'h9;
-  logic equal_3890;
-  assign equal_3890 = x_s3_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3892;
-  assign select_3892 = equal_3889 ? counts_skin_unproven_q : (equal_3890 ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_3894;
-  assign select_3894 = equal_3888 ? counts_regions_bad_q : (equal_3885 ? counts_nearer_q : select_3892);
+  // hls/stages/agreement.hpp:1235
+  logic select_3890;
+  assign select_3890 = (equal_3884 & equal_3670) ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:1143
+  logic [10:0] sum_3893;
+  assign sum_3893 = {1'b0, select_2664} + {2'h0, select_2664[9:1]};
+  logic select_3896;
+  assign select_3896 = (select_2661[9:3] == 7'h0) ? ((~or_3882) & (~select_3890)) : (~({sum_3893, select_2664[0]} < {2'h0, select_2661}));
+  // hls/stages/agreement.hpp:1150
+  logic [47:0] select_3898;
+  assign select_3898 = x_s3_q[6] ? (equal_1613_s3_q ? good_q : {select_3896, good_q[47:1]}) : good_q;
+  // hls/stages/agreement.hpp:795
+  logic select_3903;
+  assign select_3903 = equal_576_s3_q ? ((x_s3_q[6] & good_known_q) | equal_3901_s3_q) : good_known_q;
+  // hls/stages/agreement.hpp:1225
+  logic equal_3904;
+  assign equal_3904 = x_s3_q[6:3] == 4'ha;
+  logic equal_3906;
+  assign equal_3906 = x_s3_q[6:3] == 4'hc;
+  logic equal_3907;
+  assign equal_3907 = x_s3_q[6:3] == 4'hb;
+  logic equal_3908;
+  assign equal_3908 = x_s3_q[6:3] == 4'h9;
+  logic equal_3909;
+  assign equal_3909 = x_s3_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:1133
+  logic [13:0] select_3911;
+  assign select_3911 = equal_3908 ? counts_skin_unproven_q : (equal_3909 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_3913;
+  assign select_3913 = equal_3907 ? counts_regions_bad_q : (equal_3904 ? counts_nearer_q : select_3911);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_3887 ? counts_on_skin_q : select_3894;
-  // hls/stages/agreement.hpp:1222
+  assign before_v_4 = equal_3906 ? counts_on_skin_q : select_3913;
+  // hls/stages/agreement.hpp:1230
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_4};
-  // hls/stages/agreement.hpp:1230
-  logic select_3897;
-  assign select_3897 = (equal_3885 & equal_3651) ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1148
-  logic not_3898;
-  assign not_3898 = ~hidden_for_q[7];
-  logic [7:0] select_3900;
-  assign select_3900 = select_3897 ? (hidden_for_q + {7'h0, not_3898}) : 8'h0;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_3902;
-  assign select_3902 = equal_574_s3_q ? (equal_3882_s3_q ? select_3900 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:1231
-  logic [13:0] select_3903;
-  assign select_3903 = equal_3651 ? 14'h0 : product_q;
-  // hls/stages/agreement.hpp:1125
-  logic [7:0] select_3905;
-  assign select_3905 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_3907;
-  assign select_3907 = equal_3890 ? cfg_unproven_skin_limit_i : (equal_3865 ? cfg_unproven_limit_i : select_3905);
-  logic [7:0] select_3909;
-  assign select_3909 = equal_3885 ? cfg_regions_limit_i : (equal_3889 ? cfg_hidden_limit_i : select_3907);
-  logic [7:0] limit;
-  assign limit = equal_3887 ? cfg_regions_limit_i : (equal_3888 ? {cfg_on_skin_limit_i, 3'h0} : select_3909);
-  // hls/stages/agreement.hpp:1231
-  logic not_3912;
-  assign not_3912 = ~x_s3_q[2];
-  logic [3:0] select_3913;
-  assign select_3913 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_3912, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_3912};
-  logic [7:0] select_3914;
-  assign select_3914 = x_s3_q[0] ? {select_3913[3], 1'b0, select_3913[2], 1'b0, select_3913[1], 1'b0, select_3913[0], 1'b0} : {1'b0, select_3913[3], 1'b0, select_3913[2], 1'b0, select_3913[1], 1'b0, select_3913[0]};
-  // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3918;
-  assign select_3918 = equal_3889 ? counts_skin_supervised_q : (equal_3890 ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] select_3920;
-  assign select_3920 = equal_3888 ? counts_skin_textured_q : (equal_3885 ? counts_textured_q : select_3918);
-  logic [13:0] of;
-  assign of = equal_3887 ? counts_textured_q : select_3920;
-  // hls/stages/agreement.hpp:1231
-  logic [13:0] select_3922;
-  assign select_3922 = ((limit & select_3914) == 8'h0) ? 14'h0 : of;
-  logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_3903} + {1'b0, select_3922};
-  // hls/stages/agreement.hpp:788
-  logic select_3927;
-  assign select_3927 = equal_574_s3_q ? (equal_3651 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:1228
-  logic and_3932;
-  assign and_3932 = too_much_q & (~(equal_3890 & equal_3651));
-  // hls/stages/agreement.hpp:1229
-  logic select_3937;
-  assign select_3937 = (over[14] & equal_3651) ? (and_3932 | ((equal_3890 | equal_3889) | (x_s3_q[6:3] == 4'hf))) : and_3932;
-  // hls/stages/agreement.hpp:1125
-  logic and_3942;
-  assign and_3942 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
-  // hls/stages/agreement.hpp:1231
-  logic select_3943;
-  assign select_3943 = (equal_3887 & equal_3651) ? and_3942 : overlooks_q;
-  // hls/stages/agreement.hpp:788
-  logic [2:0] select_3945;
-  assign select_3945 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
-  logic [2:0] select_3947;
-  assign select_3947 = equal_574_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_3945 : box_textured_columns_values_0_q);
-  logic [2:0] select_3948;
-  assign select_3948 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_3950;
-  assign select_3950 = equal_574_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_3948 : box_textured_columns_values_1_q);
-  logic [2:0] select_3951;
-  assign select_3951 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [2:0] select_3953;
-  assign select_3953 = equal_574_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_3951 : box_textured_columns_values_2_q);
-  logic [2:0] select_3954;
-  assign select_3954 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_3956;
-  assign select_3956 = equal_574_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_3954 : box_textured_columns_values_3_q);
-  logic [2:0] select_3957;
-  assign select_3957 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_3959;
-  assign select_3959 = equal_574_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_3957 : box_textured_columns_values_4_q);
-  logic [4:0] select_3961;
-  assign select_3961 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_3963;
-  assign select_3963 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
-  logic [2:0] select_3965;
-  assign select_3965 = equal_574_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_3963 : box_explained_columns_values_0_q);
-  logic [2:0] select_3966;
-  assign select_3966 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [2:0] select_3968;
-  assign select_3968 = equal_574_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_3966 : box_explained_columns_values_1_q);
-  logic [2:0] select_3969;
-  assign select_3969 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
-  logic [2:0] select_3971;
-  assign select_3971 = equal_574_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_3969 : box_explained_columns_values_2_q);
-  logic [2:0] select_3972;
-  assign select_3972 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [2:0] select_3974;
-  assign select_3974 = equal_574_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_3972 : box_explained_columns_values_3_q);
-  logic [2:0] select_3975;
-  assign select_3975 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [2:0] select_3977;
-  assign select_3977 = equal_574_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_3975 : box_explained_columns_values_4_q);
-  logic [4:0] select_3979;
-  assign select_3979 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [2:0] select_3982;
-  assign select_3982 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
-  logic [2:0] select_3984;
-  assign select_3984 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
-  logic [2:0] select_3986;
-  assign select_3986 = equal_574_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_3984 : box_shown_columns_values_1_q);
-  logic [2:0] select_3987;
-  assign select_3987 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
-  logic [2:0] select_3989;
-  assign select_3989 = equal_574_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_3987 : box_shown_columns_values_2_q);
-  logic [2:0] select_3990;
-  assign select_3990 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [2:0] select_3992;
-  assign select_3992 = equal_574_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_3990 : box_shown_columns_values_3_q);
-  logic [2:0] select_3993;
-  assign select_3993 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_3995;
-  assign select_3995 = equal_574_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_3993 : box_shown_columns_values_4_q);
-  logic [4:0] select_3997;
-  assign select_3997 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_4000;
-  assign select_4000 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_4002;
-  assign select_4002 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [2:0] select_4004;
-  assign select_4004 = equal_574_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4002 : box_nearer_columns_values_1_q);
-  logic [2:0] select_4005;
-  assign select_4005 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [2:0] select_4007;
-  assign select_4007 = equal_574_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4005 : box_nearer_columns_values_2_q);
-  logic [2:0] select_4008;
-  assign select_4008 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [2:0] select_4010;
-  assign select_4010 = equal_574_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4008 : box_nearer_columns_values_3_q);
-  logic [2:0] select_4011;
-  assign select_4011 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_4013;
-  assign select_4013 = equal_574_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4011 : box_nearer_columns_values_4_q);
-  logic [4:0] select_4015;
-  assign select_4015 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:1275
-  logic select_4050;
-  assign select_4050 = left_first_s3_q ? done_s3_q : proven_q;
-  // hls/stages/agreement.hpp:278
-  logic select_4052;
-  assign select_4052 = left_first_s3_q ? done_s3_q : (and_1968_s3_q ? select_4050 : proven_q);
-  // hls/stages/agreement.hpp:1308
-  logic [1:0] select_4103;
-  assign select_4103 = and_4102_s3_q ? {and_2124, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:1309
-  logic and_4104;
-  assign and_4104 = select_4050 & less_4080;
-  // hls/stages/agreement.hpp:438
-  logic select_4107;
-  assign select_4107 = and_2051_s3_q ? (less_2052_s3_q ? (select_4103[0] & and_4104) : seen_q) : seen_q;
-  // hls/stages/agreement.hpp:278
-  logic select_4109;
-  assign select_4109 = left_first_s3_q ? select_4107 : (and_1968_s3_q ? select_4107 : seen_q);
-  logic select_4110;
-  assign select_4110 = and_1968_s3_q ? select_4109 : seen_q;
-  // hls/stages/agreement.hpp:438
-  logic select_4113;
-  assign select_4113 = and_2051_s3_q ? (less_2052_s3_q ? (select_4103[1] & and_4104) : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:278
-  logic select_4115;
-  assign select_4115 = left_first_s3_q ? select_4113 : (and_1968_s3_q ? select_4113 : nearer_q);
-  logic select_4116;
-  assign select_4116 = and_1968_s3_q ? select_4115 : nearer_q;
+  // hls/stages/agreement.hpp:1238
+  logic select_3916;
+  assign select_3916 = (equal_3904 & equal_3670) ? over[14] : hides_q;
+  // hls/stages/agreement.hpp:1156
+  logic not_3917;
+  assign not_3917 = ~hidden_for_q[7];
+  logic [7:0] select_3919;
+  assign select_3919 = select_3916 ? (hidden_for_q + {7'h0, not_3917}) : 8'h0;
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_3921;
+  assign select_3921 = equal_576_s3_q ? (equal_3901_s3_q ? select_3919 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1239
-  logic or_4123;
-  assign or_4123 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | (~proven_q);
-  // hls/stages/agreement.hpp:1241
-  logic not_4131;
-  assign not_4131 = ~(or_3863 | not_2347);
-  // hls/stages/agreement.hpp:788
-  logic and_4135;
-  assign and_4135 = equal_574_s3_q & (equal_3882_s3_q & (not_4131 & (select_3871 | select_3937)));
-  logic and_4138;
-  assign and_4138 = equal_3882_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  logic [13:0] select_3922;
+  assign select_3922 = equal_3670 ? 14'h0 : product_q;
+  // hls/stages/agreement.hpp:1133
+  logic [7:0] select_3924;
+  assign select_3924 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_3926;
+  assign select_3926 = equal_3909 ? cfg_unproven_skin_limit_i : (equal_3884 ? cfg_unproven_limit_i : select_3924);
+  logic [7:0] select_3928;
+  assign select_3928 = equal_3904 ? cfg_regions_limit_i : (equal_3908 ? cfg_hidden_limit_i : select_3926);
+  logic [7:0] limit;
+  assign limit = equal_3906 ? cfg_regions_limit_i : (equal_3907 ? {cfg_on_skin_limit_i, 3'h0} : select_3928);
+  // hls/stages/agreement.hpp:1239
+  logic not_3931;
+  assign not_3931 = ~x_s3_q[2];
+  logic [3:0] select_3932;
+  assign select_3932 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_3931, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_3931};
+  logic [7:0] select_3933;
+  assign select_3933 = x_s3_q[0] ? {select_3932[3], 1'b0, select_3932[2], 1'b0, select_3932[1], 1'b0, select_3932[0], 1'b0} : {1'b0, select_3932[3], 1'b0, select_3932[2], 1'b0, select_3932[1], 1'b0, select_3932[0]};
+  // hls/stages/agreement.hpp:1133
+  logic [13:0] select_3937;
+  assign select_3937 = equal_3908 ? counts_skin_supervised_q : (equal_3909 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_3939;
+  assign select_3939 = equal_3907 ? counts_skin_textured_q : (equal_3904 ? counts_textured_q : select_3937);
+  logic [13:0] of;
+  assign of = equal_3906 ? counts_textured_q : select_3939;
+  // hls/stages/agreement.hpp:1239
+  logic [13:0] select_3941;
+  assign select_3941 = ((limit & select_3933) == 8'h0) ? 14'h0 : of;
+  logic [14:0] sum_4;
+  assign sum_4 = {1'b0, select_3922} + {1'b0, select_3941};
+  // hls/stages/agreement.hpp:795
+  logic select_3946;
+  assign select_3946 = equal_576_s3_q ? (equal_3670 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
+  // hls/stages/agreement.hpp:1236
+  logic and_3951;
+  assign and_3951 = too_much_q & (~(equal_3909 & equal_3670));
+  // hls/stages/agreement.hpp:1237
+  logic select_3956;
+  assign select_3956 = (over[14] & equal_3670) ? (and_3951 | ((equal_3909 | equal_3908) | (x_s3_q[6:3] == 4'hf))) : and_3951;
+  // hls/stages/agreement.hpp:1133
+  logic and_3961;
+  assign and_3961 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  // hls/stages/agreement.hpp:1239
+  logic select_3962;
+  assign select_3962 = (equal_3906 & equal_3670) ? and_3961 : overlooks_q;
+  // hls/stages/agreement.hpp:795
+  logic [2:0] select_3964;
+  assign select_3964 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic [2:0] select_3966;
+  assign select_3966 = equal_576_s3_q ? box_textured_columns_values_0_q : (so_s3_q ? select_3964 : box_textured_columns_values_0_q);
+  logic [2:0] select_3967;
+  assign select_3967 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_3969;
+  assign select_3969 = equal_576_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_3967 : box_textured_columns_values_1_q);
+  logic [2:0] select_3970;
+  assign select_3970 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_3972;
+  assign select_3972 = equal_576_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_3970 : box_textured_columns_values_2_q);
+  logic [2:0] select_3973;
+  assign select_3973 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_3975;
+  assign select_3975 = equal_576_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_3973 : box_textured_columns_values_3_q);
+  logic [2:0] select_3976;
+  assign select_3976 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_3978;
+  assign select_3978 = equal_576_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_3976 : box_textured_columns_values_4_q);
+  logic [4:0] select_3980;
+  assign select_3980 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [2:0] select_3982;
+  assign select_3982 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  logic [2:0] select_3984;
+  assign select_3984 = equal_576_s3_q ? box_explained_columns_values_0_q : (so_s3_q ? select_3982 : box_explained_columns_values_0_q);
+  logic [2:0] select_3985;
+  assign select_3985 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_3987;
+  assign select_3987 = equal_576_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_3985 : box_explained_columns_values_1_q);
+  logic [2:0] select_3988;
+  assign select_3988 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_3990;
+  assign select_3990 = equal_576_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_3988 : box_explained_columns_values_2_q);
+  logic [2:0] select_3991;
+  assign select_3991 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_3993;
+  assign select_3993 = equal_576_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_3991 : box_explained_columns_values_3_q);
+  logic [2:0] select_3994;
+  assign select_3994 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_3996;
+  assign select_3996 = equal_576_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_3994 : box_explained_columns_values_4_q);
+  logic [4:0] select_3998;
+  assign select_3998 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [2:0] select_4001;
+  assign select_4001 = so_s3_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_4003;
+  assign select_4003 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4005;
+  assign select_4005 = equal_576_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_4003 : box_shown_columns_values_1_q);
+  logic [2:0] select_4006;
+  assign select_4006 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_4008;
+  assign select_4008 = equal_576_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_4006 : box_shown_columns_values_2_q);
+  logic [2:0] select_4009;
+  assign select_4009 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_4011;
+  assign select_4011 = equal_576_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_4009 : box_shown_columns_values_3_q);
+  logic [2:0] select_4012;
+  assign select_4012 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4014;
+  assign select_4014 = equal_576_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_4012 : box_shown_columns_values_4_q);
+  logic [4:0] select_4016;
+  assign select_4016 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [2:0] select_4019;
+  assign select_4019 = so_s3_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_4021;
+  assign select_4021 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4023;
+  assign select_4023 = equal_576_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_4021 : box_nearer_columns_values_1_q);
+  logic [2:0] select_4024;
+  assign select_4024 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4026;
+  assign select_4026 = equal_576_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_4024 : box_nearer_columns_values_2_q);
+  logic [2:0] select_4027;
+  assign select_4027 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4029;
+  assign select_4029 = equal_576_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_4027 : box_nearer_columns_values_3_q);
+  logic [2:0] select_4030;
+  assign select_4030 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4032;
+  assign select_4032 = equal_576_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_4030 : box_nearer_columns_values_4_q);
+  logic [4:0] select_4034;
+  assign select_4034 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:1317
+  logic [1:0] select_4124;
+  assign select_4124 = and_4123_s3_q ? {and_2132, is_seen} : map_rdata_q;
+  // hls/stages/agreement.hpp:442
+  logic select_4128;
+  assign select_4128 = and_2057_s3_q ? (less_2058_s3_q ? (select_4124[0] & and_4125_s3_q) : seen_q) : seen_q;
+  // hls/stages/agreement.hpp:278
+  logic select_4130;
+  assign select_4130 = left_first_s3_q ? select_4128 : (and_1974_s3_q ? select_4128 : seen_q);
+  logic select_4131;
+  assign select_4131 = and_1974_s3_q ? select_4130 : seen_q;
+  // hls/stages/agreement.hpp:442
+  logic select_4134;
+  assign select_4134 = and_2057_s3_q ? (less_2058_s3_q ? (select_4124[1] & and_4125_s3_q) : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:278
+  logic select_4136;
+  assign select_4136 = left_first_s3_q ? select_4134 : (and_1974_s3_q ? select_4134 : nearer_q);
+  logic select_4137;
+  assign select_4137 = and_1974_s3_q ? select_4136 : nearer_q;
+  // hls/stages/agreement.hpp:1247
+  logic or_4144;
+  assign or_4144 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4143_s3_q;
+  // hls/stages/agreement.hpp:1249
+  logic not_4152;
+  assign not_4152 = ~(or_3882 | not_2356);
+  // hls/stages/agreement.hpp:795
+  logic and_4156;
+  assign and_4156 = equal_576_s3_q & (equal_3901_s3_q & (not_4152 & (select_3890 | select_3956)));
+  logic and_4159;
+  assign and_4159 = equal_3901_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  // hls/stages/agreement.hpp:1158
+  logic or_4163;
+  assign or_4163 = select_2454 | (select_2466 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  // hls/stages/agreement.hpp:795
+  logic and_4170;
+  assign and_4170 = equal_576_s3_q & (equal_3901_s3_q & (not_4152 & (select_2460 | select_2472)));
+  // hls/stages/agreement.hpp:1158
+  logic and_4175;
+  assign and_4175 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3919 < cfg_hidden_frames_i));
+  logic select_4181;
+  assign select_4181 = (not_2356 | (select_3962 & not_3794)) ? cfg_prove_i : patches_overlooked_q;
+  // hls/stages/agreement.hpp:795
+  logic and_4186;
+  assign and_4186 = equal_576_s3_q & (equal_3901_s3_q & (cfg_prove_i & moments_out_of_step_q));
+  logic and_4190;
+  assign and_4190 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q | (4'hc < x_s3_q[5:2])));
+  // hls/stages/agreement.hpp:1148
+  logic [31:0] select_4198;
+  assign select_4198 = equal_1635_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4196_s3_q ? registration_sums_rdata_q : 32'h0);
+  logic [31:0] select_4199;
+  assign select_4199 = equal_1633_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4198;
+  logic [31:0] select_4200;
+  assign select_4200 = equal_1631_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4199;
+  logic [31:0] select_4201;
+  assign select_4201 = equal_1629_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4200;
+  logic [31:0] select_4202;
+  assign select_4202 = equal_1627_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4201;
+  logic [31:0] select_4203;
+  assign select_4203 = equal_1625_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4202;
+  logic [31:0] select_4204;
+  assign select_4204 = equal_1623_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4203;
+  logic [31:0] select_4205;
+  assign select_4205 = equal_1621_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4204;
+  // hls/stages/agreement.hpp:1146
+  logic [9:0] select_4206;
+  assign select_4206 = less_2660 ? 10'h0 : regions_rdata_q[29:20];
   // hls/stages/agreement.hpp:1150
-  logic or_4142;
-  assign or_4142 = select_2445 | (select_2457 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:788
-  logic and_4149;
-  assign and_4149 = equal_574_s3_q & (equal_3882_s3_q & (not_4131 & (select_2451 | select_2463)));
-  // hls/stages/agreement.hpp:1150
-  logic and_4154;
-  assign and_4154 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3900 < cfg_hidden_frames_i));
-  logic select_4160;
-  assign select_4160 = (not_2347 | (select_3943 & not_3775)) ? cfg_prove_i : patches_overlooked_q;
-  // hls/stages/agreement.hpp:788
-  logic and_4165;
-  assign and_4165 = equal_574_s3_q & (equal_3882_s3_q & (cfg_prove_i & moments_out_of_step_q));
-  logic and_4169;
-  assign and_4169 = equal_574_s3_q & (x_s3_q[6] & (not_1987_s3_q | (4'hc < x_s3_q[5:2])));
-  // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4177;
-  assign select_4177 = equal_1629_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4175_s3_q ? registration_sums_rdata_q : 32'h0);
-  logic [31:0] select_4178;
-  assign select_4178 = equal_1627_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4177;
-  logic [31:0] select_4179;
-  assign select_4179 = equal_1625_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4178;
-  logic [31:0] select_4180;
-  assign select_4180 = equal_1623_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4179;
-  logic [31:0] select_4181;
-  assign select_4181 = equal_1621_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4180;
-  logic [31:0] select_4182;
-  assign select_4182 = equal_1619_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4181;
-  logic [31:0] select_4183;
-  assign select_4183 = equal_1617_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4182;
-  logic [31:0] select_4184;
-  assign select_4184 = equal_1615_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4183;
-  // hls/stages/agreement.hpp:1138
-  logic [9:0] select_4185;
-  assign select_4185 = less_2641 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:1142
-  logic [31:0] select_4186;
-  assign select_4186 = equal_1607_s3_q ? select_4184 : {2'h0, select_4185, select_2645, select_2642};
+  logic [31:0] select_4207;
+  assign select_4207 = equal_1613_s3_q ? select_4205 : {2'h0, select_4206, select_2664, select_2661};
 
   // Memory fresh, write
   logic [5:0] fresh_waddr;
   assign fresh_waddr = last_s3_q;
   logic fresh_we;
-  assign fresh_we = s3_en & and_549_s3_q;
+  assign fresh_we = s3_en & and_551_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (fresh_we) fresh_mem[fresh_waddr] <= {less_746_s3_q, and_745, less_740_s3_q, and_739_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_733, and_709_s3_q, and_708_s3_q, and_683_s3_q, less_675_s3_q, less_674_s3_q, less_673_s3_q, less_672_s3_q, less_671_s3_q, less_670_s3_q, less_669_s3_q, less_668_s3_q, less_667_s3_q, less_666_s3_q, less_665_s3_q, less_664_s3_q, less_663_s3_q, less_662_s3_q, less_661_s3_q, less_660_s3_q, less_659_s3_q, less_658_s3_q, less_657_s3_q, less_656_s3_q, less_655_s3_q, less_654_s3_q, less_653_s3_q, less_652_s3_q};
+    if (fresh_we) fresh_mem[fresh_waddr] <= {less_751_s3_q, and_750, less_745_s3_q, and_744_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_738, and_714_s3_q, and_713_s3_q, and_688_s3_q, less_680_s3_q, less_679_s3_q, less_678_s3_q, less_677_s3_q, less_676_s3_q, less_675_s3_q, less_674_s3_q, less_673_s3_q, less_672_s3_q, less_671_s3_q, less_670_s3_q, less_669_s3_q, less_668_s3_q, less_667_s3_q, less_666_s3_q, less_665_s3_q, less_664_s3_q, less_663_s3_q, less_662_s3_q, less_661_s3_q, less_660_s3_q, less_659_s3_q, less_658_s3_q, less_657_s3_q};
   end
 `ifndef SYNTHESIS
   logic [5:0] fresh_raddr_s1_sim;
@@ -6844,11 +6888,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1613_s3_q, lower_half_s3_q, registration_of_right_s3_q};
+  assign registration_sums_waddr = {sum_1619_s3_q, lower_half_s3_q, registration_of_right_s3_q};
   logic registration_sums_we;
-  assign registration_sums_we = s3_en & and_1672_s3_q;
+  assign registration_sums_we = s3_en & and_1678_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1671, sum_1667};
+    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1677, sum_1673};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -6864,11 +6908,11 @@ module horopter_agreement (
 
   // Memory patches_choices, write
   logic [5:0] patches_choices_waddr;
-  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_1698_s3_q};
+  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_1704_s3_q};
   logic patches_choices_we;
-  assign patches_choices_we = s3_en & and_1775_s3_q;
+  assign patches_choices_we = s3_en & and_1781_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1747_s3_q};
+    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1753_s3_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -6882,9 +6926,9 @@ module horopter_agreement (
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
-  assign patches_right_0_waddr = {select_1806_s3_q, select_1803};
+  assign patches_right_0_waddr = {select_1812_s3_q, select_1809};
   logic patches_right_0_we;
-  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_1815);
+  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_1821);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_0_we) patches_right_0_mem[patches_right_0_waddr] <= sample_pair_pixel_1_s3_q;
   end
@@ -6921,9 +6965,9 @@ module horopter_agreement (
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_1806_s3_q, select_1831};
+  assign patches_right_1_waddr = {select_1812_s3_q, select_1837};
   logic patches_right_1_we;
-  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_1834);
+  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_1840);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_1_we) patches_right_1_mem[patches_right_1_waddr] <= sample_pair_pixel_1_s3_q;
   end
@@ -6960,9 +7004,9 @@ module horopter_agreement (
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_1853, select_1852_s3_q, column_4};
+  assign patches_left_waddr = {select_1859, select_1858_s3_q, column_4};
   logic patches_left_we;
-  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_1859);
+  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_1865);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_left_we) patches_left_mem[patches_left_waddr] <= sample_pair_pixel_0_s3_q;
   end
@@ -7003,7 +7047,7 @@ module horopter_agreement (
   logic patches_rows_we;
   assign patches_rows_we = s3_en & patches_summed_last_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= select_1975;
+    if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= select_1981;
   end
 `ifndef SYNTHESIS
   logic [4:0] patches_rows_raddr_s2_sim;
@@ -7032,11 +7076,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s3_q, or_1985_s3_q, or_1982_s3_q, or_1979_s3_q};
+  assign regions_waddr = {region_row_s3_q, or_1991_s3_q, or_1988_s3_q, or_1985_s3_q};
   logic regions_we;
-  assign regions_we = s3_en & and_2019_s3_q;
+  assign regions_we = s3_en & and_2025_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_2018, sum_2008, sum_2003};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_2024, sum_2014, sum_2009};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -7050,11 +7094,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [11:0] map_waddr;
-  assign map_waddr = sum_2060_s3_q;
+  assign map_waddr = sum_2067_s3_q;
   logic map_we;
-  assign map_we = s3_en & and_2134_s3_q;
+  assign map_we = s3_en & and_2143_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_2124, is_seen};
+    if (map_we) map_mem[map_waddr] <= {and_2132, is_seen};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -7202,145 +7246,143 @@ module horopter_agreement (
       too_much_q <= 1'b0;
       hides_q <= 1'b0;
       overlooks_q <= 1'b0;
-      proven_q <= 1'b0;
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s3_en) begin
-      census_left_misses_q <= select_2286;
-      sharpness_before_last_mask_q <= select_2359;
-      sharpness_sums_detail_0_q <= and_549_s3_q ? select_2373 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_549_s3_q ? select_2385 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_549_s3_q ? sum_2389 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_549_s3_q ? sum_2393 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2411 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2421 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2423 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2425 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2427 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2429 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2434;
-      sharpness_comparing_carry_1_q <= select_2438;
-      sharpness_comparing_less_detail_0_q <= select_2445;
-      sharpness_comparing_less_detail_1_q <= select_2451;
-      sharpness_comparing_less_contrast_0_q <= select_2457;
-      sharpness_comparing_less_contrast_1_q <= select_2463;
-      counts_supervised_q <= select_2599;
-      counts_textured_q <= and_2591_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_2602});
-      counts_explained_q <= and_2591_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_2607});
-      counts_nearer_q <= and_2591_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2612});
-      counts_unproven_q <= and_2591_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2638});
-      counts_regions_bad_q <= select_2654;
-      counts_skin_supervised_q <= select_2661;
-      counts_skin_textured_q <= select_2668;
-      counts_skin_unproven_q <= select_2676;
-      counts_on_skin_q <= select_2695;
-      registration_half_across_q <= select_2773;
-      registration_half_measured_q <= select_2778;
-      registration_half_votes_down_q <= and_2751_s3_q ? 7'h0 : sum_2784;
-      registration_half_votes_up_q <= and_2751_s3_q ? 7'h0 : sum_2792;
-      registration_half_half_votes_down_q <= and_2751_s3_q ? 7'h0 : sum_2799;
-      registration_half_half_votes_up_q <= and_2751_s3_q ? 7'h0 : sum_2806;
-      registration_down_q <= and_2840 ? sum_2859 : registration_down_q;
-      registration_up_q <= and_2840 ? sum_2868 : registration_up_q;
-      registration_enough_q <= select_2882;
-      registration_votes_down_q <= and_2887 ? less_2888 : registration_votes_down_q;
-      registration_votes_up_q <= and_2887 ? less_2890 : registration_votes_up_q;
-      registration_other_enough_q <= and_2896 ? select_2882 : registration_other_enough_q;
-      registration_other_down_q <= and_2896 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2896 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_574_s3_q & and_2903)) & or_2928;
-      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_1794 : patches_place_0_valid_q;
-      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_1797 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_1798 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3011;
-      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_1823 : patches_place_1_valid_q;
-      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_1825 : patches_place_1_column_q;
-      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_1826 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3016;
-      patches_valid_0_q <= select_3021;
-      patches_valid_1_q <= select_3026;
-      patches_right_next_0_q <= select_3029;
-      patches_right_next_1_q <= select_3032;
-      patches_left_next_0_q <= select_3035;
-      patches_left_next_1_q <= select_3038;
-      patches_sums_values_0_q <= select_3462;
-      patches_sums_values_1_q <= equal_1776_s3_q ? patches_sums_values_1_q : select_3463;
-      patches_sums_values_2_q <= equal_1776_s3_q ? patches_sums_values_2_q : select_3465;
-      patches_sums_values_3_q <= equal_1776_s3_q ? patches_sums_values_3_q : select_3467;
-      patches_sums_values_4_q <= equal_1776_s3_q ? patches_sums_values_4_q : select_3469;
-      patches_sums_values_5_q <= equal_1776_s3_q ? patches_sums_values_5_q : select_3471;
-      patches_sums_values_6_q <= equal_1776_s3_q ? patches_sums_values_6_q : select_3473;
-      patches_sums_values_7_q <= equal_1776_s3_q ? patches_sums_values_7_q : select_3475;
-      patches_sums_values_8_q <= equal_1776_s3_q ? patches_sums_values_8_q : select_3477;
-      patches_sums_values_9_q <= equal_1776_s3_q ? patches_sums_values_9_q : select_3479;
-      patches_sums_values_10_q <= equal_1776_s3_q ? patches_sums_values_10_q : select_3481;
-      patches_sums_values_11_q <= equal_1776_s3_q ? patches_sums_values_11_q : select_3483;
-      patches_sums_values_12_q <= equal_1776_s3_q ? patches_sums_values_12_q : select_3485;
-      patches_sums_values_13_q <= equal_1776_s3_q ? patches_sums_values_13_q : select_3487;
-      patches_sums_values_14_q <= equal_1776_s3_q ? patches_sums_values_14_q : select_3489;
-      patches_sums_values_15_q <= equal_1776_s3_q ? patches_sums_values_15_q : select_3491;
-      patches_sums_values_16_q <= equal_1776_s3_q ? patches_sums_values_16_q : select_3493;
-      patches_best_differing_q <= select_1975[9:0];
-      patches_best_column_q <= select_1975[14:10];
-      patches_quarters_0_places_q <= sum_3580;
-      patches_quarters_0_up_q <= sum_3615;
-      patches_quarters_0_down_q <= sum_3620;
-      patches_quarters_1_places_q <= sum_3624;
-      patches_quarters_1_up_q <= sum_3627;
-      patches_quarters_1_down_q <= sum_3630;
-      patches_quarters_2_places_q <= sum_3634;
-      patches_quarters_2_up_q <= sum_3637;
-      patches_quarters_2_down_q <= sum_3640;
-      patches_quarters_3_places_q <= sum_3644;
-      patches_quarters_3_up_q <= sum_3647;
-      patches_quarters_3_down_q <= sum_3650;
+      census_left_misses_q <= select_2295;
+      sharpness_before_last_mask_q <= select_2368;
+      sharpness_sums_detail_0_q <= and_551_s3_q ? select_2382 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_551_s3_q ? select_2394 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_551_s3_q ? sum_2398 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_551_s3_q ? sum_2402 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= so_s3_q ? select_2420 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= so_s3_q ? select_2430 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= so_s3_q ? select_2432 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= so_s3_q ? select_2434 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= so_s3_q ? select_2436 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= so_s3_q ? select_2438 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2443;
+      sharpness_comparing_carry_1_q <= select_2447;
+      sharpness_comparing_less_detail_0_q <= select_2454;
+      sharpness_comparing_less_detail_1_q <= select_2460;
+      sharpness_comparing_less_contrast_0_q <= select_2466;
+      sharpness_comparing_less_contrast_1_q <= select_2472;
+      counts_supervised_q <= select_2618;
+      counts_textured_q <= and_2610_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_2621});
+      counts_explained_q <= and_2610_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_2626});
+      counts_nearer_q <= and_2610_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2631});
+      counts_unproven_q <= and_2610_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2657});
+      counts_regions_bad_q <= select_2673;
+      counts_skin_supervised_q <= select_2680;
+      counts_skin_textured_q <= select_2687;
+      counts_skin_unproven_q <= select_2695;
+      counts_on_skin_q <= select_2714;
+      registration_half_across_q <= select_2793;
+      registration_half_measured_q <= select_2798;
+      registration_half_votes_down_q <= and_2771_s3_q ? 7'h0 : sum_2804;
+      registration_half_votes_up_q <= and_2771_s3_q ? 7'h0 : sum_2812;
+      registration_half_half_votes_down_q <= and_2771_s3_q ? 7'h0 : sum_2819;
+      registration_half_half_votes_up_q <= and_2771_s3_q ? 7'h0 : sum_2826;
+      registration_down_q <= and_2859 ? sum_2878 : registration_down_q;
+      registration_up_q <= and_2859 ? sum_2887 : registration_up_q;
+      registration_enough_q <= select_2901;
+      registration_votes_down_q <= and_2906 ? less_2907 : registration_votes_down_q;
+      registration_votes_up_q <= and_2906 ? less_2909 : registration_votes_up_q;
+      registration_other_enough_q <= and_2915 ? select_2901 : registration_other_enough_q;
+      registration_other_down_q <= and_2915 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2915 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_576_s3_q & and_2922)) & or_2947;
+      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_1800 : patches_place_0_valid_q;
+      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_1803 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_1804 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_3030;
+      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_1829 : patches_place_1_valid_q;
+      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_1831 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_1832 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_3035;
+      patches_valid_0_q <= select_3040;
+      patches_valid_1_q <= select_3045;
+      patches_right_next_0_q <= select_3048;
+      patches_right_next_1_q <= select_3051;
+      patches_left_next_0_q <= select_3054;
+      patches_left_next_1_q <= select_3057;
+      patches_sums_values_0_q <= select_3481;
+      patches_sums_values_1_q <= equal_1782_s3_q ? patches_sums_values_1_q : select_3482;
+      patches_sums_values_2_q <= equal_1782_s3_q ? patches_sums_values_2_q : select_3484;
+      patches_sums_values_3_q <= equal_1782_s3_q ? patches_sums_values_3_q : select_3486;
+      patches_sums_values_4_q <= equal_1782_s3_q ? patches_sums_values_4_q : select_3488;
+      patches_sums_values_5_q <= equal_1782_s3_q ? patches_sums_values_5_q : select_3490;
+      patches_sums_values_6_q <= equal_1782_s3_q ? patches_sums_values_6_q : select_3492;
+      patches_sums_values_7_q <= equal_1782_s3_q ? patches_sums_values_7_q : select_3494;
+      patches_sums_values_8_q <= equal_1782_s3_q ? patches_sums_values_8_q : select_3496;
+      patches_sums_values_9_q <= equal_1782_s3_q ? patches_sums_values_9_q : select_3498;
+      patches_sums_values_10_q <= equal_1782_s3_q ? patches_sums_values_10_q : select_3500;
+      patches_sums_values_11_q <= equal_1782_s3_q ? patches_sums_values_11_q : select_3502;
+      patches_sums_values_12_q <= equal_1782_s3_q ? patches_sums_values_12_q : select_3504;
+      patches_sums_values_13_q <= equal_1782_s3_q ? patches_sums_values_13_q : select_3506;
+      patches_sums_values_14_q <= equal_1782_s3_q ? patches_sums_values_14_q : select_3508;
+      patches_sums_values_15_q <= equal_1782_s3_q ? patches_sums_values_15_q : select_3510;
+      patches_sums_values_16_q <= equal_1782_s3_q ? patches_sums_values_16_q : select_3512;
+      patches_best_differing_q <= select_1981[9:0];
+      patches_best_column_q <= select_1981[14:10];
+      patches_quarters_0_places_q <= sum_3599;
+      patches_quarters_0_up_q <= sum_3634;
+      patches_quarters_0_down_q <= sum_3639;
+      patches_quarters_1_places_q <= sum_3643;
+      patches_quarters_1_up_q <= sum_3646;
+      patches_quarters_1_down_q <= sum_3649;
+      patches_quarters_2_places_q <= sum_3653;
+      patches_quarters_2_up_q <= sum_3656;
+      patches_quarters_2_down_q <= sum_3659;
+      patches_quarters_3_places_q <= sum_3663;
+      patches_quarters_3_up_q <= sum_3666;
+      patches_quarters_3_down_q <= sum_3669;
       patches_on_skin_limit_q <= cfg_on_skin_limit_i;
-      patches_word_places_q <= or_3678;
-      patches_word_up_q <= ((select_3688 | select_3690) | select_3693) | select_3696;
-      patches_word_down_q <= ((select_3699 | select_3701) | select_3704) | select_3707;
-      patches_sum_places_q <= select_3717;
-      patches_sum_up_q <= select_3720;
-      patches_sum_down_q <= select_3723;
-      patches_across_q <= select_3730;
-      patches_places_q <= select_3741;
+      patches_word_places_q <= or_3697;
+      patches_word_up_q <= ((select_3707 | select_3709) | select_3712) | select_3715;
+      patches_word_down_q <= ((select_3718 | select_3720) | select_3723) | select_3726;
+      patches_sum_places_q <= select_3736;
+      patches_sum_up_q <= select_3739;
+      patches_sum_down_q <= select_3742;
+      patches_across_q <= select_3749;
+      patches_places_q <= select_3760;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_3745;
-      patches_partly_q <= or_3748;
-      patches_clear_limit_q <= sum_3749[8:2];
-      patches_complete_q <= select_3751;
+      patches_mostly_q <= or_3764;
+      patches_partly_q <= or_3767;
+      patches_clear_limit_q <= sum_3768[8:2];
+      patches_complete_q <= select_3770;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= and_3734 ? select_3756 : patches_found_q;
-      patches_doubted_q <= select_3763;
-      patches_doubted_before_q <= select_3764;
+      patches_found_q <= and_3753 ? select_3775 : patches_found_q;
+      patches_doubted_q <= select_3782;
+      patches_doubted_before_q <= select_3783;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_3768;
-      patches_on_skin_q <= sum_3773;
-      patches_large_q <= not_3775 & and_3780;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3785;
-      patches_spoiled_q <= or_3789;
+      patches_round_on_skin_q <= select_3787;
+      patches_on_skin_q <= sum_3792;
+      patches_large_q <= not_3794 & and_3799;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3804;
+      patches_spoiled_q <= or_3808;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_3796;
+      patches_moved_q <= select_3815;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_3806;
-      segment_textured_q <= select_2000 + {5'h0, and_2602};
-      segment_explained_q <= select_2005 + {5'h0, and_2607};
-      segment_nearer_q <= select_2015 + {5'h0, and_2612};
+      patches_age_q <= select_3825;
+      segment_textured_q <= select_2006 + {5'h0, and_2621};
+      segment_explained_q <= select_2011 + {5'h0, and_2626};
+      segment_nearer_q <= select_2021 + {5'h0, and_2631};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_574_s3_q ? select_3879 : good_q;
-      good_known_q <= select_3884;
-      hidden_for_q <= select_3902;
-      product_q <= equal_574_s3_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_3927;
-      disagree_q <= equal_574_s3_q ? select_3871 : disagree_q;
-      too_much_q <= equal_574_s3_q ? select_3937 : too_much_q;
-      hides_q <= equal_574_s3_q ? select_3897 : hides_q;
-      overlooks_q <= equal_574_s3_q ? select_3943 : overlooks_q;
-      proven_q <= and_1968_s3_q ? select_4052 : proven_q;
-      seen_q <= select_4110;
-      nearer_q <= select_4116;
+      good_q <= equal_576_s3_q ? select_3898 : good_q;
+      good_known_q <= select_3903;
+      hidden_for_q <= select_3921;
+      product_q <= equal_576_s3_q ? sum_4[14:1] : product_q;
+      product_rest_q <= select_3946;
+      disagree_q <= equal_576_s3_q ? select_3890 : disagree_q;
+      too_much_q <= equal_576_s3_q ? select_3956 : too_much_q;
+      hides_q <= equal_576_s3_q ? select_3916 : hides_q;
+      overlooks_q <= equal_576_s3_q ? select_3962 : overlooks_q;
+      seen_q <= select_4131;
+      nearer_q <= select_4137;
     end
   end
 
@@ -7390,45 +7432,45 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
-      averager_quarter_1_0_q <= select_2160;
-      averager_quarter_1_1_q <= select_2162;
-      averager_quarter_2_0_q <= select_2164;
-      averager_quarter_2_1_q <= select_2166;
-      averager_detail_0_q <= select_2178;
-      averager_detail_1_q <= select_2186;
-      census_changes_values_0_left_q <= and_549_s3_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_549_s3_q ? sum_2270 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2272;
-      census_changes_values_1_right_q <= select_2273;
-      census_changes_values_2_left_q <= select_2274;
-      census_changes_values_2_right_q <= select_2275;
-      sharpness_last_mask_q <= and_549_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_549_s3_q ? select_2356[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_549_s3_q ? select_2356[27:14] : sharpness_last_detail_1_q;
-      box_textured_columns_values_0_q <= select_3947;
-      box_textured_columns_values_1_q <= select_3950;
-      box_textured_columns_values_2_q <= select_3953;
-      box_textured_columns_values_3_q <= select_3956;
-      box_textured_columns_values_4_q <= select_3959;
-      box_textured_sum_sums_values_0_q <= equal_574_s3_q ? box_textured_sum_sums_values_0_q : select_3961;
-      box_explained_columns_values_0_q <= select_3965;
-      box_explained_columns_values_1_q <= select_3968;
-      box_explained_columns_values_2_q <= select_3971;
-      box_explained_columns_values_3_q <= select_3974;
-      box_explained_columns_values_4_q <= select_3977;
-      box_explained_sum_sums_values_0_q <= equal_574_s3_q ? box_explained_sum_sums_values_0_q : select_3979;
-      box_shown_columns_values_0_q <= equal_574_s3_q ? box_shown_columns_values_0_q : select_3982;
-      box_shown_columns_values_1_q <= select_3986;
-      box_shown_columns_values_2_q <= select_3989;
-      box_shown_columns_values_3_q <= select_3992;
-      box_shown_columns_values_4_q <= select_3995;
-      box_shown_sum_sums_values_0_q <= equal_574_s3_q ? box_shown_sum_sums_values_0_q : select_3997;
-      box_nearer_columns_values_0_q <= equal_574_s3_q ? box_nearer_columns_values_0_q : select_4000;
-      box_nearer_columns_values_1_q <= select_4004;
-      box_nearer_columns_values_2_q <= select_4007;
-      box_nearer_columns_values_3_q <= select_4010;
-      box_nearer_columns_values_4_q <= select_4013;
-      box_nearer_sum_sums_values_0_q <= equal_574_s3_q ? box_nearer_sum_sums_values_0_q : select_4015;
+      averager_quarter_1_0_q <= select_2169;
+      averager_quarter_1_1_q <= select_2171;
+      averager_quarter_2_0_q <= select_2173;
+      averager_quarter_2_1_q <= select_2175;
+      averager_detail_0_q <= select_2187;
+      averager_detail_1_q <= select_2195;
+      census_changes_values_0_left_q <= and_551_s3_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_551_s3_q ? sum_2279 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2281;
+      census_changes_values_1_right_q <= select_2282;
+      census_changes_values_2_left_q <= select_2283;
+      census_changes_values_2_right_q <= select_2284;
+      sharpness_last_mask_q <= and_551_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
+      sharpness_last_detail_0_q <= and_551_s3_q ? select_2365[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_551_s3_q ? select_2365[27:14] : sharpness_last_detail_1_q;
+      box_textured_columns_values_0_q <= select_3966;
+      box_textured_columns_values_1_q <= select_3969;
+      box_textured_columns_values_2_q <= select_3972;
+      box_textured_columns_values_3_q <= select_3975;
+      box_textured_columns_values_4_q <= select_3978;
+      box_textured_sum_sums_values_0_q <= equal_576_s3_q ? box_textured_sum_sums_values_0_q : select_3980;
+      box_explained_columns_values_0_q <= select_3984;
+      box_explained_columns_values_1_q <= select_3987;
+      box_explained_columns_values_2_q <= select_3990;
+      box_explained_columns_values_3_q <= select_3993;
+      box_explained_columns_values_4_q <= select_3996;
+      box_explained_sum_sums_values_0_q <= equal_576_s3_q ? box_explained_sum_sums_values_0_q : select_3998;
+      box_shown_columns_values_0_q <= equal_576_s3_q ? box_shown_columns_values_0_q : select_4001;
+      box_shown_columns_values_1_q <= select_4005;
+      box_shown_columns_values_2_q <= select_4008;
+      box_shown_columns_values_3_q <= select_4011;
+      box_shown_columns_values_4_q <= select_4014;
+      box_shown_sum_sums_values_0_q <= equal_576_s3_q ? box_shown_sum_sums_values_0_q : select_4016;
+      box_nearer_columns_values_0_q <= equal_576_s3_q ? box_nearer_columns_values_0_q : select_4019;
+      box_nearer_columns_values_1_q <= select_4023;
+      box_nearer_columns_values_2_q <= select_4026;
+      box_nearer_columns_values_3_q <= select_4029;
+      box_nearer_columns_values_4_q <= select_4032;
+      box_nearer_sum_sums_values_0_q <= equal_576_s3_q ? box_nearer_sum_sums_values_0_q : select_4034;
     end
   end
 
@@ -7437,21 +7479,21 @@ module horopter_agreement (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic and_4054_s4_q;
-  logic or_4117_s4_q;
-  logic and_4118_s4_q;
-  logic and_4126_s4_q;
-  logic and_4129_s4_q;
-  logic and_4135_s4_q;
+  logic and_4075_s4_q;
+  logic or_4138_s4_q;
   logic and_4139_s4_q;
-  logic and_4145_s4_q;
-  logic and_4149_s4_q;
-  logic and_4157_s4_q;
-  logic and_4162_s4_q;
-  logic and_4165_s4_q;
-  logic and_4169_s4_q;
-  logic [5:0] select_4171_s4_q;
-  logic [31:0] select_4188_s4_q;
+  logic and_4147_s4_q;
+  logic and_4150_s4_q;
+  logic and_4156_s4_q;
+  logic and_4160_s4_q;
+  logic and_4166_s4_q;
+  logic and_4170_s4_q;
+  logic and_4178_s4_q;
+  logic and_4183_s4_q;
+  logic and_4186_s4_q;
+  logic and_4190_s4_q;
+  logic [5:0] select_4192_s4_q;
+  logic [31:0] select_4209_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_1_q;
@@ -7459,21 +7501,21 @@ module horopter_agreement (
       mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
-      and_4054_s4_q <= said_q;
-      or_4117_s4_q <= not_2347 | select_4110;
-      and_4118_s4_q <= cfg_prove_i & select_4116;
-      and_4126_s4_q <= equal_574_s3_q & (equal_3882_s3_q & (cfg_prove_i & or_4123));
-      and_4129_s4_q <= equal_574_s3_q & (equal_3882_s3_q & (cfg_prove_i & or_3863));
-      and_4135_s4_q <= and_4135;
-      and_4139_s4_q <= equal_574_s3_q & and_4138;
-      and_4145_s4_q <= equal_574_s3_q & (equal_3882_s3_q & (not_4131 & or_4142));
-      and_4149_s4_q <= and_4149;
-      and_4157_s4_q <= equal_574_s3_q & (equal_3882_s3_q & (cfg_prove_i & and_4154));
-      and_4162_s4_q <= equal_574_s3_q & (equal_3882_s3_q & select_4160);
-      and_4165_s4_q <= and_4165;
-      and_4169_s4_q <= and_4169;
-      select_4171_s4_q <= equal_574_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
-      select_4188_s4_q <= equal_574_s3_q ? (x_s3_q[6] ? select_4186 : 32'h0) : 32'h0;
+      and_4075_s4_q <= and_4075_s3_q;
+      or_4138_s4_q <= not_2356 | select_4131;
+      and_4139_s4_q <= cfg_prove_i & select_4137;
+      and_4147_s4_q <= equal_576_s3_q & (equal_3901_s3_q & (cfg_prove_i & or_4144));
+      and_4150_s4_q <= equal_576_s3_q & (equal_3901_s3_q & (cfg_prove_i & or_3882));
+      and_4156_s4_q <= and_4156;
+      and_4160_s4_q <= equal_576_s3_q & and_4159;
+      and_4166_s4_q <= equal_576_s3_q & (equal_3901_s3_q & (not_4152 & or_4163));
+      and_4170_s4_q <= and_4170;
+      and_4178_s4_q <= equal_576_s3_q & (equal_3901_s3_q & (cfg_prove_i & and_4175));
+      and_4183_s4_q <= equal_576_s3_q & (equal_3901_s3_q & select_4181);
+      and_4186_s4_q <= and_4186;
+      and_4190_s4_q <= and_4190;
+      select_4192_s4_q <= equal_576_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
+      select_4209_s4_q <= equal_576_s3_q ? (x_s3_q[6] ? select_4207 : 32'h0) : 32'h0;
     end
   end
 
@@ -7483,21 +7525,21 @@ module horopter_agreement (
   assign mask_o = mask_s4_q;
   assign marks_first_o = marks_first_s4_q;
   assign marks_last_o = marks_last_s4_q;
-  assign marks_seen_o = or_4117_s4_q;
-  assign marks_nearer_o = and_4118_s4_q;
-  assign verdict_valid_o = and_4054_s4_q;
-  assign verdict_unproven_yet_o = and_4126_s4_q;
-  assign verdict_untextured_o = and_4129_s4_q;
-  assign verdict_disagree_o = and_4135_s4_q;
-  assign verdict_moved_o = and_4139_s4_q;
-  assign verdict_unsharp_left_o = and_4145_s4_q;
-  assign verdict_unsharp_right_o = and_4149_s4_q;
-  assign verdict_hidden_o = and_4157_s4_q;
-  assign verdict_overlooked_o = and_4162_s4_q;
-  assign verdict_out_of_step_o = and_4165_s4_q;
-  assign frame_valid_o = and_4169_s4_q;
-  assign frame_index_o = select_4171_s4_q;
-  assign frame_word_o = select_4188_s4_q;
+  assign marks_seen_o = or_4138_s4_q;
+  assign marks_nearer_o = and_4139_s4_q;
+  assign verdict_valid_o = and_4075_s4_q;
+  assign verdict_unproven_yet_o = and_4147_s4_q;
+  assign verdict_untextured_o = and_4150_s4_q;
+  assign verdict_disagree_o = and_4156_s4_q;
+  assign verdict_moved_o = and_4160_s4_q;
+  assign verdict_unsharp_left_o = and_4166_s4_q;
+  assign verdict_unsharp_right_o = and_4170_s4_q;
+  assign verdict_hidden_o = and_4178_s4_q;
+  assign verdict_overlooked_o = and_4183_s4_q;
+  assign verdict_out_of_step_o = and_4186_s4_q;
+  assign frame_valid_o = and_4190_s4_q;
+  assign frame_index_o = select_4192_s4_q;
+  assign frame_word_o = select_4209_s4_q;
   assign valid_o = valid_s4_q;
 
   always_ff @(posedge clk_i) begin
@@ -7516,6 +7558,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_3778[4:0], sum_3749[1:0], sum_3709[1:0], product_3610[4:0], sum_2741[0], difference_2682[1:0], detail_4[1:0], detail_3[1:0], sum_2280[4:0], sum_1714[0], sum_1710[0], sum_731[4:0], cfg_compete_i, cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], product_3797[4:0], sum_3768[1:0], sum_3728[1:0], product_3629[4:0], sum_2761[0], difference_2701[1:0], detail_4[1:0], detail_3[1:0], sum_2289[4:0], sum_1720[0], sum_1716[0], sum_736[4:0], cfg_compete_i, cfg_width_i[2:0]};
 
 endmodule

@@ -3,7 +3,7 @@
 //
 // Latency 24 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 3131 bits, pipeline 8607 bits, memories 157167 bits.
+// State 3133 bits, pipeline 8694 bits, memories 157167 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -93,20 +93,22 @@ module horopter_agreement (
   assign s23_en = en_i & valid_s23_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2347;
-  assign not_2347 = ~cfg_prove_i;
-  logic [6:0] sum_2560;
-  assign sum_2560 = {1'b0, cfg_height_i[10:5]} + 7'h5;
-  logic [6:0] difference_3583;
-  assign difference_3583 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_3776;
-  assign not_3776 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [7:0] difference_3834;
-  assign difference_3834 = 8'h0 - {1'b0, cfg_height_i[10:4]};
-  logic less_4050;
-  assign less_4050 = 7'h8 < cfg_height_i[10:4];
-  logic [4:0] sum_4051;
-  assign sum_4051 = {1'b0, cfg_height_i[10:7]} + 5'h1f;
+  logic not_2356;
+  assign not_2356 = ~cfg_prove_i;
+  logic [6:0] sum_2569;
+  assign sum_2569 = {1'b0, cfg_height_i[10:5]} + 7'h5;
+  logic less_2574;
+  assign less_2574 = 7'h8 < cfg_height_i[10:4];
+  logic [6:0] difference_3602;
+  assign difference_3602 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_3795;
+  assign not_3795 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [7:0] difference_3853;
+  assign difference_3853 = 8'h0 - {1'b0, cfg_height_i[10:4]};
+  logic [5:0] sum_4072;
+  assign sum_4072 = {1'b0, cfg_height_i[10:6]} + 6'h3f;
+  logic [7:0] select_4073;
+  assign select_4073 = (7'h4 < cfg_height_i[10:4]) ? {sum_4072, cfg_height_i[5:4]} : 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -118,25 +120,25 @@ module horopter_agreement (
   logic raster_row_ended_q;
   logic [8:0] averager_place_q;
   // hls/stages/census.hpp:42
-  logic [3:0] select_509;
-  assign select_509 = sample_pair_first_q ? 4'h0 : raster_at_x_q;
+  logic [3:0] select_511;
+  assign select_511 = sample_pair_first_q ? 4'h0 : raster_at_x_q;
   // hls/stages/census.hpp:114
-  logic equal_510;
-  assign equal_510 = select_509[1:0] == 2'h0;
+  logic equal_512;
+  assign equal_512 = select_511[1:0] == 2'h0;
   // hls/stages/census.hpp:34
   logic row_starts;
   assign row_starts = sample_pair_first_q | raster_row_ended_q;
   // hls/stages/census.hpp:124
-  logic [8:0] select_514;
-  assign select_514 = equal_510 ? (row_starts ? 9'h0 : (averager_place_q + 9'h1)) : averager_place_q;
+  logic [8:0] select_516;
+  assign select_516 = equal_512 ? (row_starts ? 9'h0 : (averager_place_q + 9'h1)) : averager_place_q;
   // hls/stages/census.hpp:42
-  logic [3:0] select_528;
-  assign select_528 = sample_pair_first_q ? 4'h0 : raster_at_y_q;
+  logic [3:0] select_530;
+  assign select_530 = sample_pair_first_q ? 4'h0 : raster_at_y_q;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2137;
-  assign select_2137 = sample_pair_whole_q ? (sample_last_q ? 4'h0 : (select_509 + 4'h1)) : raster_at_x_q;
-  logic [3:0] select_2140;
-  assign select_2140 = sample_pair_whole_q ? (sample_last_q ? (select_528 + 4'h1) : select_528) : raster_at_y_q;
+  logic [3:0] select_2146;
+  assign select_2146 = sample_pair_whole_q ? (sample_last_q ? 4'h0 : (select_511 + 4'h1)) : raster_at_x_q;
+  logic [3:0] select_2149;
+  assign select_2149 = sample_pair_whole_q ? (sample_last_q ? (select_530 + 4'h1) : select_530) : raster_at_y_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -153,10 +155,10 @@ module horopter_agreement (
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= select_2137;
-      raster_at_y_q <= select_2140;
+      raster_at_x_q <= select_2146;
+      raster_at_y_q <= select_2149;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      averager_place_q <= sample_pair_whole_q ? select_514 : averager_place_q;
+      averager_place_q <= sample_pair_whole_q ? select_516 : averager_place_q;
     end
   end
 
@@ -168,13 +170,13 @@ module horopter_agreement (
   logic sample_pair_whole_s1_q;
   logic sample_last_s1_q;
   logic sample_present_s1_q;
-  logic [3:0] select_509_s1_q;
-  logic equal_510_s1_q;
+  logic [3:0] select_511_s1_q;
+  logic equal_512_s1_q;
   logic row_starts_s1_q;
-  logic [8:0] select_514_s1_q;
-  logic not_516_s1_q;
-  logic [3:0] select_528_s1_q;
-  logic equal_547_s1_q;
+  logic [8:0] select_516_s1_q;
+  logic not_518_s1_q;
+  logic [3:0] select_530_s1_q;
+  logic equal_549_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -185,13 +187,13 @@ module horopter_agreement (
       sample_pair_whole_s1_q <= sample_pair_whole_q;
       sample_last_s1_q <= sample_last_q;
       sample_present_s1_q <= sample_present_q;
-      select_509_s1_q <= select_509;
-      equal_510_s1_q <= equal_510;
+      select_511_s1_q <= select_511;
+      equal_512_s1_q <= equal_512;
       row_starts_s1_q <= row_starts;
-      select_514_s1_q <= select_514;
-      not_516_s1_q <= ~(averager_place_q == 9'h1df);
-      select_528_s1_q <= select_528;
-      equal_547_s1_q <= select_528 == 4'hf;
+      select_516_s1_q <= select_516;
+      not_518_s1_q <= ~(averager_place_q == 9'h1df);
+      select_530_s1_q <= select_530;
+      equal_549_s1_q <= select_530 == 4'hf;
     end
   end
 
@@ -203,46 +205,46 @@ module horopter_agreement (
   logic raster_final_row_q;
   logic averager_inside_q;
   // hls/stages/census.hpp:124
-  logic select_519;
-  assign select_519 = equal_510_s1_q ? (row_starts_s1_q | (averager_inside_q & not_516_s1_q)) : averager_inside_q;
+  logic select_521;
+  assign select_521 = equal_512_s1_q ? (row_starts_s1_q | (averager_inside_q & not_518_s1_q)) : averager_inside_q;
   // hls/stages/census.hpp:42
-  logic or_520;
-  assign or_520 = sample_pair_first_s1_q | raster_at_live_q;
-  // hls/stages/agreement.hpp:418
-  logic and_523;
-  assign and_523 = select_519 & (or_520 & (select_509_s1_q[1:0] == 2'h3));
+  logic or_522;
+  assign or_522 = sample_pair_first_s1_q | raster_at_live_q;
+  // hls/stages/agreement.hpp:422
+  logic and_525;
+  assign and_525 = select_521 & (or_522 & (select_511_s1_q[1:0] == 2'h3));
   // hls/stages/census.hpp:42
-  logic [6:0] select_544;
-  assign select_544 = sample_pair_first_s1_q ? 7'h0 : raster_at_column_q;
+  logic [6:0] select_546;
+  assign select_546 = sample_pair_first_s1_q ? 7'h0 : raster_at_column_q;
   // hls/stages/agreement.hpp:276
   logic [6:0] last;
-  assign last = sample_pair_whole_s1_q ? select_544 : 7'h0;
+  assign last = sample_pair_whole_s1_q ? select_546 : 7'h0;
   // hls/stages/census.hpp:53
-  logic equal_546;
-  assign equal_546 = select_509_s1_q == 4'hf;
+  logic equal_548;
+  assign equal_548 = select_511_s1_q == 4'hf;
   // hls/stages/census.hpp:134
-  logic and_548;
-  assign and_548 = equal_547_s1_q & and_523;
+  logic and_550;
+  assign and_550 = equal_549_s1_q & and_525;
   // hls/stages/census.hpp:42
-  logic [6:0] select_678;
-  assign select_678 = sample_pair_first_s1_q ? 7'h0 : raster_at_row_q;
+  logic [6:0] select_683;
+  assign select_683 = sample_pair_first_s1_q ? 7'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:276
   logic [6:0] row;
-  assign row = sample_pair_whole_s1_q ? select_678 : 7'h0;
-  logic [6:0] select_2143;
-  assign select_2143 = sample_pair_whole_s1_q ? (sample_last_s1_q ? 7'h0 : (select_544 + {6'h0, equal_546})) : raster_at_column_q;
+  assign row = sample_pair_whole_s1_q ? select_683 : 7'h0;
+  logic [6:0] select_2152;
+  assign select_2152 = sample_pair_whole_s1_q ? (sample_last_s1_q ? 7'h0 : (select_546 + {6'h0, equal_548})) : raster_at_column_q;
   // hls/stages/census.hpp:62
-  logic [6:0] select_2145;
-  assign select_2145 = sample_last_s1_q ? (select_678 + {6'h0, equal_547_s1_q}) : select_678;
+  logic [6:0] select_2154;
+  assign select_2154 = sample_last_s1_q ? (select_683 + {6'h0, equal_549_s1_q}) : select_683;
   // hls/stages/agreement.hpp:276
-  logic select_2150;
-  assign select_2150 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_520 & (~raster_final_row_q)) : or_520) : raster_at_live_q;
+  logic select_2159;
+  assign select_2159 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_522 & (~raster_final_row_q)) : or_522) : raster_at_live_q;
   // hls/stages/census.hpp:52
-  logic [10:0] select_2152;
-  assign select_2152 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
+  logic [10:0] select_2161;
+  assign select_2161 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
   // hls/stages/agreement.hpp:276
-  logic select_2156;
-  assign select_2156 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
+  logic select_2165;
+  assign select_2165 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -253,12 +255,12 @@ module horopter_agreement (
       raster_final_row_q <= 1'b0;
       averager_inside_q <= 1'b1;
     end else if (s1_en) begin
-      raster_at_column_q <= select_2143;
-      raster_at_row_q <= sample_pair_whole_s1_q ? select_2145 : raster_at_row_q;
-      raster_at_live_q <= select_2150;
-      raster_rows_left_q <= sample_pair_whole_s1_q ? select_2152 : raster_rows_left_q;
-      raster_final_row_q <= select_2156;
-      averager_inside_q <= sample_pair_whole_s1_q ? select_519 : averager_inside_q;
+      raster_at_column_q <= select_2152;
+      raster_at_row_q <= sample_pair_whole_s1_q ? select_2154 : raster_at_row_q;
+      raster_at_live_q <= select_2159;
+      raster_rows_left_q <= sample_pair_whole_s1_q ? select_2161 : raster_rows_left_q;
+      raster_final_row_q <= select_2165;
+      averager_inside_q <= sample_pair_whole_s1_q ? select_521 : averager_inside_q;
     end
   end
 
@@ -271,20 +273,20 @@ module horopter_agreement (
   logic sample_pair_first_s2_q;
   logic sample_pair_whole_s2_q;
   logic sample_present_s2_q;
-  logic [3:0] select_509_s2_q;
-  logic equal_510_s2_q;
+  logic [3:0] select_511_s2_q;
+  logic equal_512_s2_q;
   logic row_starts_s2_q;
-  logic [8:0] select_514_s2_q;
-  logic and_523_s2_q;
-  logic [3:0] select_528_s2_q;
-  logic [6:0] select_544_s2_q;
+  logic [8:0] select_516_s2_q;
+  logic and_525_s2_q;
+  logic [3:0] select_530_s2_q;
+  logic [6:0] select_546_s2_q;
   logic [6:0] last_s2_q;
-  logic and_548_s2_q;
   logic and_550_s2_q;
-  logic [6:0] select_678_s2_q;
+  logic and_552_s2_q;
+  logic [6:0] select_683_s2_q;
   logic [6:0] row_s2_q;
-  logic equal_1679_s2_q;
-  logic [7:0] sum_2465_s2_q;
+  logic equal_1685_s2_q;
+  logic [7:0] sum_2474_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -296,33 +298,33 @@ module horopter_agreement (
       sample_pair_first_s2_q <= sample_pair_first_s1_q;
       sample_pair_whole_s2_q <= sample_pair_whole_s1_q;
       sample_present_s2_q <= sample_present_s1_q;
-      select_509_s2_q <= select_509_s1_q;
-      equal_510_s2_q <= equal_510_s1_q;
+      select_511_s2_q <= select_511_s1_q;
+      equal_512_s2_q <= equal_512_s1_q;
       row_starts_s2_q <= row_starts_s1_q;
-      select_514_s2_q <= select_514_s1_q;
-      and_523_s2_q <= and_523;
-      select_528_s2_q <= select_528_s1_q;
-      select_544_s2_q <= select_544;
+      select_516_s2_q <= select_516_s1_q;
+      and_525_s2_q <= and_525;
+      select_530_s2_q <= select_530_s1_q;
+      select_546_s2_q <= select_546;
       last_s2_q <= last;
-      and_548_s2_q <= and_548;
-      and_550_s2_q <= sample_pair_whole_s1_q & (equal_546 & and_548);
-      select_678_s2_q <= select_678;
+      and_550_s2_q <= and_550;
+      and_552_s2_q <= sample_pair_whole_s1_q & (equal_548 & and_550);
+      select_683_s2_q <= select_683;
       row_s2_q <= row;
-      equal_1679_s2_q <= {or_520, select_528_s1_q} == 5'h18;
-      sum_2465_s2_q <= {1'b0, last} + 8'h1;
+      equal_1685_s2_q <= {or_522, select_530_s1_q} == 5'h18;
+      sum_2474_s2_q <= {1'b0, last} + 8'h1;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:459
-  logic equal_2466;
-  assign equal_2466 = {sum_2465_s2_q[7], cfg_width_i[10:4]} == {1'b0, sum_2465_s2_q[6:0]};
-  // hls/stages/agreement.hpp:476
-  logic [7:0] sum_2556;
-  assign sum_2556 = {1'b0, row_s2_q} + 8'h1;
+  // hls/stages/agreement.hpp:463
+  logic equal_2475;
+  assign equal_2475 = {sum_2474_s2_q[7], cfg_width_i[10:4]} == {1'b0, sum_2474_s2_q[6:0]};
+  // hls/stages/agreement.hpp:483
+  logic [7:0] sum_2565;
+  assign sum_2565 = {1'b0, row_s2_q} + 8'h1;
   // hls/stages/patches.hpp:375
-  logic [7:0] sum_2997;
-  assign sum_2997 = {1'b0, select_678_s2_q} + 8'h1;
+  logic [7:0] sum_3016;
+  assign sum_3016 = {1'b0, select_683_s2_q} + 8'h1;
 
   logic [7:0] pixel_0_s3_q;
   logic [7:0] pixel_1_s3_q;
@@ -333,22 +335,22 @@ module horopter_agreement (
   logic sample_pair_first_s3_q;
   logic sample_pair_whole_s3_q;
   logic sample_present_s3_q;
-  logic [3:0] select_509_s3_q;
-  logic equal_510_s3_q;
+  logic [3:0] select_511_s3_q;
+  logic equal_512_s3_q;
   logic row_starts_s3_q;
-  logic [8:0] select_514_s3_q;
-  logic and_523_s3_q;
-  logic equal_529_s3_q;
-  logic [6:0] select_544_s3_q;
+  logic [8:0] select_516_s3_q;
+  logic and_525_s3_q;
+  logic equal_531_s3_q;
+  logic [6:0] select_546_s3_q;
   logic [6:0] last_s3_q;
-  logic and_548_s3_q;
   logic and_550_s3_q;
+  logic and_552_s3_q;
   logic [6:0] row_s3_q;
-  logic equal_1679_s3_q;
-  logic equal_2466_s3_q;
-  logic and_2467_s3_q;
-  logic equal_2557_s3_q;
-  logic not_2999_s3_q;
+  logic equal_1685_s3_q;
+  logic equal_2475_s3_q;
+  logic and_2476_s3_q;
+  logic equal_2566_s3_q;
+  logic not_3018_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s3_q <= pixel_0_s2_q;
@@ -360,22 +362,22 @@ module horopter_agreement (
       sample_pair_first_s3_q <= sample_pair_first_s2_q;
       sample_pair_whole_s3_q <= sample_pair_whole_s2_q;
       sample_present_s3_q <= sample_present_s2_q;
-      select_509_s3_q <= select_509_s2_q;
-      equal_510_s3_q <= equal_510_s2_q;
+      select_511_s3_q <= select_511_s2_q;
+      equal_512_s3_q <= equal_512_s2_q;
       row_starts_s3_q <= row_starts_s2_q;
-      select_514_s3_q <= select_514_s2_q;
-      and_523_s3_q <= and_523_s2_q;
-      equal_529_s3_q <= select_528_s2_q == 4'h0;
-      select_544_s3_q <= select_544_s2_q;
+      select_516_s3_q <= select_516_s2_q;
+      and_525_s3_q <= and_525_s2_q;
+      equal_531_s3_q <= select_530_s2_q == 4'h0;
+      select_546_s3_q <= select_546_s2_q;
       last_s3_q <= last_s2_q;
-      and_548_s3_q <= and_548_s2_q;
       and_550_s3_q <= and_550_s2_q;
+      and_552_s3_q <= and_552_s2_q;
       row_s3_q <= row_s2_q;
-      equal_1679_s3_q <= equal_1679_s2_q;
-      equal_2466_s3_q <= equal_2466;
-      and_2467_s3_q <= and_550_s2_q & equal_2466;
-      equal_2557_s3_q <= {sum_2556[7], cfg_height_i[10:4]} == {1'b0, sum_2556[6:0]};
-      not_2999_s3_q <= ~({sum_2997, select_528_s2_q, 1'b0} < {2'h0, cfg_height_i});
+      equal_1685_s3_q <= equal_1685_s2_q;
+      equal_2475_s3_q <= equal_2475;
+      and_2476_s3_q <= and_552_s2_q & equal_2475;
+      equal_2566_s3_q <= {sum_2565[7], cfg_height_i[10:4]} == {1'b0, sum_2565[6:0]};
+      not_3018_s3_q <= ~({sum_3016, select_530_s2_q, 1'b0} < {2'h0, cfg_height_i});
     end
   end
 
@@ -408,114 +410,114 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:196
   logic so;
   assign so = run_phase_q == 3'h6;
-  // hls/stages/agreement.hpp:623
-  logic equal_579;
-  assign equal_579 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:614
-  logic equal_594;
-  assign equal_594 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:615
-  logic equal_595;
-  assign equal_595 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:523
-  logic select_2470;
-  assign select_2470 = (and_2467_s3_q | (~ends_cell_q)) ? and_2467_s3_q : ends_q;
-  // hls/stages/agreement.hpp:529
-  logic [2:0] now;
-  assign now = select_2470 ? (and_2467_s3_q ? 3'h1 : following_phase_q) : run_phase_q;
-  // hls/stages/agreement.hpp:534
-  logic [5:0] select_2474;
-  assign select_2474 = select_2470 ? (and_2467_s3_q ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2477;
-  assign select_2477 = select_2470 ? (following_last_shift_q & (~and_2467_s3_q)) : run_last_shift_q;
-  // hls/stages/agreement.hpp:535
-  logic [7:0] select_2479;
-  assign select_2479 = select_2470 ? (and_2467_s3_q ? 8'h0 : following_span_q) : run_span_q;
-  // hls/stages/agreement.hpp:607
-  logic and_2480;
-  assign and_2480 = run_last_shift_q & equal_594;
-  // hls/stages/agreement.hpp:616
-  logic select_2482;
-  assign select_2482 = equal_594 ? (~run_last_shift_q) : equal_595;
-  // hls/stages/agreement.hpp:620
-  logic equal_2483;
-  assign equal_2483 = run_phase_q == 3'h1;
-  logic not_2486;
-  assign not_2486 = ~select_2482;
-  // hls/stages/agreement.hpp:623
-  logic equal_2488;
-  assign equal_2488 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:607
-  logic and_2489;
-  assign and_2489 = final_row_q & so;
-  // hls/stages/agreement.hpp:620
-  logic [1:0] select_2490;
-  assign select_2490 = equal_2488 ? 2'h1 : {2{and_2489}};
-  logic [2:0] select_2492;
-  assign select_2492 = (and_2480 | (select_2482 | equal_2483)) ? (equal_2483 ? 3'h2 : {not_2486, {2{select_2482}}}) : (equal_579 ? 3'h6 : {select_2490[0], select_2490});
-  // hls/stages/agreement.hpp:607
-  logic and_2495;
-  assign and_2495 = select_2482 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:630
+  logic equal_581;
+  assign equal_581 = run_phase_q == 3'h5;
+  // hls/stages/agreement.hpp:621
+  logic equal_596;
+  assign equal_596 = run_phase_q == 3'h3;
+  // hls/stages/agreement.hpp:622
+  logic equal_597;
+  assign equal_597 = run_phase_q == 3'h2;
+  // hls/stages/agreement.hpp:530
+  logic select_2479;
+  assign select_2479 = (and_2476_s3_q | (~ends_cell_q)) ? and_2476_s3_q : ends_q;
+  // hls/stages/agreement.hpp:536
+  logic [2:0] now;
+  assign now = select_2479 ? (and_2476_s3_q ? 3'h1 : following_phase_q) : run_phase_q;
+  // hls/stages/agreement.hpp:541
+  logic [5:0] select_2483;
+  assign select_2483 = select_2479 ? (and_2476_s3_q ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2486;
+  assign select_2486 = select_2479 ? (following_last_shift_q & (~and_2476_s3_q)) : run_last_shift_q;
+  // hls/stages/agreement.hpp:542
+  logic [7:0] select_2488;
+  assign select_2488 = select_2479 ? (and_2476_s3_q ? 8'h0 : following_span_q) : run_span_q;
+  // hls/stages/agreement.hpp:614
+  logic and_2489;
+  assign and_2489 = run_last_shift_q & equal_596;
+  // hls/stages/agreement.hpp:623
+  logic select_2491;
+  assign select_2491 = equal_596 ? (~run_last_shift_q) : equal_597;
+  // hls/stages/agreement.hpp:627
+  logic equal_2492;
+  assign equal_2492 = run_phase_q == 3'h1;
+  logic not_2495;
+  assign not_2495 = ~select_2491;
+  // hls/stages/agreement.hpp:630
+  logic equal_2497;
+  assign equal_2497 = run_phase_q == 3'h4;
+  // hls/stages/agreement.hpp:614
+  logic and_2498;
+  assign and_2498 = final_row_q & so;
+  // hls/stages/agreement.hpp:627
+  logic [1:0] select_2499;
+  assign select_2499 = equal_2497 ? 2'h1 : {2{and_2498}};
+  logic [2:0] select_2501;
+  assign select_2501 = (and_2489 | (select_2491 | equal_2492)) ? (equal_2492 ? 3'h2 : {not_2495, {2{select_2491}}}) : (equal_581 ? 3'h6 : {select_2499[0], select_2499});
+  // hls/stages/agreement.hpp:614
+  logic and_2504;
+  assign and_2504 = select_2491 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  // hls/stages/agreement.hpp:637
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2498;
-  assign select_2498 = (plan_shift_q[5] & select_2482) ? value : 7'h0;
-  logic [1:0] or_2499;
-  assign or_2499 = {2{so}} | select_2498[5:4];
-  // hls/stages/agreement.hpp:633
-  logic [7:0] or_2503;
-  assign or_2503 = (select_2482 ? plan_columns_q : 8'h0) | ((equal_2483 | equal_2488) ? whole_q : 8'h0);
-  logic [1:0] or_2504;
-  assign or_2504 = {2{and_2480}} | or_2503[4:3];
-  // hls/stages/agreement.hpp:634
-  logic [7:0] or_2506;
-  assign or_2506 = {or_2503[7:5], or_2504, or_2503[2:0]} | (equal_579 ? drawn_q : 8'h0);
-  logic [4:0] or_2507;
-  assign or_2507 = {5{so}} | {or_2506[6], or_2506[3:0]};
+  logic [6:0] select_2507;
+  assign select_2507 = (plan_shift_q[5] & select_2491) ? value : 7'h0;
+  logic [1:0] or_2508;
+  assign or_2508 = {2{so}} | select_2507[5:4];
   // hls/stages/agreement.hpp:640
-  logic not_2511;
-  assign not_2511 = ~run_shift_q[5];
-  logic [7:0] select_2514;
-  assign select_2514 = equal_594 ? ({{7{not_2511}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
-  // hls/stages/agreement.hpp:523
-  logic [6:0] select_2518;
-  assign select_2518 = and_2467_s3_q ? 7'h0 : following_lowest_q;
-  // hls/stages/agreement.hpp:526
-  logic [7:0] select_2520;
-  assign select_2520 = select_2470 ? {select_2518[6], select_2518} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] or_2512;
+  assign or_2512 = (select_2491 ? plan_columns_q : 8'h0) | ((equal_2492 | equal_2497) ? whole_q : 8'h0);
+  logic [1:0] or_2513;
+  assign or_2513 = {2{and_2489}} | or_2512[4:3];
+  // hls/stages/agreement.hpp:641
+  logic [7:0] or_2515;
+  assign or_2515 = {or_2512[7:5], or_2513, or_2512[2:0]} | (equal_581 ? drawn_q : 8'h0);
+  logic [4:0] or_2516;
+  assign or_2516 = {5{so}} | {or_2515[6], or_2515[3:0]};
+  // hls/stages/agreement.hpp:647
+  logic not_2520;
+  assign not_2520 = ~run_shift_q[5];
   logic [7:0] select_2523;
-  assign select_2523 = select_2470 ? (and_2467_s3_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:460
-  logic [6:0] select_2530;
-  assign select_2530 = equal_2466_s3_q ? ((6'he < last_s3_q[6:1]) ? 7'h1d : last_s3_q) : least_q;
-  // hls/stages/agreement.hpp:473
-  logic [4:0] sum_2532;
-  assign sum_2532 = {1'b0, last_s3_q[6:3]} + 5'h3;
-  // hls/stages/agreement.hpp:520
-  logic [7:0] select_2534;
-  assign select_2534 = and_550_s3_q ? (equal_2466_s3_q ? {sum_2532, last_s3_q[2:0]} : whole_q) : whole_q;
-  // hls/stages/agreement.hpp:474
-  logic [5:0] sum_2535;
-  assign sum_2535 = {1'b0, last_s3_q[6:2]} + 6'h1;
-  // hls/stages/agreement.hpp:520
-  logic [7:0] select_2537;
-  assign select_2537 = and_550_s3_q ? (equal_2466_s3_q ? {sum_2535, last_s3_q[1:0]} : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:531
-  logic select_2551;
-  assign select_2551 = (ends_cell_q | select_2470) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_594 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:526
-  logic and_2555;
-  assign and_2555 = (~select_2470) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
-  // hls/stages/agreement.hpp:520
-  logic select_2559;
-  assign select_2559 = and_550_s3_q ? (equal_2466_s3_q ? equal_2557_s3_q : final_row_q) : final_row_q;
+  assign select_2523 = equal_596 ? ({{7{not_2520}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  // hls/stages/agreement.hpp:530
+  logic [6:0] select_2527;
+  assign select_2527 = and_2476_s3_q ? 7'h0 : following_lowest_q;
+  // hls/stages/agreement.hpp:533
+  logic [7:0] select_2529;
+  assign select_2529 = select_2479 ? {select_2527[6], select_2527} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2532;
+  assign select_2532 = select_2479 ? (and_2476_s3_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  // hls/stages/agreement.hpp:464
+  logic [6:0] select_2539;
+  assign select_2539 = equal_2475_s3_q ? ((6'he < last_s3_q[6:1]) ? 7'h1d : last_s3_q) : least_q;
+  // hls/stages/agreement.hpp:480
+  logic [4:0] sum_2541;
+  assign sum_2541 = {1'b0, last_s3_q[6:3]} + 5'h3;
+  // hls/stages/agreement.hpp:527
+  logic [7:0] select_2543;
+  assign select_2543 = and_552_s3_q ? (equal_2475_s3_q ? {sum_2541, last_s3_q[2:0]} : whole_q) : whole_q;
+  // hls/stages/agreement.hpp:481
+  logic [5:0] sum_2544;
+  assign sum_2544 = {1'b0, last_s3_q[6:2]} + 6'h1;
+  // hls/stages/agreement.hpp:527
+  logic [7:0] select_2546;
+  assign select_2546 = and_552_s3_q ? (equal_2475_s3_q ? {sum_2544, last_s3_q[1:0]} : drawn_q) : drawn_q;
+  // hls/stages/agreement.hpp:538
+  logic select_2560;
+  assign select_2560 = (ends_cell_q | select_2479) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_596 | (slot_q == 3'h6));
+  // hls/stages/agreement.hpp:533
+  logic and_2564;
+  assign and_2564 = (~select_2479) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  // hls/stages/agreement.hpp:527
+  logic select_2568;
+  assign select_2568 = and_552_s3_q ? (equal_2475_s3_q ? equal_2566_s3_q : final_row_q) : final_row_q;
   // hls/stages/patches.hpp:321
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
-  logic [3:0] select_2934;
-  assign select_2934 = row_starts_s3_q ? (sample_pair_first_s3_q ? phase : patches_phase_q) : patches_phase_q;
+  logic [3:0] select_2953;
+  assign select_2953 = row_starts_s3_q ? (sample_pair_first_s3_q ? phase : patches_phase_q) : patches_phase_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -546,30 +548,30 @@ module horopter_agreement (
       patches_phase_q <= 4'h0;
     end else if (s3_en) begin
       run_phase_q <= now;
-      run_shift_q <= select_2474;
-      run_last_shift_q <= select_2477;
-      run_span_q <= select_2479;
-      following_phase_q <= select_2492;
-      following_shift_q <= select_2482 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2495;
+      run_shift_q <= select_2483;
+      run_last_shift_q <= select_2486;
+      run_span_q <= select_2488;
+      following_phase_q <= select_2501;
+      following_shift_q <= select_2491 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2504;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2498[6], or_2499, select_2498[3:0]};
-      following_columns_q <= {or_2506[7], or_2507[4], or_2506[5:4], or_2507[3:0]};
-      plan_shift_q <= equal_594 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2514;
+      following_lowest_q <= {select_2507[6], or_2508, select_2507[3:0]};
+      following_columns_q <= {or_2515[7], or_2516[4], or_2515[5:4], or_2516[3:0]};
+      plan_shift_q <= equal_596 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
+      plan_span_q <= select_2523;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2520;
-      columns_left_q <= select_2523;
-      last_q <= and_550_s3_q ? (equal_2466_s3_q ? last_s3_q : last_q) : last_q;
-      least_q <= and_550_s3_q ? select_2530 : least_q;
-      whole_q <= select_2534;
-      drawn_q <= select_2537;
-      slot_q <= select_2470 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2551;
-      ends_q <= and_2555;
-      final_row_q <= select_2559;
+      x_q <= select_2529;
+      columns_left_q <= select_2532;
+      last_q <= and_552_s3_q ? (equal_2475_s3_q ? last_s3_q : last_q) : last_q;
+      least_q <= and_552_s3_q ? select_2539 : least_q;
+      whole_q <= select_2543;
+      drawn_q <= select_2546;
+      slot_q <= select_2479 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2560;
+      ends_q <= and_2564;
+      final_row_q <= select_2568;
       shift_first_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      patches_phase_q <= sample_pair_whole_s3_q ? select_2934 : patches_phase_q;
+      patches_phase_q <= sample_pair_whole_s3_q ? select_2953 : patches_phase_q;
     end
   end
 
@@ -588,30 +590,30 @@ module horopter_agreement (
   logic [2:0] slot_s4_q;
   logic ends_cell_s4_q;
   logic shift_first_s4_q;
-  logic [3:0] select_509_s4_q;
-  logic equal_510_s4_q;
+  logic [3:0] select_511_s4_q;
+  logic equal_512_s4_q;
   logic row_starts_s4_q;
-  logic [8:0] select_514_s4_q;
-  logic and_523_s4_q;
-  logic equal_529_s4_q;
-  logic [6:0] select_544_s4_q;
+  logic [8:0] select_516_s4_q;
+  logic and_525_s4_q;
+  logic equal_531_s4_q;
+  logic [6:0] select_546_s4_q;
   logic [6:0] last_s4_2_q;
-  logic and_548_s4_q;
   logic and_550_s4_q;
-  logic equal_575_s4_q;
+  logic and_552_s4_q;
+  logic equal_577_s4_q;
   logic so_s4_q;
-  logic equal_579_s4_q;
-  logic [7:0] sum_581_s4_q;
-  logic equal_594_s4_q;
-  logic equal_595_s4_q;
-  logic [7:0] sum_612_s4_q;
+  logic equal_581_s4_q;
+  logic [7:0] sum_583_s4_q;
+  logic equal_596_s4_q;
+  logic equal_597_s4_q;
+  logic [7:0] sum_615_s4_q;
   logic [6:0] row_s4_q;
-  logic equal_1679_s4_q;
-  logic equal_2466_s4_q;
-  logic and_2467_s4_q;
-  logic select_2470_s4_q;
+  logic equal_1685_s4_q;
+  logic equal_2475_s4_q;
+  logic and_2476_s4_q;
+  logic select_2479_s4_q;
   logic [3:0] phase_s4_q;
-  logic not_2999_s4_q;
+  logic not_3018_s4_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s4_q <= pixel_0_s3_q;
@@ -629,55 +631,55 @@ module horopter_agreement (
       slot_s4_q <= slot_q;
       ends_cell_s4_q <= ends_cell_q;
       shift_first_s4_q <= shift_first_q;
-      select_509_s4_q <= select_509_s3_q;
-      equal_510_s4_q <= equal_510_s3_q;
+      select_511_s4_q <= select_511_s3_q;
+      equal_512_s4_q <= equal_512_s3_q;
       row_starts_s4_q <= row_starts_s3_q;
-      select_514_s4_q <= select_514_s3_q;
-      and_523_s4_q <= and_523_s3_q;
-      equal_529_s4_q <= equal_529_s3_q;
-      select_544_s4_q <= select_544_s3_q;
+      select_516_s4_q <= select_516_s3_q;
+      and_525_s4_q <= and_525_s3_q;
+      equal_531_s4_q <= equal_531_s3_q;
+      select_546_s4_q <= select_546_s3_q;
       last_s4_2_q <= last_s3_q;
-      and_548_s4_q <= and_548_s3_q;
       and_550_s4_q <= and_550_s3_q;
-      equal_575_s4_q <= run_phase_q == 3'h7;
+      and_552_s4_q <= and_552_s3_q;
+      equal_577_s4_q <= run_phase_q == 3'h7;
       so_s4_q <= so;
-      equal_579_s4_q <= equal_579;
-      sum_581_s4_q <= {{2{run_shift_q[5]}}, run_shift_q} + x_q;
-      equal_594_s4_q <= equal_594;
-      equal_595_s4_q <= equal_595;
-      sum_612_s4_q <= {1'b0, last_q} + 8'h3;
+      equal_581_s4_q <= equal_581;
+      sum_583_s4_q <= {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+      equal_596_s4_q <= equal_596;
+      equal_597_s4_q <= equal_597;
+      sum_615_s4_q <= {1'b0, last_q} + 8'h3;
       row_s4_q <= row_s3_q;
-      equal_1679_s4_q <= equal_1679_s3_q;
-      equal_2466_s4_q <= equal_2466_s3_q;
-      and_2467_s4_q <= and_2467_s3_q;
-      select_2470_s4_q <= select_2470;
+      equal_1685_s4_q <= equal_1685_s3_q;
+      equal_2475_s4_q <= equal_2475_s3_q;
+      and_2476_s4_q <= and_2476_s3_q;
+      select_2479_s4_q <= select_2479;
       phase_s4_q <= phase;
-      not_2999_s4_q <= not_2999_s3_q;
+      not_3018_s4_q <= not_3018_s3_q;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [6:0] age_q;
-  // hls/stages/agreement.hpp:594
-  logic [7:0] select_582;
-  assign select_582 = run_shift_s4_q[5] ? x_s4_q : sum_581_s4_q;
-  logic less_583;
-  assign less_583 = {1'b0, last_s4_q} < select_582;
+  // hls/stages/agreement.hpp:601
+  logic [7:0] select_584;
+  assign select_584 = run_shift_s4_q[5] ? x_s4_q : sum_583_s4_q;
+  logic less_585;
+  assign less_585 = {1'b0, last_s4_q} < select_584;
   // hls/stages/agreement.hpp:226
-  logic not_584;
-  assign not_584 = ~less_583;
-  // hls/stages/agreement.hpp:798
+  logic not_586;
+  assign not_586 = ~less_585;
+  // hls/stages/agreement.hpp:805
   logic [7:0] x;
   assign x = x_s4_q + 8'hfd;
-  // hls/stages/agreement.hpp:528
-  logic [6:0] select_2539;
-  assign select_2539 = select_2470_s4_q ? 7'h0 : (ends_cell_s4_q ? {age_q[5:0], 1'b1} : age_q);
+  // hls/stages/agreement.hpp:535
+  logic [6:0] select_2548;
+  assign select_2548 = select_2479_s4_q ? 7'h0 : (ends_cell_s4_q ? {age_q[5:0], 1'b1} : age_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       age_q <= 7'h0;
     end else if (s4_en) begin
-      age_q <= select_2539;
+      age_q <= select_2548;
     end
   end
 
@@ -697,35 +699,35 @@ module horopter_agreement (
   logic [2:0] slot_s5_q;
   logic ends_cell_s5_q;
   logic shift_first_s5_q;
-  logic [3:0] select_509_s5_q;
-  logic equal_510_s5_q;
+  logic [3:0] select_511_s5_q;
+  logic equal_512_s5_q;
   logic row_starts_s5_q;
-  logic [8:0] select_514_s5_q;
-  logic and_523_s5_q;
-  logic equal_529_s5_q;
-  logic [6:0] select_544_s5_q;
+  logic [8:0] select_516_s5_q;
+  logic and_525_s5_q;
+  logic equal_531_s5_q;
+  logic [6:0] select_546_s5_q;
   logic [6:0] last_s5_2_q;
-  logic and_548_s5_q;
   logic and_550_s5_q;
-  logic equal_575_s5_q;
+  logic and_552_s5_q;
+  logic equal_577_s5_q;
   logic so_s5_q;
-  logic equal_579_s5_q;
-  logic [6:0] sum_581_s5_q;
-  logic less_583_s5_q;
-  logic not_584_s5_q;
-  logic equal_594_s5_q;
-  logic and_596_s5_q;
+  logic equal_581_s5_q;
+  logic [6:0] sum_583_s5_q;
+  logic less_585_s5_q;
+  logic not_586_s5_q;
+  logic equal_596_s5_q;
+  logic and_598_s5_q;
   logic [6:0] x_s5_2_q;
-  logic and_616_s5_q;
+  logic and_619_s5_q;
   logic [6:0] row_s5_q;
-  logic equal_1563_s5_q;
-  logic equal_1679_s5_q;
-  logic equal_2466_s5_q;
-  logic and_2467_s5_q;
+  logic equal_1569_s5_q;
+  logic equal_1685_s5_q;
+  logic equal_2475_s5_q;
+  logic and_2476_s5_q;
   logic [3:0] phase_s5_q;
-  logic equal_2954_s5_q;
-  logic [3:0] select_2957_s5_q;
-  logic not_2999_s5_q;
+  logic equal_2973_s5_q;
+  logic [3:0] select_2976_s5_q;
+  logic not_3018_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s5_q <= pixel_0_s4_q;
@@ -744,75 +746,78 @@ module horopter_agreement (
       slot_s5_q <= slot_s4_q;
       ends_cell_s5_q <= ends_cell_s4_q;
       shift_first_s5_q <= shift_first_s4_q;
-      select_509_s5_q <= select_509_s4_q;
-      equal_510_s5_q <= equal_510_s4_q;
+      select_511_s5_q <= select_511_s4_q;
+      equal_512_s5_q <= equal_512_s4_q;
       row_starts_s5_q <= row_starts_s4_q;
-      select_514_s5_q <= select_514_s4_q;
-      and_523_s5_q <= and_523_s4_q;
-      equal_529_s5_q <= equal_529_s4_q;
-      select_544_s5_q <= select_544_s4_q;
+      select_516_s5_q <= select_516_s4_q;
+      and_525_s5_q <= and_525_s4_q;
+      equal_531_s5_q <= equal_531_s4_q;
+      select_546_s5_q <= select_546_s4_q;
       last_s5_2_q <= last_s4_2_q;
-      and_548_s5_q <= and_548_s4_q;
       and_550_s5_q <= and_550_s4_q;
-      equal_575_s5_q <= equal_575_s4_q;
+      and_552_s5_q <= and_552_s4_q;
+      equal_577_s5_q <= equal_577_s4_q;
       so_s5_q <= so_s4_q;
-      equal_579_s5_q <= equal_579_s4_q;
-      sum_581_s5_q <= sum_581_s4_q[6:0];
-      less_583_s5_q <= less_583;
-      not_584_s5_q <= not_584;
-      equal_594_s5_q <= equal_594_s4_q;
-      and_596_s5_q <= equal_595_s4_q & not_584;
+      equal_581_s5_q <= equal_581_s4_q;
+      sum_583_s5_q <= sum_583_s4_q[6:0];
+      less_585_s5_q <= less_585;
+      not_586_s5_q <= not_586;
+      equal_596_s5_q <= equal_596_s4_q;
+      and_598_s5_q <= equal_597_s4_q & not_586;
       x_s5_2_q <= x[6:0];
-      and_616_s5_q <= age_q[2] & (ends_cell_s4_q & (~(sum_612_s4_q < select_582)));
+      and_619_s5_q <= age_q[2] & (ends_cell_s4_q & (~(sum_615_s4_q < select_584)));
       row_s5_q <= row_s4_q;
-      equal_1563_s5_q <= {x[7], last_s4_q} == {1'b0, x[6:0]};
-      equal_1679_s5_q <= equal_1679_s4_q;
-      equal_2466_s5_q <= equal_2466_s4_q;
-      and_2467_s5_q <= and_2467_s4_q;
+      equal_1569_s5_q <= {x[7], last_s4_q} == {1'b0, x[6:0]};
+      equal_1685_s5_q <= equal_1685_s4_q;
+      equal_2475_s5_q <= equal_2475_s4_q;
+      and_2476_s5_q <= and_2476_s4_q;
       phase_s5_q <= phase_s4_q;
-      equal_2954_s5_q <= row_s4_q == 7'h3;
-      select_2957_s5_q <= (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
-      not_2999_s5_q <= not_2999_s4_q;
+      equal_2973_s5_q <= row_s4_q == 7'h3;
+      select_2976_s5_q <= (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
+      not_3018_s5_q <= not_3018_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [3:0] patches_choosing_rows_to_next_q;
-  // hls/stages/agreement.hpp:594
-  logic or_580;
-  assign or_580 = so_s5_q | equal_579_s5_q;
+  // hls/stages/agreement.hpp:601
+  logic or_582;
+  assign or_582 = so_s5_q | equal_581_s5_q;
   // hls/stages/agreement.hpp:149
-  logic select_598;
-  assign select_598 = or_580 ? not_584_s5_q : (equal_594_s5_q ? not_584_s5_q : and_596_s5_q);
-  logic and_617;
-  assign and_617 = equal_594_s5_q & and_616_s5_q;
-  logic select_618;
-  assign select_618 = or_580 ? not_584_s5_q : and_617;
-  // hls/stages/agreement.hpp:821
+  logic select_600;
+  assign select_600 = or_582 ? not_586_s5_q : (equal_596_s5_q ? not_586_s5_q : and_598_s5_q);
+  logic and_620;
+  assign and_620 = equal_596_s5_q & and_619_s5_q;
+  logic select_621;
+  assign select_621 = or_582 ? not_586_s5_q : and_620;
+  // hls/stages/agreement.hpp:828
   logic [6:0] right;
-  assign right = sum_581_s5_q + 7'h7d;
+  assign right = sum_583_s5_q + 7'h7d;
   // hls/stages/agreement.hpp:149
-  logic [6:0] select_642;
-  assign select_642 = or_580 ? x_s5_q[6:0] : (equal_594_s5_q ? sum_581_s5_q : x_s5_q[6:0]);
-  // hls/stages/agreement.hpp:720
-  logic not_648;
-  assign not_648 = ~or_580;
-  // hls/stages/agreement.hpp:520
-  logic and_2824;
-  assign and_2824 = and_550_s5_q & (equal_2466_s5_q & (row_s5_q[6:2] == 5'h0));
+  logic [6:0] select_647;
+  assign select_647 = or_582 ? x_s5_q[6:0] : (equal_596_s5_q ? sum_583_s5_q : x_s5_q[6:0]);
+  // hls/stages/agreement.hpp:727
+  logic not_653;
+  assign not_653 = ~or_582;
+  // hls/stages/agreement.hpp:472
+  logic equal_2580;
+  assign equal_2580 = row_s5_q[6:2] == 5'h0;
+  // hls/stages/agreement.hpp:527
+  logic and_2843;
+  assign and_2843 = and_552_s5_q & (equal_2475_s5_q & equal_2580);
   // hls/stages/registration.hpp:127
-  logic and_2827;
-  assign and_2827 = and_2467_s5_q & (~and_2824);
+  logic and_2846;
+  assign and_2846 = and_2476_s5_q & (~and_2843);
   // hls/stages/patches.hpp:87
-  logic [3:0] select_2958;
-  assign select_2958 = equal_2954_s5_q ? select_2957_s5_q : patches_choosing_rows_to_next_q;
-  logic equal_2959;
-  assign equal_2959 = select_2958 == 4'h0;
-  // hls/stages/agreement.hpp:460
-  logic [3:0] select_2962;
-  assign select_2962 = equal_2466_s5_q ? (equal_2959 ? 4'h2 : (select_2958 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_2977;
+  assign select_2977 = equal_2973_s5_q ? select_2976_s5_q : patches_choosing_rows_to_next_q;
+  logic equal_2978;
+  assign equal_2978 = select_2977 == 4'h0;
+  // hls/stages/agreement.hpp:464
+  logic [3:0] select_2981;
+  assign select_2981 = equal_2475_s5_q ? (equal_2978 ? 4'h2 : (select_2977 + 4'hf)) : patches_choosing_rows_to_next_q;
 
-  // Memory left, 120 x 85, DISTANCE 24, hls/stages/agreement.hpp:1373; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
+  // Memory left, 120 x 85, DISTANCE 24, hls/stages/agreement.hpp:1383; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [84:0] left_mem [0:119];
@@ -823,14 +828,14 @@ module horopter_agreement (
   assign left_raddr = x_s5_q[6:0];
 `ifndef SYNTHESIS
   logic left_re;
-  assign left_re = s5_en & select_598;
+  assign left_re = s5_en & select_600;
 `endif
   logic [84:0] left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 120 x 99, DISTANCE 24, hls/stages/agreement.hpp:1374; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
+  // Memory right_codes, 120 x 99, DISTANCE 24, hls/stages/agreement.hpp:1384; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [98:0] right_codes_mem [0:119];
@@ -838,17 +843,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) right_codes_mem[i] = 99'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = select_642;
+  assign right_codes_raddr = select_647;
 `ifndef SYNTHESIS
   logic right_codes_re;
-  assign right_codes_re = s5_en & select_598;
+  assign right_codes_re = s5_en & select_600;
 `endif
   logic [98:0] right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 120 x 62, DISTANCE 24, hls/stages/agreement.hpp:1375; read in stage 5, written in stage 16: 5 < 16 < 5 + DISTANCE.
+  // Memory best_left, 120 x 62, DISTANCE 24, hls/stages/agreement.hpp:1385; read in stage 5, written in stage 16: 5 < 16 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [61:0] best_left_mem [0:119];
@@ -856,10 +861,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) best_left_mem[i] = 62'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = or_580 ? x_s5_q[6:0] : x_s5_2_q;
+  assign best_left_raddr = or_582 ? x_s5_q[6:0] : x_s5_2_q;
 `ifndef SYNTHESIS
   logic best_left_re;
-  assign best_left_re = s5_en & select_618;
+  assign best_left_re = s5_en & select_621;
 `endif
   logic [61:0] best_left_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -870,7 +875,7 @@ module horopter_agreement (
     if (!rst_ni) begin
       patches_choosing_rows_to_next_q <= 4'h0;
     end else if (s5_en) begin
-      patches_choosing_rows_to_next_q <= and_550_s5_q ? select_2962 : patches_choosing_rows_to_next_q;
+      patches_choosing_rows_to_next_q <= and_552_s5_q ? select_2981 : patches_choosing_rows_to_next_q;
     end
   end
 
@@ -891,40 +896,41 @@ module horopter_agreement (
   logic ends_cell_s6_q;
   logic shift_first_s6_q;
   logic [3:0] patches_choosing_rows_to_next_s6_q;
-  logic [3:0] select_509_s6_q;
-  logic equal_510_s6_q;
+  logic [3:0] select_511_s6_q;
+  logic equal_512_s6_q;
   logic row_starts_s6_q;
-  logic [8:0] select_514_s6_q;
-  logic and_523_s6_q;
-  logic equal_529_s6_q;
-  logic [6:0] select_544_s6_q;
+  logic [8:0] select_516_s6_q;
+  logic and_525_s6_q;
+  logic equal_531_s6_q;
+  logic [6:0] select_546_s6_q;
   logic [6:0] last_s6_2_q;
-  logic and_548_s6_q;
   logic and_550_s6_q;
-  logic equal_575_s6_q;
+  logic and_552_s6_q;
+  logic equal_577_s6_q;
   logic so_s6_q;
-  logic equal_579_s6_q;
-  logic or_580_s6_q;
-  logic less_583_s6_q;
-  logic not_584_s6_q;
-  logic equal_594_s6_q;
+  logic equal_581_s6_q;
+  logic or_582_s6_q;
+  logic less_585_s6_q;
+  logic not_586_s6_q;
+  logic equal_596_s6_q;
   logic [6:0] x_s6_2_q;
-  logic select_618_s6_q;
+  logic select_621_s6_q;
   logic [6:0] right_s6_q;
-  logic and_651_s6_q;
+  logic and_656_s6_q;
   logic [6:0] row_s6_q;
-  logic and_1562_s6_q;
-  logic equal_1563_s6_q;
-  logic equal_1679_s6_q;
-  logic equal_2466_s6_q;
-  logic and_2825_s6_q;
-  logic [15:0] select_2828_s6_q;
-  logic [15:0] select_2831_s6_q;
-  logic and_2834_s6_q;
+  logic and_1568_s6_q;
+  logic equal_1569_s6_q;
+  logic equal_1685_s6_q;
+  logic equal_2475_s6_q;
+  logic equal_2580_s6_q;
+  logic and_2844_s6_q;
+  logic [15:0] select_2847_s6_q;
+  logic [15:0] select_2850_s6_q;
+  logic and_2853_s6_q;
   logic [3:0] phase_s6_q;
-  logic equal_2954_s6_q;
-  logic equal_2959_s6_q;
-  logic not_2999_s6_q;
+  logic equal_2973_s6_q;
+  logic equal_2978_s6_q;
+  logic not_3018_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s6_q <= pixel_0_s5_q;
@@ -944,40 +950,41 @@ module horopter_agreement (
       ends_cell_s6_q <= ends_cell_s5_q;
       shift_first_s6_q <= shift_first_s5_q;
       patches_choosing_rows_to_next_s6_q <= patches_choosing_rows_to_next_q;
-      select_509_s6_q <= select_509_s5_q;
-      equal_510_s6_q <= equal_510_s5_q;
+      select_511_s6_q <= select_511_s5_q;
+      equal_512_s6_q <= equal_512_s5_q;
       row_starts_s6_q <= row_starts_s5_q;
-      select_514_s6_q <= select_514_s5_q;
-      and_523_s6_q <= and_523_s5_q;
-      equal_529_s6_q <= equal_529_s5_q;
-      select_544_s6_q <= select_544_s5_q;
+      select_516_s6_q <= select_516_s5_q;
+      and_525_s6_q <= and_525_s5_q;
+      equal_531_s6_q <= equal_531_s5_q;
+      select_546_s6_q <= select_546_s5_q;
       last_s6_2_q <= last_s5_2_q;
-      and_548_s6_q <= and_548_s5_q;
       and_550_s6_q <= and_550_s5_q;
-      equal_575_s6_q <= equal_575_s5_q;
+      and_552_s6_q <= and_552_s5_q;
+      equal_577_s6_q <= equal_577_s5_q;
       so_s6_q <= so_s5_q;
-      equal_579_s6_q <= equal_579_s5_q;
-      or_580_s6_q <= or_580;
-      less_583_s6_q <= less_583_s5_q;
-      not_584_s6_q <= not_584_s5_q;
-      equal_594_s6_q <= equal_594_s5_q;
+      equal_581_s6_q <= equal_581_s5_q;
+      or_582_s6_q <= or_582;
+      less_585_s6_q <= less_585_s5_q;
+      not_586_s6_q <= not_586_s5_q;
+      equal_596_s6_q <= equal_596_s5_q;
       x_s6_2_q <= x_s5_2_q;
-      select_618_s6_q <= select_618;
+      select_621_s6_q <= select_621;
       right_s6_q <= right;
-      and_651_s6_q <= not_648 & ((~equal_594_s5_q) & and_596_s5_q);
+      and_656_s6_q <= not_653 & ((~equal_596_s5_q) & and_598_s5_q);
       row_s6_q <= row_s5_q;
-      and_1562_s6_q <= not_648 & and_617;
-      equal_1563_s6_q <= equal_1563_s5_q;
-      equal_1679_s6_q <= equal_1679_s5_q;
-      equal_2466_s6_q <= equal_2466_s5_q;
-      and_2825_s6_q <= and_2467_s5_q & and_2824;
-      select_2828_s6_q <= and_2827 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
-      select_2831_s6_q <= and_2827 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
-      and_2834_s6_q <= ends_cell_s5_q & so_s5_q;
+      and_1568_s6_q <= not_653 & and_620;
+      equal_1569_s6_q <= equal_1569_s5_q;
+      equal_1685_s6_q <= equal_1685_s5_q;
+      equal_2475_s6_q <= equal_2475_s5_q;
+      equal_2580_s6_q <= equal_2580;
+      and_2844_s6_q <= and_2476_s5_q & and_2843;
+      select_2847_s6_q <= and_2846 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+      select_2850_s6_q <= and_2846 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+      and_2853_s6_q <= ends_cell_s5_q & so_s5_q;
       phase_s6_q <= phase_s5_q;
-      equal_2954_s6_q <= equal_2954_s5_q;
-      equal_2959_s6_q <= equal_2959;
-      not_2999_s6_q <= not_2999_s5_q;
+      equal_2973_s6_q <= equal_2973_s5_q;
+      equal_2978_s6_q <= equal_2978;
+      not_3018_s6_q <= not_3018_s5_q;
     end
   end
 
@@ -1000,91 +1007,91 @@ module horopter_agreement (
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
   // hls/stages/census.hpp:33
-  logic not_1677;
-  assign not_1677 = ~sample_pair_first_s6_q;
+  logic not_1683;
+  assign not_1683 = ~sample_pair_first_s6_q;
   // hls/stages/patches.hpp:315
-  logic equal_1681;
-  assign equal_1681 = patches_band_rows_rows_to_next_q == 4'h0;
+  logic equal_1687;
+  assign equal_1687 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/registration.hpp:218
-  logic [16:0] select_1753;
-  assign select_1753 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_1759;
+  assign select_1759 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   // hls/stages/division.hpp:34
-  logic [5:0] sum_1990;
-  assign sum_1990 = region_across_rest_q[8:3] + 6'h1;
+  logic [5:0] sum_1996;
+  assign sum_1996 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/registration.hpp:129
-  logic [23:0] sum_2829;
-  assign sum_2829 = registration_slope_row_q + {{8{select_2828_s6_q[15]}}, select_2828_s6_q};
+  logic [23:0] sum_2848;
+  assign sum_2848 = registration_slope_row_q + {{8{select_2847_s6_q[15]}}, select_2847_s6_q};
   // hls/stages/registration.hpp:132
-  logic [23:0] select_2830;
-  assign select_2830 = and_2825_s6_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : sum_2829;
+  logic [23:0] select_2849;
+  assign select_2849 = and_2844_s6_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : sum_2848;
   // hls/stages/registration.hpp:130
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2831_s6_q[15]}}, select_2831_s6_q};
+  assign both = registration_slope_change_q + {{12{select_2850_s6_q[15]}}, select_2850_s6_q};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_2833;
-  assign select_2833 = and_2825_s6_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2852;
+  assign select_2852 = and_2844_s6_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/registration.hpp:125
   logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2834_s6_q ? registration_slope_change_q : 28'h0);
+  assign column_5 = registration_slope_q + (and_2853_s6_q ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:377
-  logic and_2936;
-  assign and_2936 = not_1677 & equal_1679_s6_q;
-  logic [8:0] select_2937;
-  assign select_2937 = and_2936 ? {patches_choosing_number_q, patches_choosing_rows_to_next_s6_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_2938;
-  assign select_2938 = and_2936 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_2939;
-  assign select_2939 = sample_pair_first_s6_q ? select_2937 : select_2938;
+  logic and_2955;
+  assign and_2955 = not_1683 & equal_1685_s6_q;
+  logic [8:0] select_2956;
+  assign select_2956 = and_2955 ? {patches_choosing_number_q, patches_choosing_rows_to_next_s6_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_2957;
+  assign select_2957 = and_2955 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_2958;
+  assign select_2958 = sample_pair_first_s6_q ? select_2956 : select_2957;
   // hls/stages/patches.hpp:126
-  logic [3:0] select_2940;
-  assign select_2940 = row_starts_s6_q ? select_2939[3:0] : patches_band_rows_rows_to_next_q;
+  logic [3:0] select_2959;
+  assign select_2959 = row_starts_s6_q ? select_2958[3:0] : patches_band_rows_rows_to_next_q;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2941;
-  assign select_2941 = sample_pair_whole_s6_q ? select_2940 : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_2943;
-  assign select_2943 = sample_pair_whole_s6_q ? (row_starts_s6_q ? select_2939[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_2946;
-  assign select_2946 = sample_pair_whole_s6_q ? (equal_1681 ? 4'h2 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_2948;
-  assign select_2948 = sample_pair_whole_s6_q ? (patches_band_rows_number_q + {4'h0, equal_1681}) : patches_next_band_number_q;
+  logic [3:0] select_2960;
+  assign select_2960 = sample_pair_whole_s6_q ? select_2959 : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_2962;
+  assign select_2962 = sample_pair_whole_s6_q ? (row_starts_s6_q ? select_2958[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_2965;
+  assign select_2965 = sample_pair_whole_s6_q ? (equal_1687 ? 4'h2 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_2967;
+  assign select_2967 = sample_pair_whole_s6_q ? (patches_band_rows_number_q + {4'h0, equal_1687}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:334
-  logic equal_2949;
-  assign equal_2949 = phase_s6_q == 4'h0;
+  logic equal_2968;
+  assign equal_2968 = phase_s6_q == 4'h0;
   // hls/stages/patches.hpp:335
-  logic not_2950;
-  assign not_2950 = ~equal_2949;
+  logic not_2969;
+  assign not_2969 = ~equal_2968;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_2952;
-  assign select_2952 = sample_pair_whole_s6_q ? (phase_s6_q + {{2{not_2950}}, 1'b1, not_2950}) : patches_first_band_rows_to_next_q;
-  logic select_2953;
-  assign select_2953 = sample_pair_whole_s6_q ? equal_2949 : patches_first_band_number_q;
+  logic [3:0] select_2971;
+  assign select_2971 = sample_pair_whole_s6_q ? (phase_s6_q + {{2{not_2969}}, 1'b1, not_2969}) : patches_first_band_rows_to_next_q;
+  logic select_2972;
+  assign select_2972 = sample_pair_whole_s6_q ? equal_2968 : patches_first_band_number_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_2964;
-  assign select_2964 = equal_2954_s6_q ? 5'h0 : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:460
-  logic [4:0] select_2966;
-  assign select_2966 = equal_2466_s6_q ? (select_2964 + {4'h0, equal_2959_s6_q}) : patches_choosing_number_q;
-  logic select_2970;
-  assign select_2970 = equal_2466_s6_q ? ((7'h2 < row_s6_q) & equal_2959_s6_q) : patches_chooses_q;
-  // hls/stages/agreement.hpp:520
-  logic [4:0] select_2973;
-  assign select_2973 = and_550_s6_q ? (equal_2466_s6_q ? select_2964 : patches_choosing_band_q) : patches_choosing_band_q;
+  logic [4:0] select_2983;
+  assign select_2983 = equal_2973_s6_q ? 5'h0 : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:464
+  logic [4:0] select_2985;
+  assign select_2985 = equal_2475_s6_q ? (select_2983 + {4'h0, equal_2978_s6_q}) : patches_choosing_number_q;
+  logic select_2989;
+  assign select_2989 = equal_2475_s6_q ? ((7'h2 < row_s6_q) & equal_2978_s6_q) : patches_chooses_q;
+  // hls/stages/agreement.hpp:527
+  logic [4:0] select_2992;
+  assign select_2992 = and_552_s6_q ? (equal_2475_s6_q ? select_2983 : patches_choosing_band_q) : patches_choosing_band_q;
   // hls/stages/agreement.hpp:205
-  logic [8:0] select_3824;
-  assign select_3824 = so_s6_q ? (and_2834_s6_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic [8:0] select_3843;
+  assign select_3843 = so_s6_q ? (and_2853_s6_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3826;
-  assign sum_3826 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_3845;
+  assign sum_3845 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3827;
-  assign select_3827 = sum_1990[5] ? {1'b1, sum_1990[4:0], region_across_rest_q[2:0]} : sum_3826;
-  // hls/stages/agreement.hpp:460
-  logic [8:0] select_3829;
-  assign select_3829 = equal_2466_s6_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
-  logic [7:0] select_3832;
-  assign select_3832 = equal_2466_s6_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
+  logic [8:0] select_3846;
+  assign select_3846 = sum_1996[5] ? {1'b1, sum_1996[4:0], region_across_rest_q[2:0]} : sum_3845;
+  // hls/stages/agreement.hpp:464
+  logic [8:0] select_3848;
+  assign select_3848 = equal_2475_s6_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
+  logic [7:0] select_3851;
+  assign select_3851 = equal_2475_s6_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
 
-  // Memory fresh, 120 x 33, DISTANCE 24, hls/stages/agreement.hpp:1372; read in stage 6, written in stage 21: 6 < 21 < 6 + DISTANCE.
+  // Memory fresh, 120 x 33, DISTANCE 24, hls/stages/agreement.hpp:1382; read in stage 6, written in stage 21: 6 < 21 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [32:0] fresh_mem [0:119];
@@ -1095,7 +1102,7 @@ module horopter_agreement (
   assign fresh_raddr = x_s6_q[6:0];
 `ifndef SYNTHESIS
   logic fresh_re;
-  assign fresh_re = s6_en & and_651_s6_q;
+  assign fresh_re = s6_en & and_656_s6_q;
 `endif
   logic [32:0] fresh_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1122,23 +1129,23 @@ module horopter_agreement (
       columns_begin_rest_q <= 9'h0;
       columns_begin_back_q <= 8'h0;
     end else if (s6_en) begin
-      registration_slope_row_q <= select_2830;
-      registration_slope_change_q <= select_2833;
+      registration_slope_row_q <= select_2849;
+      registration_slope_change_q <= select_2852;
       registration_slope_q <= so_s6_q ? column_5 : {registration_slope_row_q, 4'h0};
-      patches_band_rows_rows_to_next_q <= select_2941;
-      patches_band_rows_number_q <= select_2943;
-      patches_next_band_rows_to_next_q <= select_2946;
-      patches_next_band_number_q <= select_2948;
-      patches_first_band_rows_to_next_q <= select_2952;
-      patches_first_band_number_q <= select_2953;
-      patches_choosing_number_q <= and_550_s6_q ? select_2966 : patches_choosing_number_q;
-      patches_chooses_q <= and_550_s6_q ? select_2970 : patches_chooses_q;
-      patches_choosing_band_q <= select_2973;
-      region_across_rest_q <= select_3824;
+      patches_band_rows_rows_to_next_q <= select_2960;
+      patches_band_rows_number_q <= select_2962;
+      patches_next_band_rows_to_next_q <= select_2965;
+      patches_next_band_number_q <= select_2967;
+      patches_first_band_rows_to_next_q <= select_2971;
+      patches_first_band_number_q <= select_2972;
+      patches_choosing_number_q <= and_552_s6_q ? select_2985 : patches_choosing_number_q;
+      patches_chooses_q <= and_552_s6_q ? select_2989 : patches_chooses_q;
+      patches_choosing_band_q <= select_2992;
+      region_across_rest_q <= select_3843;
       region_across_back_q <= so_s6_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3827;
-      columns_begin_rest_q <= and_550_s6_q ? select_3829 : columns_begin_rest_q;
-      columns_begin_back_q <= and_550_s6_q ? select_3832 : columns_begin_back_q;
+      region_across_next_q <= select_3846;
+      columns_begin_rest_q <= and_552_s6_q ? select_3848 : columns_begin_rest_q;
+      columns_begin_back_q <= and_552_s6_q ? select_3851 : columns_begin_back_q;
     end
   end
 
@@ -1161,39 +1168,40 @@ module horopter_agreement (
   logic [4:0] patches_band_rows_number_s7_q;
   logic patches_chooses_s7_q;
   logic [4:0] patches_choosing_band_s7_q;
-  logic [3:0] select_509_s7_q;
-  logic equal_510_s7_q;
+  logic [3:0] select_511_s7_q;
+  logic equal_512_s7_q;
   logic row_starts_s7_q;
-  logic [8:0] select_514_s7_q;
-  logic and_523_s7_q;
-  logic equal_529_s7_q;
-  logic [6:0] select_544_s7_q;
+  logic [8:0] select_516_s7_q;
+  logic and_525_s7_q;
+  logic equal_531_s7_q;
+  logic [6:0] select_546_s7_q;
   logic [6:0] last_s7_2_q;
-  logic and_548_s7_q;
   logic and_550_s7_q;
-  logic equal_575_s7_q;
+  logic and_552_s7_q;
+  logic equal_577_s7_q;
   logic so_s7_q;
-  logic equal_579_s7_q;
-  logic or_580_s7_q;
-  logic less_583_s7_q;
-  logic not_584_s7_q;
-  logic equal_594_s7_q;
+  logic equal_581_s7_q;
+  logic or_582_s7_q;
+  logic less_585_s7_q;
+  logic not_586_s7_q;
+  logic equal_596_s7_q;
   logic [84:0] left_rdata_s7_q;
   logic [6:0] x_s7_2_q;
-  logic select_618_s7_q;
+  logic select_621_s7_q;
   logic [61:0] best_left_rdata_s7_q;
   logic [6:0] right_s7_q;
   logic [98:0] right_codes_rdata_s7_q;
-  logic and_651_s7_q;
+  logic and_656_s7_q;
   logic [6:0] row_s7_q;
-  logic and_1562_s7_q;
-  logic equal_1563_s7_q;
-  logic not_1677_s7_q;
-  logic or_1683_s7_q;
-  logic [16:0] select_1753_s7_q;
-  logic sum_1990_s7_q;
-  logic equal_2466_s7_q;
-  logic not_2999_s7_q;
+  logic and_1568_s7_q;
+  logic equal_1569_s7_q;
+  logic not_1683_s7_q;
+  logic or_1689_s7_q;
+  logic [16:0] select_1759_s7_q;
+  logic sum_1996_s7_q;
+  logic equal_2475_s7_q;
+  logic equal_2580_s7_q;
+  logic not_3018_s7_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s7_q <= pixel_0_s6_q;
@@ -1215,44 +1223,47 @@ module horopter_agreement (
       patches_band_rows_number_s7_q <= patches_band_rows_number_q;
       patches_chooses_s7_q <= patches_chooses_q;
       patches_choosing_band_s7_q <= patches_choosing_band_q;
-      select_509_s7_q <= select_509_s6_q;
-      equal_510_s7_q <= equal_510_s6_q;
+      select_511_s7_q <= select_511_s6_q;
+      equal_512_s7_q <= equal_512_s6_q;
       row_starts_s7_q <= row_starts_s6_q;
-      select_514_s7_q <= select_514_s6_q;
-      and_523_s7_q <= and_523_s6_q;
-      equal_529_s7_q <= equal_529_s6_q;
-      select_544_s7_q <= select_544_s6_q;
+      select_516_s7_q <= select_516_s6_q;
+      and_525_s7_q <= and_525_s6_q;
+      equal_531_s7_q <= equal_531_s6_q;
+      select_546_s7_q <= select_546_s6_q;
       last_s7_2_q <= last_s6_2_q;
-      and_548_s7_q <= and_548_s6_q;
       and_550_s7_q <= and_550_s6_q;
-      equal_575_s7_q <= equal_575_s6_q;
+      and_552_s7_q <= and_552_s6_q;
+      equal_577_s7_q <= equal_577_s6_q;
       so_s7_q <= so_s6_q;
-      equal_579_s7_q <= equal_579_s6_q;
-      or_580_s7_q <= or_580_s6_q;
-      less_583_s7_q <= less_583_s6_q;
-      not_584_s7_q <= not_584_s6_q;
-      equal_594_s7_q <= equal_594_s6_q;
+      equal_581_s7_q <= equal_581_s6_q;
+      or_582_s7_q <= or_582_s6_q;
+      less_585_s7_q <= less_585_s6_q;
+      not_586_s7_q <= not_586_s6_q;
+      equal_596_s7_q <= equal_596_s6_q;
       left_rdata_s7_q <= left_rdata_q;
       x_s7_2_q <= x_s6_2_q;
-      select_618_s7_q <= select_618_s6_q;
+      select_621_s7_q <= select_621_s6_q;
       best_left_rdata_s7_q <= best_left_rdata_q;
       right_s7_q <= right_s6_q;
       right_codes_rdata_s7_q <= right_codes_rdata_q;
-      and_651_s7_q <= and_651_s6_q;
+      and_656_s7_q <= and_656_s6_q;
       row_s7_q <= row_s6_q;
-      and_1562_s7_q <= and_1562_s6_q;
-      equal_1563_s7_q <= equal_1563_s6_q;
-      not_1677_s7_q <= not_1677;
-      or_1683_s7_q <= (~equal_1679_s6_q) | (~equal_1681);
-      select_1753_s7_q <= select_1753;
-      sum_1990_s7_q <= sum_1990[5];
-      equal_2466_s7_q <= equal_2466_s6_q;
-      not_2999_s7_q <= not_2999_s6_q;
+      and_1568_s7_q <= and_1568_s6_q;
+      equal_1569_s7_q <= equal_1569_s6_q;
+      not_1683_s7_q <= not_1683;
+      or_1689_s7_q <= (~equal_1685_s6_q) | (~equal_1687);
+      select_1759_s7_q <= select_1759;
+      sum_1996_s7_q <= sum_1996[5];
+      equal_2475_s7_q <= equal_2475_s6_q;
+      equal_2580_s7_q <= equal_2580_s6_q;
+      not_3018_s7_q <= not_3018_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   logic [6:0] row_q;
+  logic late_q;
+  logic draws_late_q;
   logic [15:0] patches_chance_q;
   logic patches_capturing_q;
   logic [4:0] patches_row_q;
@@ -1263,151 +1274,170 @@ module horopter_agreement (
   logic patches_begins_q;
   logic patches_ends_q;
   logic [11:0] patches_remaining_q;
-  // hls/stages/agreement.hpp:668
-  logic equal_569;
-  assign equal_569 = row_q == 7'h0;
-  // hls/stages/agreement.hpp:975
-  logic and_608;
-  assign and_608 = (or_580_s7_q & (left_rdata_s7_q[67] & not_584_s7_q)) & (~(row_q[6:3] == 4'h0));
-  // hls/stages/agreement.hpp:966
+  logic done_q;
+  logic proven_q;
+  logic drew_q;
+  logic said_q;
+  // hls/stages/agreement.hpp:675
+  logic equal_571;
+  assign equal_571 = row_q == 7'h0;
+  // hls/stages/agreement.hpp:982
+  logic and_611;
+  assign and_611 = (or_582_s7_q & (left_rdata_s7_q[67] & not_586_s7_q)) & (late_q | (~(row_q[6:3] == 4'h0)));
+  // hls/stages/agreement.hpp:973
   logic [5:0] shift;
   assign shift = slot_s7_q[2] ? best_left_rdata_s7_q[5:0] : best_left_rdata_s7_q[45:40];
-  // hls/stages/agreement.hpp:668
-  logic not_748;
-  assign not_748 = ~equal_569;
+  // hls/stages/agreement.hpp:676
+  logic or_754;
+  assign or_754 = late_q | (~equal_571);
   // hls/stages/agreement.hpp:221
-  logic and_763;
-  assign and_763 = left_rdata_s7_q[48] & not_584_s7_q;
-  logic and_764;
-  assign and_764 = right_codes_rdata_s7_q[42] & not_584_s7_q;
-  logic [11:0] select_765;
-  assign select_765 = less_583_s7_q ? 12'h0 : left_rdata_s7_q[47:36];
-  logic [11:0] select_766;
-  assign select_766 = less_583_s7_q ? 12'h0 : right_codes_rdata_s7_q[41:30];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_770;
-  assign select_770 = and_763 ? (and_764 ? (~(select_765 ^ select_766)) : 12'h0) : 12'h0;
+  logic and_769;
+  assign and_769 = left_rdata_s7_q[48] & not_586_s7_q;
+  logic and_770;
+  assign and_770 = right_codes_rdata_s7_q[42] & not_586_s7_q;
+  logic [11:0] select_771;
+  assign select_771 = less_585_s7_q ? 12'h0 : left_rdata_s7_q[47:36];
+  logic [11:0] select_772;
+  assign select_772 = less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[41:30];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_776;
+  assign select_776 = and_769 ? (and_770 ? (~(select_771 ^ select_772)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:221
-  logic and_786;
-  assign and_786 = left_rdata_s7_q[66] & not_584_s7_q;
-  logic and_787;
-  assign and_787 = right_codes_rdata_s7_q[57] & not_584_s7_q;
-  logic [11:0] select_788;
-  assign select_788 = less_583_s7_q ? 12'h0 : left_rdata_s7_q[65:54];
-  logic [11:0] select_789;
-  assign select_789 = less_583_s7_q ? 12'h0 : right_codes_rdata_s7_q[56:45];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_793;
-  assign select_793 = and_786 ? (and_787 ? (~(select_788 ^ select_789)) : 12'h0) : 12'h0;
+  logic and_792;
+  assign and_792 = left_rdata_s7_q[66] & not_586_s7_q;
+  logic and_793;
+  assign and_793 = right_codes_rdata_s7_q[57] & not_586_s7_q;
+  logic [11:0] select_794;
+  assign select_794 = less_585_s7_q ? 12'h0 : left_rdata_s7_q[65:54];
+  logic [11:0] select_795;
+  assign select_795 = less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[56:45];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_799;
+  assign select_799 = and_792 ? (and_793 ? (~(select_794 ^ select_795)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:221
-  logic and_803;
-  assign and_803 = left_rdata_s7_q[84] & not_584_s7_q;
-  logic and_804;
-  assign and_804 = right_codes_rdata_s7_q[72] & not_584_s7_q;
-  logic [11:0] select_805;
-  assign select_805 = less_583_s7_q ? 12'h0 : left_rdata_s7_q[83:72];
-  logic [11:0] select_806;
-  assign select_806 = less_583_s7_q ? 12'h0 : right_codes_rdata_s7_q[71:60];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_810;
-  assign select_810 = and_803 ? (and_804 ? (~(select_805 ^ select_806)) : 12'h0) : 12'h0;
-  logic [11:0] select_1018;
-  assign select_1018 = (slot_s7_q[0] ? and_804 : and_787) ? (~(select_765 ^ (slot_s7_q[0] ? select_806 : select_789))) : 12'h0;
+  logic and_809;
+  assign and_809 = left_rdata_s7_q[84] & not_586_s7_q;
+  logic and_810;
+  assign and_810 = right_codes_rdata_s7_q[72] & not_586_s7_q;
+  logic [11:0] select_811;
+  assign select_811 = less_585_s7_q ? 12'h0 : left_rdata_s7_q[83:72];
+  logic [11:0] select_812;
+  assign select_812 = less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[71:60];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_816;
+  assign select_816 = and_809 ? (and_810 ? (~(select_811 ^ select_812)) : 12'h0) : 12'h0;
+  logic [11:0] select_1024;
+  assign select_1024 = (slot_s7_q[0] ? and_810 : and_793) ? (~(select_771 ^ (slot_s7_q[0] ? select_812 : select_795))) : 12'h0;
   // hls/stages/agreement.hpp:221
-  logic and_1035;
-  assign and_1035 = right_codes_rdata_s7_q[85] & not_584_s7_q;
-  logic [11:0] select_1037;
-  assign select_1037 = less_583_s7_q ? 12'h0 : right_codes_rdata_s7_q[84:73];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1041;
-  assign select_1041 = (slot_s7_q[0] ? and_1035 : and_804) ? (~(select_788 ^ (slot_s7_q[0] ? select_1037 : select_806))) : 12'h0;
-  // hls/stages/agreement.hpp:734
-  logic select_1053;
-  assign select_1053 = slot_s7_q[0] ? (right_codes_rdata_s7_q[98] & not_584_s7_q) : and_1035;
-  logic [11:0] select_1055;
-  assign select_1055 = slot_s7_q[0] ? (less_583_s7_q ? 12'h0 : right_codes_rdata_s7_q[97:86]) : select_1037;
+  logic and_1041;
+  assign and_1041 = right_codes_rdata_s7_q[85] & not_586_s7_q;
+  logic [11:0] select_1043;
+  assign select_1043 = less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[84:73];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1047;
+  assign select_1047 = (slot_s7_q[0] ? and_1041 : and_810) ? (~(select_794 ^ (slot_s7_q[0] ? select_1043 : select_812))) : 12'h0;
+  // hls/stages/agreement.hpp:741
+  logic select_1059;
+  assign select_1059 = slot_s7_q[0] ? (right_codes_rdata_s7_q[98] & not_586_s7_q) : and_1041;
+  logic [11:0] select_1061;
+  assign select_1061 = slot_s7_q[0] ? (less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[97:86]) : select_1043;
   // hls/stages/agreement.hpp:221
-  logic and_1264;
-  assign and_1264 = right_codes_rdata_s7_q[27] & not_584_s7_q;
-  // hls/stages/agreement.hpp:734
-  logic select_1265;
-  assign select_1265 = slot_s7_q[0] ? (right_codes_rdata_s7_q[12] & not_584_s7_q) : and_1264;
+  logic and_1270;
+  assign and_1270 = right_codes_rdata_s7_q[27] & not_586_s7_q;
+  // hls/stages/agreement.hpp:741
+  logic select_1271;
+  assign select_1271 = slot_s7_q[0] ? (right_codes_rdata_s7_q[12] & not_586_s7_q) : and_1270;
   // hls/stages/agreement.hpp:221
-  logic [11:0] select_1267;
-  assign select_1267 = less_583_s7_q ? 12'h0 : right_codes_rdata_s7_q[26:15];
-  // hls/stages/agreement.hpp:734
-  logic [11:0] select_1268;
-  assign select_1268 = slot_s7_q[0] ? (less_583_s7_q ? 12'h0 : right_codes_rdata_s7_q[11:0]) : select_1267;
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1292;
-  assign select_1292 = (slot_s7_q[0] ? and_1264 : and_764) ? (~(select_788 ^ (slot_s7_q[0] ? select_1267 : select_766))) : 12'h0;
-  logic [11:0] select_1307;
-  assign select_1307 = (slot_s7_q[0] ? and_764 : and_787) ? (~(select_805 ^ (slot_s7_q[0] ? select_766 : select_789))) : 12'h0;
+  logic [11:0] select_1273;
+  assign select_1273 = less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[26:15];
+  // hls/stages/agreement.hpp:741
+  logic [11:0] select_1274;
+  assign select_1274 = slot_s7_q[0] ? (less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[11:0]) : select_1273;
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1298;
+  assign select_1298 = (slot_s7_q[0] ? and_1270 : and_770) ? (~(select_794 ^ (slot_s7_q[0] ? select_1273 : select_772))) : 12'h0;
+  logic [11:0] select_1313;
+  assign select_1313 = (slot_s7_q[0] ? and_770 : and_793) ? (~(select_811 ^ (slot_s7_q[0] ? select_772 : select_795))) : 12'h0;
   // hls/stages/patches.hpp:396
-  logic not_1674;
-  assign not_1674 = ~patches_begins_q;
+  logic not_1680;
+  assign not_1680 = ~patches_begins_q;
   // hls/stages/patches.hpp:366
-  logic and_1678;
-  assign and_1678 = patches_capturing_q & not_1677_s7_q;
+  logic and_1684;
+  assign and_1684 = patches_capturing_q & not_1683_s7_q;
   // hls/stages/patches.hpp:125
-  logic and_1686;
-  assign and_1686 = (not_1674 & (patches_work_q == 3'h0)) & (~(and_1678 | or_1683_s7_q));
+  logic and_1692;
+  assign and_1692 = (not_1680 & (patches_work_q == 3'h0)) & (~(and_1684 | or_1689_s7_q));
   // hls/stages/patches.hpp:103
   logic right_3;
   assign right_3 = {2'h0, last_s7_q[6:1]} < x_s7_q;
   // hls/stages/agreement.hpp:149
   logic [5:0] b;
-  assign b = or_580_s7_q ? (less_583_s7_q ? 6'h0 : best_left_rdata_s7_q[5:0]) : 6'h0;
+  assign b = or_582_s7_q ? (less_585_s7_q ? 6'h0 : best_left_rdata_s7_q[5:0]) : 6'h0;
   // hls/stages/registration.hpp:218
-  logic [13:0] select_1755;
-  assign select_1755 = ($signed(10'h0) < $signed(select_1753_s7_q[16:7])) ? 14'h7f : select_1753_s7_q[13:0];
+  logic [13:0] select_1761;
+  assign select_1761 = ($signed(10'h0) < $signed(select_1759_s7_q[16:7])) ? 14'h7f : select_1759_s7_q[13:0];
   // hls/stages/patches.hpp:537
-  logic equal_1785;
-  assign equal_1785 = patches_work_q == 3'h4;
+  logic equal_1791;
+  assign equal_1791 = patches_work_q == 3'h4;
   // hls/stages/patches.hpp:509
-  logic equal_1787;
-  assign equal_1787 = patches_work_q == 3'h3;
+  logic equal_1793;
+  assign equal_1793 = patches_work_q == 3'h3;
   // hls/stages/patches.hpp:503
-  logic equal_1789;
-  assign equal_1789 = patches_work_q == 3'h2;
+  logic equal_1795;
+  assign equal_1795 = patches_work_q == 3'h2;
   // hls/stages/patches.hpp:168
-  logic equal_1790;
-  assign equal_1790 = patches_work_q == 3'h1;
+  logic equal_1796;
+  assign equal_1796 = patches_work_q == 3'h1;
   // hls/stages/patches.hpp:537
-  logic or_1791;
-  assign or_1791 = equal_1789 | equal_1790;
+  logic or_1797;
+  assign or_1797 = equal_1795 | equal_1796;
   // hls/stages/patches.hpp:464
-  logic not_1792;
-  assign not_1792 = ~patches_second_q;
+  logic not_1798;
+  assign not_1798 = ~patches_second_q;
   // hls/stages/patches.hpp:377
-  logic [4:0] select_1814;
-  assign select_1814 = and_1686 ? 5'h0 : (patches_row_q + 5'h1);
+  logic [4:0] select_1820;
+  assign select_1820 = and_1692 ? 5'h0 : (patches_row_q + 5'h1);
   // hls/stages/patches.hpp:126
-  logic [4:0] select_1815;
-  assign select_1815 = row_starts_s7_q ? select_1814 : patches_row_q;
+  logic [4:0] select_1821;
+  assign select_1821 = row_starts_s7_q ? select_1820 : patches_row_q;
   // hls/stages/patches.hpp:125
-  logic and_1817;
-  assign and_1817 = and_1678 & (patches_row_q == 5'h1f);
+  logic and_1823;
+  assign and_1823 = and_1684 & (patches_row_q == 5'h1f);
   // hls/stages/patches.hpp:126
-  logic select_1821;
-  assign select_1821 = row_starts_s7_q ? (and_1686 | (and_1678 & (~and_1817))) : patches_capturing_q;
+  logic select_1827;
+  assign select_1827 = row_starts_s7_q ? (and_1692 | (and_1684 & (~and_1823))) : patches_capturing_q;
   // hls/stages/patches.hpp:168
-  logic not_1845;
-  assign not_1845 = ~equal_1790;
+  logic not_1851;
+  assign not_1851 = ~equal_1796;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_1859;
-  assign select_1859 = row_starts_s7_q ? {select_1814[4], select_1814[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  logic [3:0] select_1865;
+  assign select_1865 = row_starts_s7_q ? {select_1820[4], select_1820[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  // hls/stages/agreement.hpp:1282
+  logic not_2054;
+  assign not_2054 = ~marks_first_s7_q;
+  // hls/stages/agreement.hpp:471
+  logic and_2575;
+  assign and_2575 = proven_q & less_2574;
+  // hls/stages/agreement.hpp:527
+  logic select_2579;
+  assign select_2579 = and_552_s7_q ? (equal_2475_s7_q ? (and_2575 & (row_s7_q[6:1] == 6'h0)) : late_q) : late_q;
+  // hls/stages/agreement.hpp:473
+  logic and_2581;
+  assign and_2581 = and_2575 & equal_2580_s7_q;
+  // hls/stages/agreement.hpp:527
+  logic select_2583;
+  assign select_2583 = and_552_s7_q ? (equal_2475_s7_q ? and_2581 : draws_late_q) : draws_late_q;
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_2724;
-  assign select_2724 = or_580_s7_q ? (less_583_s7_q ? 8'h0 : best_left_rdata_s7_q[32:25]) : 8'h0;
-  logic [7:0] select_2726;
-  assign select_2726 = or_580_s7_q ? (less_583_s7_q ? 8'h0 : best_left_rdata_s7_q[24:17]) : 8'h0;
+  logic [7:0] select_2744;
+  assign select_2744 = or_582_s7_q ? (less_585_s7_q ? 8'h0 : best_left_rdata_s7_q[32:25]) : 8'h0;
+  logic [7:0] select_2746;
+  assign select_2746 = or_582_s7_q ? (less_585_s7_q ? 8'h0 : best_left_rdata_s7_q[24:17]) : 8'h0;
   // hls/stages/patches.hpp:91
-  logic parity_2977;
-  assign parity_2977 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
-  // hls/stages/agreement.hpp:460
-  logic [15:0] select_2978;
-  assign select_2978 = equal_2466_s7_q ? {patches_chance_q[14:0], parity_2977} : patches_chance_q;
+  logic parity_2996;
+  assign parity_2996 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  // hls/stages/agreement.hpp:464
+  logic [15:0] select_2997;
+  assign select_2997 = equal_2475_s7_q ? {patches_chance_q[14:0], parity_2996} : patches_chance_q;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
@@ -1415,56 +1445,61 @@ module horopter_agreement (
   logic [5:0] further;
   assign further = last_s7_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
   // hls/stages/patches.hpp:397
-  logic or_3040;
-  assign or_3040 = patches_begins_q | patches_ends_q;
+  logic or_3059;
+  assign or_3059 = patches_begins_q | patches_ends_q;
   // hls/stages/patches.hpp:399
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:191
-  logic select_3045;
-  assign select_3045 = (patches_second_q | patches_begins_q) ? not_1674 : (patches_ends_q & equal_1785);
-  logic and_3046;
-  assign and_3046 = equal_1785 & not_1792;
+  logic select_3064;
+  assign select_3064 = (patches_second_q | patches_begins_q) ? not_1680 : (patches_ends_q & equal_1791);
+  logic and_3065;
+  assign and_3065 = equal_1791 & not_1798;
   // hls/stages/patches.hpp:403
-  logic and_3047;
-  assign and_3047 = not_1845 & and_3046;
-  logic [1:0] select_3049;
-  assign select_3049 = equal_1787 ? 2'h0 : (equal_1789 ? 2'h3 : {equal_1790, and_3047});
+  logic and_3066;
+  assign and_3066 = not_1851 & and_3065;
+  logic [1:0] select_3068;
+  assign select_3068 = equal_1793 ? 2'h0 : (equal_1795 ? 2'h3 : {equal_1796, and_3066});
   // hls/stages/patches.hpp:283
-  logic equal_3051;
-  assign equal_3051 = patches_following_q == 3'h4;
+  logic equal_3070;
+  assign equal_3070 = patches_following_q == 3'h4;
   // hls/stages/patches.hpp:281
-  logic not_3052;
-  assign not_3052 = ~equal_3051;
+  logic not_3071;
+  assign not_3071 = ~equal_3070;
   // hls/stages/patches.hpp:283
-  logic equal_3053;
-  assign equal_3053 = patches_following_q == 3'h3;
+  logic equal_3072;
+  assign equal_3072 = patches_following_q == 3'h3;
   // hls/stages/patches.hpp:279
-  logic not_3054;
-  assign not_3054 = ~equal_3053;
+  logic not_3073;
+  assign not_3073 = ~equal_3072;
   // hls/stages/patches.hpp:287
-  logic not_3056;
-  assign not_3056 = ~(patches_following_q == 3'h2);
-  logic and_3059;
-  assign and_3059 = (~(patches_following_q == 3'h1)) & not_3056;
+  logic not_3075;
+  assign not_3075 = ~(patches_following_q == 3'h2);
+  logic and_3078;
+  assign and_3078 = (~(patches_following_q == 3'h1)) & not_3075;
   // hls/stages/patches.hpp:401
-  logic [1:0] select_3060;
-  assign select_3060 = equal_3053 ? 2'h2 : {and_3059, not_3056};
-  logic [3:0] select_3061;
-  assign select_3061 = equal_3051 ? 4'h2 : {select_3060, {2{not_3054}}};
+  logic [1:0] select_3079;
+  assign select_3079 = equal_3072 ? 2'h2 : {and_3078, not_3075};
+  logic [3:0] select_3080;
+  assign select_3080 = equal_3070 ? 4'h2 : {select_3079, {2{not_3073}}};
   // hls/stages/patches.hpp:409
-  logic not_3064;
-  assign not_3064 = ~or_3040;
+  logic not_3083;
+  assign not_3083 = ~or_3059;
   // hls/stages/patches.hpp:398
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
   // hls/stages/patches.hpp:410
-  logic [11:0] select_3069;
-  assign select_3069 = or_3040 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  logic [11:0] select_3088;
+  assign select_3088 = or_3059 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  // hls/stages/agreement.hpp:1155
+  logic equal_3902;
+  assign equal_3902 = x_s7_q[6:0] == 7'h7f;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       row_q <= 7'h0;
+      late_q <= 1'b0;
+      draws_late_q <= 1'b0;
       patches_chance_q <= 16'h1;
       patches_capturing_q <= 1'b0;
       patches_row_q <= 5'h0;
@@ -1475,18 +1510,28 @@ module horopter_agreement (
       patches_begins_q <= 1'b0;
       patches_ends_q <= 1'b0;
       patches_remaining_q <= 12'h0;
+      done_q <= 1'b0;
+      proven_q <= 1'b0;
+      drew_q <= 1'b0;
+      said_q <= 1'b0;
     end else if (s7_en) begin
-      row_q <= and_550_s7_q ? (equal_2466_s7_q ? row_s7_q : row_q) : row_q;
-      patches_chance_q <= and_550_s7_q ? select_2978 : patches_chance_q;
-      patches_capturing_q <= sample_pair_whole_s7_q ? select_1821 : patches_capturing_q;
-      patches_row_q <= sample_pair_whole_s7_q ? select_1815 : patches_row_q;
-      patches_work_q <= or_3040 ? following : patches_work_q;
-      patches_second_q <= select_3045;
-      patches_following_q <= equal_1785 ? {2'h0, and_3046} : {equal_1787, select_3049};
-      patches_following_beats_q <= {select_3061, not_3052};
-      patches_begins_q <= sample_pair_whole_s7_q & (row_starts_s7_q & and_1817);
-      patches_ends_q <= not_3064 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3069;
+      row_q <= and_552_s7_q ? (equal_2475_s7_q ? row_s7_q : row_q) : row_q;
+      late_q <= select_2579;
+      draws_late_q <= select_2583;
+      patches_chance_q <= and_552_s7_q ? select_2997 : patches_chance_q;
+      patches_capturing_q <= sample_pair_whole_s7_q ? select_1827 : patches_capturing_q;
+      patches_row_q <= sample_pair_whole_s7_q ? select_1821 : patches_row_q;
+      patches_work_q <= or_3059 ? following : patches_work_q;
+      patches_second_q <= select_3064;
+      patches_following_q <= equal_1791 ? {2'h0, and_3065} : {equal_1793, select_3068};
+      patches_following_beats_q <= {select_3080, not_3071};
+      patches_begins_q <= sample_pair_whole_s7_q & (row_starts_s7_q & and_1823);
+      patches_ends_q <= not_3083 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3088;
+      done_q <= not_2054 & ((~drew_q) & (done_q | said_q));
+      proven_q <= marks_first_s7_q ? done_q : proven_q;
+      drew_q <= so_s7_q;
+      said_q <= equal_577_s7_q & equal_3902;
     end
   end
 
@@ -1504,101 +1549,106 @@ module horopter_agreement (
   logic [3:0] age_s8_q;
   logic [2:0] slot_s8_q;
   logic ends_cell_s8_q;
+  logic draws_late_s8_q;
   logic shift_first_s8_q;
   logic [11:0] registration_slope_s8_q;
   logic [4:0] patches_band_rows_number_s8_q;
   logic patches_chooses_s8_q;
   logic [4:0] patches_choosing_band_s8_q;
   logic patches_second_s8_q;
-  logic [3:0] select_509_s8_q;
-  logic equal_510_s8_q;
+  logic done_s8_q;
+  logic [3:0] select_511_s8_q;
+  logic equal_512_s8_q;
   logic row_starts_s8_q;
-  logic [8:0] select_514_s8_q;
-  logic and_523_s8_q;
-  logic equal_529_s8_q;
-  logic [6:0] select_544_s8_q;
+  logic [8:0] select_516_s8_q;
+  logic and_525_s8_q;
+  logic equal_531_s8_q;
+  logic [6:0] select_546_s8_q;
   logic [6:0] last_s8_2_q;
-  logic and_548_s8_q;
   logic and_550_s8_q;
-  logic equal_569_s8_q;
-  logic equal_575_s8_q;
-  logic so_s8_q;
-  logic equal_579_s8_q;
-  logic or_580_s8_q;
-  logic less_583_s8_q;
-  logic not_584_s8_q;
-  logic equal_594_s8_q;
+  logic and_552_s8_q;
+  logic equal_571_s8_q;
+  logic equal_577_s8_q;
+  logic equal_581_s8_q;
+  logic or_582_s8_q;
+  logic less_585_s8_q;
+  logic not_586_s8_q;
+  logic equal_596_s8_q;
   logic [62:0] left_rdata_s8_q;
-  logic and_601_s8_q;
-  logic and_609_s8_q;
+  logic and_603_s8_q;
+  logic and_612_s8_q;
   logic [6:0] x_s8_2_q;
-  logic select_618_s8_q;
+  logic select_621_s8_q;
   logic [61:0] best_left_rdata_s8_q;
   logic [5:0] shift_s8_q;
   logic [6:0] right_s8_q;
-  logic and_640_s8_q;
-  logic [77:0] right_codes_rdata_s8_q;
+  logic not_641_s8_q;
   logic and_645_s8_q;
-  logic and_647_s8_q;
-  logic and_651_s8_q;
+  logic [77:0] right_codes_rdata_s8_q;
+  logic and_650_s8_q;
+  logic and_652_s8_q;
+  logic and_656_s8_q;
   logic [32:0] fresh_rdata_s8_q;
-  logic equal_680_s8_q;
-  logic and_749_s8_q;
-  logic and_750_s8_q;
-  logic and_751_s8_q;
-  logic and_752_s8_q;
-  logic and_753_s8_q;
-  logic and_754_s8_q;
+  logic equal_685_s8_q;
   logic and_755_s8_q;
   logic and_756_s8_q;
   logic and_757_s8_q;
   logic and_758_s8_q;
+  logic and_759_s8_q;
+  logic and_760_s8_q;
+  logic and_761_s8_q;
+  logic and_762_s8_q;
   logic and_763_s8_q;
-  logic [11:0] select_770_s8_q;
-  logic and_786_s8_q;
-  logic [11:0] select_793_s8_q;
-  logic and_803_s8_q;
-  logic [11:0] select_810_s8_q;
-  logic [11:0] select_1018_s8_q;
-  logic [11:0] select_1041_s8_q;
-  logic [11:0] select_1058_s8_q;
-  logic [11:0] select_1271_s8_q;
-  logic [11:0] select_1292_s8_q;
-  logic [11:0] select_1307_s8_q;
-  logic and_1562_s8_q;
-  logic equal_1563_s8_q;
-  logic and_1686_s8_q;
+  logic and_764_s8_q;
+  logic and_769_s8_q;
+  logic [11:0] select_776_s8_q;
+  logic and_792_s8_q;
+  logic [11:0] select_799_s8_q;
+  logic and_809_s8_q;
+  logic [11:0] select_816_s8_q;
+  logic [11:0] select_1024_s8_q;
+  logic [11:0] select_1047_s8_q;
+  logic [11:0] select_1064_s8_q;
+  logic [11:0] select_1277_s8_q;
+  logic [11:0] select_1298_s8_q;
+  logic [11:0] select_1313_s8_q;
+  logic and_1568_s8_q;
+  logic equal_1569_s8_q;
+  logic and_1692_s8_q;
   logic right_3_s8_q;
-  logic less_1700_s8_q;
+  logic less_1706_s8_q;
   logic [5:0] b_s8_q;
-  logic [13:0] select_1755_s8_q;
-  logic equal_1785_s8_q;
-  logic equal_1787_s8_q;
-  logic equal_1789_s8_q;
-  logic equal_1790_s8_q;
-  logic or_1791_s8_q;
-  logic not_1792_s8_q;
-  logic and_1794_s8_q;
-  logic [4:0] select_1815_s8_q;
-  logic select_1821_s8_q;
-  logic and_1827_s8_q;
-  logic and_1846_s8_q;
-  logic [3:0] select_1859_s8_q;
-  logic sum_1990_s8_q;
-  logic and_2011_s8_q;
-  logic and_2128_s8_q;
-  logic equal_2277_s8_q;
-  logic equal_2466_s8_q;
-  logic not_2562_s8_q;
-  logic and_2592_s8_q;
-  logic [7:0] select_2724_s8_q;
-  logic [7:0] select_2726_s8_q;
+  logic [13:0] select_1761_s8_q;
+  logic equal_1791_s8_q;
+  logic equal_1793_s8_q;
+  logic equal_1795_s8_q;
+  logic equal_1796_s8_q;
+  logic or_1797_s8_q;
+  logic not_1798_s8_q;
+  logic and_1800_s8_q;
+  logic [4:0] select_1821_s8_q;
+  logic select_1827_s8_q;
+  logic and_1833_s8_q;
+  logic and_1852_s8_q;
+  logic [3:0] select_1865_s8_q;
+  logic sum_1996_s8_q;
+  logic and_2017_s8_q;
+  logic not_2054_s8_q;
+  logic and_2137_s8_q;
+  logic equal_2286_s8_q;
+  logic equal_2475_s8_q;
+  logic not_2571_s8_q;
+  logic and_2611_s8_q;
+  logic [7:0] select_2744_s8_q;
+  logic [7:0] select_2746_s8_q;
   logic [5:0] further_s8_q;
-  logic not_2999_s8_q;
-  logic or_3040_s8_q;
-  logic not_3064_s8_q;
-  logic less_3812_s8_q;
-  logic equal_4031_s8_q;
+  logic not_3018_s8_q;
+  logic or_3059_s8_q;
+  logic not_3083_s8_q;
+  logic less_3831_s8_q;
+  logic equal_3902_s8_q;
+  logic or_4052_s8_q;
+  logic not_4095_s8_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s8_q <= pixel_0_s7_q;
@@ -1615,101 +1665,106 @@ module horopter_agreement (
       age_s8_q <= age_s7_q;
       slot_s8_q <= slot_s7_q;
       ends_cell_s8_q <= ends_cell_s7_q;
+      draws_late_s8_q <= draws_late_q;
       shift_first_s8_q <= shift_first_s7_q;
       registration_slope_s8_q <= registration_slope_s7_q;
       patches_band_rows_number_s8_q <= patches_band_rows_number_s7_q;
       patches_chooses_s8_q <= patches_chooses_s7_q;
       patches_choosing_band_s8_q <= patches_choosing_band_s7_q;
       patches_second_s8_q <= patches_second_q;
-      select_509_s8_q <= select_509_s7_q;
-      equal_510_s8_q <= equal_510_s7_q;
+      done_s8_q <= done_q;
+      select_511_s8_q <= select_511_s7_q;
+      equal_512_s8_q <= equal_512_s7_q;
       row_starts_s8_q <= row_starts_s7_q;
-      select_514_s8_q <= select_514_s7_q;
-      and_523_s8_q <= and_523_s7_q;
-      equal_529_s8_q <= equal_529_s7_q;
-      select_544_s8_q <= select_544_s7_q;
+      select_516_s8_q <= select_516_s7_q;
+      and_525_s8_q <= and_525_s7_q;
+      equal_531_s8_q <= equal_531_s7_q;
+      select_546_s8_q <= select_546_s7_q;
       last_s8_2_q <= last_s7_2_q;
-      and_548_s8_q <= and_548_s7_q;
       and_550_s8_q <= and_550_s7_q;
-      equal_569_s8_q <= equal_569;
-      equal_575_s8_q <= equal_575_s7_q;
-      so_s8_q <= so_s7_q;
-      equal_579_s8_q <= equal_579_s7_q;
-      or_580_s8_q <= or_580_s7_q;
-      less_583_s8_q <= less_583_s7_q;
-      not_584_s8_q <= not_584_s7_q;
-      equal_594_s8_q <= equal_594_s7_q;
+      and_552_s8_q <= and_552_s7_q;
+      equal_571_s8_q <= equal_571;
+      equal_577_s8_q <= equal_577_s7_q;
+      equal_581_s8_q <= equal_581_s7_q;
+      or_582_s8_q <= or_582_s7_q;
+      less_585_s8_q <= less_585_s7_q;
+      not_586_s8_q <= not_586_s7_q;
+      equal_596_s8_q <= equal_596_s7_q;
       left_rdata_s8_q <= {left_rdata_s7_q[65:49], left_rdata_s7_q[47:31], left_rdata_s7_q[29:13], left_rdata_s7_q[11:0]};
-      and_601_s8_q <= or_580_s7_q & (left_rdata_s7_q[70] & not_584_s7_q);
-      and_609_s8_q <= (or_580_s7_q & (left_rdata_s7_q[68] & not_584_s7_q)) & and_608;
+      and_603_s8_q <= or_582_s7_q & (left_rdata_s7_q[70] & not_586_s7_q);
+      and_612_s8_q <= (or_582_s7_q & (left_rdata_s7_q[68] & not_586_s7_q)) & and_611;
       x_s8_2_q <= x_s7_2_q;
-      select_618_s8_q <= select_618_s7_q;
+      select_621_s8_q <= select_621_s7_q;
       best_left_rdata_s8_q <= best_left_rdata_s7_q;
       shift_s8_q <= shift;
       right_s8_q <= right_s7_q;
-      and_640_s8_q <= or_580_s7_q & (left_rdata_s7_q[71] & not_584_s7_q);
+      not_641_s8_q <= ~late_q;
+      and_645_s8_q <= or_582_s7_q & (left_rdata_s7_q[71] & not_586_s7_q);
       right_codes_rdata_s8_q <= {right_codes_rdata_s7_q[84:73], right_codes_rdata_s7_q[71:60], right_codes_rdata_s7_q[56:43], right_codes_rdata_s7_q[41:28], right_codes_rdata_s7_q[26:13], right_codes_rdata_s7_q[11:0]};
-      and_645_s8_q <= or_580_s7_q & (right_codes_rdata_s7_q[58] & not_584_s7_q);
-      and_647_s8_q <= or_580_s7_q & (right_codes_rdata_s7_q[59] & not_584_s7_q);
-      and_651_s8_q <= and_651_s7_q;
+      and_650_s8_q <= or_582_s7_q & (right_codes_rdata_s7_q[58] & not_586_s7_q);
+      and_652_s8_q <= or_582_s7_q & (right_codes_rdata_s7_q[59] & not_586_s7_q);
+      and_656_s8_q <= and_656_s7_q;
       fresh_rdata_s8_q <= fresh_rdata_q;
-      equal_680_s8_q <= row_s7_q == 7'h0;
-      and_749_s8_q <= left_rdata_s7_q[12] & not_748;
-      and_750_s8_q <= left_rdata_s7_q[30] & not_748;
-      and_751_s8_q <= left_rdata_s7_q[48] & not_748;
-      and_752_s8_q <= left_rdata_s7_q[66] & not_748;
-      and_753_s8_q <= right_codes_rdata_s7_q[12] & not_748;
-      and_754_s8_q <= right_codes_rdata_s7_q[27] & not_748;
-      and_755_s8_q <= right_codes_rdata_s7_q[42] & not_748;
-      and_756_s8_q <= right_codes_rdata_s7_q[57] & not_748;
-      and_757_s8_q <= right_codes_rdata_s7_q[72] & not_748;
-      and_758_s8_q <= right_codes_rdata_s7_q[85] & not_748;
-      and_763_s8_q <= and_763;
-      select_770_s8_q <= select_770;
-      and_786_s8_q <= and_786;
-      select_793_s8_q <= select_793;
-      and_803_s8_q <= and_803;
-      select_810_s8_q <= select_810;
-      select_1018_s8_q <= select_1018;
-      select_1041_s8_q <= select_1041;
-      select_1058_s8_q <= select_1053 ? (~(select_805 ^ select_1055)) : 12'h0;
-      select_1271_s8_q <= select_1265 ? (~(select_765 ^ select_1268)) : 12'h0;
-      select_1292_s8_q <= select_1292;
-      select_1307_s8_q <= select_1307;
-      and_1562_s8_q <= and_1562_s7_q;
-      equal_1563_s8_q <= equal_1563_s7_q;
-      and_1686_s8_q <= and_1686;
+      equal_685_s8_q <= row_s7_q == 7'h0;
+      and_755_s8_q <= left_rdata_s7_q[12] & or_754;
+      and_756_s8_q <= left_rdata_s7_q[30] & or_754;
+      and_757_s8_q <= left_rdata_s7_q[48] & or_754;
+      and_758_s8_q <= left_rdata_s7_q[66] & or_754;
+      and_759_s8_q <= right_codes_rdata_s7_q[12] & or_754;
+      and_760_s8_q <= right_codes_rdata_s7_q[27] & or_754;
+      and_761_s8_q <= right_codes_rdata_s7_q[42] & or_754;
+      and_762_s8_q <= right_codes_rdata_s7_q[57] & or_754;
+      and_763_s8_q <= right_codes_rdata_s7_q[72] & or_754;
+      and_764_s8_q <= right_codes_rdata_s7_q[85] & or_754;
+      and_769_s8_q <= and_769;
+      select_776_s8_q <= select_776;
+      and_792_s8_q <= and_792;
+      select_799_s8_q <= select_799;
+      and_809_s8_q <= and_809;
+      select_816_s8_q <= select_816;
+      select_1024_s8_q <= select_1024;
+      select_1047_s8_q <= select_1047;
+      select_1064_s8_q <= select_1059 ? (~(select_811 ^ select_1061)) : 12'h0;
+      select_1277_s8_q <= select_1271 ? (~(select_771 ^ select_1274)) : 12'h0;
+      select_1298_s8_q <= select_1298;
+      select_1313_s8_q <= select_1313;
+      and_1568_s8_q <= and_1568_s7_q;
+      equal_1569_s8_q <= equal_1569_s7_q;
+      and_1692_s8_q <= and_1692;
       right_3_s8_q <= right_3;
-      less_1700_s8_q <= 6'h4 < row_q[6:1];
+      less_1706_s8_q <= 6'h4 < row_q[6:1];
       b_s8_q <= b;
-      select_1755_s8_q <= select_1755;
-      equal_1785_s8_q <= equal_1785;
-      equal_1787_s8_q <= equal_1787;
-      equal_1789_s8_q <= equal_1789;
-      equal_1790_s8_q <= equal_1790;
-      or_1791_s8_q <= or_1791;
-      not_1792_s8_q <= not_1792;
-      and_1794_s8_q <= or_1791 & (equal_1790 & not_1792);
-      select_1815_s8_q <= select_1815;
+      select_1761_s8_q <= select_1761;
+      equal_1791_s8_q <= equal_1791;
+      equal_1793_s8_q <= equal_1793;
+      equal_1795_s8_q <= equal_1795;
+      equal_1796_s8_q <= equal_1796;
+      or_1797_s8_q <= or_1797;
+      not_1798_s8_q <= not_1798;
+      and_1800_s8_q <= or_1797 & (equal_1796 & not_1798);
       select_1821_s8_q <= select_1821;
-      and_1827_s8_q <= or_1791 & (patches_second_q & equal_1790);
-      and_1846_s8_q <= not_1845 & or_1791;
-      select_1859_s8_q <= select_1859;
-      sum_1990_s8_q <= sum_1990_s7_q;
-      and_2011_s8_q <= or_580_s7_q & (left_rdata_s7_q[69] & not_584_s7_q);
-      and_2128_s8_q <= (7'h6 < row_q) & (~(x_s7_q[7:2] == 6'h0));
-      equal_2277_s8_q <= (last_s7_2_q | row_s7_q) == 7'h0;
-      equal_2466_s8_q <= equal_2466_s7_q;
-      not_2562_s8_q <= ~({row_s7_q, 1'b0} < {sum_2560, cfg_height_i[4]});
-      and_2592_s8_q <= not_584_s7_q & and_608;
-      select_2724_s8_q <= select_2724;
-      select_2726_s8_q <= select_2726;
+      select_1827_s8_q <= select_1827;
+      and_1833_s8_q <= or_1797 & (patches_second_q & equal_1796);
+      and_1852_s8_q <= not_1851 & or_1797;
+      select_1865_s8_q <= select_1865;
+      sum_1996_s8_q <= sum_1996_s7_q;
+      and_2017_s8_q <= or_582_s7_q & (left_rdata_s7_q[69] & not_586_s7_q);
+      not_2054_s8_q <= not_2054;
+      and_2137_s8_q <= (draws_late_q | (7'h6 < row_q)) & (~(x_s7_q[7:2] == 6'h0));
+      equal_2286_s8_q <= (last_s7_2_q | row_s7_q) == 7'h0;
+      equal_2475_s8_q <= equal_2475_s7_q;
+      not_2571_s8_q <= ~({row_s7_q, 1'b0} < {sum_2569, cfg_height_i[4]});
+      and_2611_s8_q <= not_586_s7_q & and_611;
+      select_2744_s8_q <= select_2744;
+      select_2746_s8_q <= select_2746;
       further_s8_q <= further;
-      not_2999_s8_q <= not_2999_s7_q;
-      or_3040_s8_q <= or_3040;
-      not_3064_s8_q <= not_3064;
-      less_3812_s8_q <= 6'h2 < row_s7_q[6:1];
-      equal_4031_s8_q <= row_s7_q[6:3] == 4'h0;
+      not_3018_s8_q <= not_3018_s7_q;
+      or_3059_s8_q <= or_3059;
+      not_3083_s8_q <= not_3083;
+      less_3831_s8_q <= 6'h2 < row_s7_q[6:1];
+      equal_3902_s8_q <= equal_3902;
+      or_4052_s8_q <= and_2581 | (~(row_s7_q[6:3] == 4'h0));
+      not_4095_s8_q <= ~proven_q;
     end
   end
 
@@ -1721,317 +1776,317 @@ module horopter_agreement (
   logic patches_column_ends_q;
   logic [6:0] patches_step_q;
   logic patches_read_searches_q;
-  // hls/stages/agreement.hpp:967
+  // hls/stages/agreement.hpp:974
   logic [7:0] found;
   assign found = x_s8_q + {{2{shift_s8_q[5]}}, shift_s8_q};
   // hls/stages/count_bits.hpp:24
-  logic parity_776;
-  assign parity_776 = ^select_770_s8_q[5:3];
-  logic parity_779;
-  assign parity_779 = ^select_770_s8_q[8:6];
   logic parity_782;
-  assign parity_782 = ^select_770_s8_q[11:3];
-  logic parity_796;
-  assign parity_796 = ^select_793_s8_q[8:6];
-  logic parity_799;
-  assign parity_799 = ^select_793_s8_q[11:9];
-  logic parity_816;
-  assign parity_816 = ^select_810_s8_q[2:0];
-  logic parity_819;
-  assign parity_819 = ^select_810_s8_q[5:3];
+  assign parity_782 = ^select_776_s8_q[5:3];
+  logic parity_785;
+  assign parity_785 = ^select_776_s8_q[8:6];
+  logic parity_788;
+  assign parity_788 = ^select_776_s8_q[11:3];
+  logic parity_802;
+  assign parity_802 = ^select_799_s8_q[8:6];
+  logic parity_805;
+  assign parity_805 = ^select_799_s8_q[11:9];
   logic parity_822;
-  assign parity_822 = ^select_810_s8_q[8:0];
+  assign parity_822 = ^select_816_s8_q[2:0];
+  logic parity_825;
+  assign parity_825 = ^select_816_s8_q[5:3];
   logic parity_828;
-  assign parity_828 = ^select_810_s8_q[11:9];
-  logic parity_831;
-  assign parity_831 = ^select_793_s8_q[2:0];
+  assign parity_828 = ^select_816_s8_q[8:0];
   logic parity_834;
-  assign parity_834 = ^{select_810_s8_q[11:9], select_793_s8_q[5:0]};
+  assign parity_834 = ^select_816_s8_q[11:9];
   logic parity_837;
-  assign parity_837 = ^{select_810_s8_q, select_793_s8_q, select_770_s8_q[2:0]};
+  assign parity_837 = ^select_799_s8_q[2:0];
+  logic parity_840;
+  assign parity_840 = ^{select_816_s8_q[11:9], select_799_s8_q[5:0]};
+  logic parity_843;
+  assign parity_843 = ^{select_816_s8_q, select_799_s8_q, select_776_s8_q[2:0]};
   // hls/stages/count_bits.hpp:23
-  logic or_842;
-  assign or_842 = (select_770_s8_q[1:0] == 2'h3) | (select_770_s8_q[2] & (select_770_s8_q[0] | select_770_s8_q[1]));
+  logic or_848;
+  assign or_848 = (select_776_s8_q[1:0] == 2'h3) | (select_776_s8_q[2] & (select_776_s8_q[0] | select_776_s8_q[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_846;
-  assign or_846 = (select_793_s8_q[7:6] == 2'h3) | (select_793_s8_q[8] & (select_793_s8_q[6] | select_793_s8_q[7]));
-  logic or_850;
-  assign or_850 = (select_793_s8_q[10:9] == 2'h3) | (select_793_s8_q[11] & (select_793_s8_q[9] | select_793_s8_q[10]));
+  logic or_852;
+  assign or_852 = (select_799_s8_q[7:6] == 2'h3) | (select_799_s8_q[8] & (select_799_s8_q[6] | select_799_s8_q[7]));
+  logic or_856;
+  assign or_856 = (select_799_s8_q[10:9] == 2'h3) | (select_799_s8_q[11] & (select_799_s8_q[9] | select_799_s8_q[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_858;
-  assign or_858 = (select_810_s8_q[7:6] == 2'h3) | (select_810_s8_q[8] & (~(select_810_s8_q[7:6] == 2'h0)));
+  logic or_864;
+  assign or_864 = (select_816_s8_q[7:6] == 2'h3) | (select_816_s8_q[8] & (~(select_816_s8_q[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_862;
-  assign or_862 = (select_810_s8_q[1:0] == 2'h3) | (select_810_s8_q[2] & (select_810_s8_q[0] | select_810_s8_q[1]));
-  logic or_866;
-  assign or_866 = (select_810_s8_q[4:3] == 2'h3) | (select_810_s8_q[5] & (select_810_s8_q[3] | select_810_s8_q[4]));
+  logic or_868;
+  assign or_868 = (select_816_s8_q[1:0] == 2'h3) | (select_816_s8_q[2] & (select_816_s8_q[0] | select_816_s8_q[1]));
+  logic or_872;
+  assign or_872 = (select_816_s8_q[4:3] == 2'h3) | (select_816_s8_q[5] & (select_816_s8_q[3] | select_816_s8_q[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_869;
-  assign parity_869 = ^{or_866, or_862, or_858};
+  logic parity_875;
+  assign parity_875 = ^{or_872, or_868, or_864};
   // hls/stages/count_bits.hpp:23
-  logic or_873;
-  assign or_873 = (select_793_s8_q[4:3] == 2'h3) | (select_793_s8_q[5] & (select_793_s8_q[3] | select_793_s8_q[4]));
+  logic or_879;
+  assign or_879 = (select_799_s8_q[4:3] == 2'h3) | (select_799_s8_q[5] & (select_799_s8_q[3] | select_799_s8_q[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_877;
-  assign or_877 = (select_810_s8_q[10:9] == 2'h3) | (select_810_s8_q[11] & (select_810_s8_q[9] | select_810_s8_q[10]));
-  logic or_881;
-  assign or_881 = (select_793_s8_q[1:0] == 2'h3) | (select_793_s8_q[2] & (select_793_s8_q[0] | select_793_s8_q[1]));
+  logic or_883;
+  assign or_883 = (select_816_s8_q[10:9] == 2'h3) | (select_816_s8_q[11] & (select_816_s8_q[9] | select_816_s8_q[10]));
+  logic or_887;
+  assign or_887 = (select_799_s8_q[1:0] == 2'h3) | (select_799_s8_q[2] & (select_799_s8_q[0] | select_799_s8_q[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_884;
-  assign parity_884 = ^{or_881, or_877, or_873};
-  logic parity_887;
-  assign parity_887 = ^{or_881, or_877, or_873, or_866, or_862, or_858, or_850, or_846, or_842};
+  logic parity_890;
+  assign parity_890 = ^{or_887, or_883, or_879};
+  logic parity_893;
+  assign parity_893 = ^{or_887, or_883, or_879, or_872, or_868, or_864, or_856, or_852, or_848};
   // hls/stages/count_bits.hpp:25
-  logic or_892;
-  assign or_892 = (parity_776 & parity_779) | ((^select_770_s8_q[11:9]) & (parity_776 | parity_779));
-  logic and_895;
-  assign and_895 = (^{select_793_s8_q[11:6], select_770_s8_q[2:0]}) & (parity_822 | parity_834);
+  logic or_898;
+  assign or_898 = (parity_782 & parity_785) | ((^select_776_s8_q[11:9]) & (parity_782 | parity_785));
+  logic and_901;
+  assign and_901 = (^{select_799_s8_q[11:6], select_776_s8_q[2:0]}) & (parity_828 | parity_840);
   // hls/stages/count_bits.hpp:23
-  logic or_903;
-  assign or_903 = (select_770_s8_q[10:9] == 2'h3) | (select_770_s8_q[11] & (select_770_s8_q[9] | select_770_s8_q[10]));
+  logic or_909;
+  assign or_909 = (select_776_s8_q[10:9] == 2'h3) | (select_776_s8_q[11] & (select_776_s8_q[9] | select_776_s8_q[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_907;
-  assign or_907 = (select_770_s8_q[4:3] == 2'h3) | (select_770_s8_q[5] & (select_770_s8_q[3] | select_770_s8_q[4]));
-  logic or_911;
-  assign or_911 = (select_770_s8_q[7:6] == 2'h3) | (select_770_s8_q[8] & (select_770_s8_q[6] | select_770_s8_q[7]));
-  logic or_918;
-  assign or_918 = (parity_796 & parity_799) | ((^select_770_s8_q[2:0]) & (parity_796 | parity_799));
-  logic or_922;
-  assign or_922 = (parity_816 & parity_819) | ((^select_810_s8_q[8:6]) & (parity_816 | parity_819));
-  logic or_926;
-  assign or_926 = (parity_828 & parity_831) | ((^select_793_s8_q[5:3]) & (parity_828 | parity_831));
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1019;
-  assign select_1019 = and_763_s8_q ? select_1018_s8_q : 12'h0;
+  logic or_913;
+  assign or_913 = (select_776_s8_q[4:3] == 2'h3) | (select_776_s8_q[5] & (select_776_s8_q[3] | select_776_s8_q[4]));
+  logic or_917;
+  assign or_917 = (select_776_s8_q[7:6] == 2'h3) | (select_776_s8_q[8] & (select_776_s8_q[6] | select_776_s8_q[7]));
+  logic or_924;
+  assign or_924 = (parity_802 & parity_805) | ((^select_776_s8_q[2:0]) & (parity_802 | parity_805));
+  logic or_928;
+  assign or_928 = (parity_822 & parity_825) | ((^select_816_s8_q[8:6]) & (parity_822 | parity_825));
+  logic or_932;
+  assign or_932 = (parity_834 & parity_837) | ((^select_799_s8_q[5:3]) & (parity_834 | parity_837));
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1025;
+  assign select_1025 = and_769_s8_q ? select_1024_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1025;
-  assign parity_1025 = ^select_1019[5:3];
-  logic parity_1028;
-  assign parity_1028 = ^select_1019[8:6];
   logic parity_1031;
-  assign parity_1031 = ^select_1019[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1042;
-  assign select_1042 = and_786_s8_q ? select_1041_s8_q : 12'h0;
+  assign parity_1031 = ^select_1025[5:3];
+  logic parity_1034;
+  assign parity_1034 = ^select_1025[8:6];
+  logic parity_1037;
+  assign parity_1037 = ^select_1025[11:3];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1048;
+  assign select_1048 = and_792_s8_q ? select_1047_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1045;
-  assign parity_1045 = ^select_1042[8:6];
-  logic parity_1048;
-  assign parity_1048 = ^select_1042[11:9];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1059;
-  assign select_1059 = and_803_s8_q ? select_1058_s8_q : 12'h0;
+  logic parity_1051;
+  assign parity_1051 = ^select_1048[8:6];
+  logic parity_1054;
+  assign parity_1054 = ^select_1048[11:9];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1065;
+  assign select_1065 = and_809_s8_q ? select_1064_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1065;
-  assign parity_1065 = ^select_1059[2:0];
-  logic parity_1068;
-  assign parity_1068 = ^select_1059[5:3];
   logic parity_1071;
-  assign parity_1071 = ^select_1059[8:0];
+  assign parity_1071 = ^select_1065[2:0];
+  logic parity_1074;
+  assign parity_1074 = ^select_1065[5:3];
   logic parity_1077;
-  assign parity_1077 = ^select_1059[11:9];
-  logic parity_1080;
-  assign parity_1080 = ^select_1042[2:0];
+  assign parity_1077 = ^select_1065[8:0];
   logic parity_1083;
-  assign parity_1083 = ^{select_1059[11:9], select_1042[5:0]};
+  assign parity_1083 = ^select_1065[11:9];
   logic parity_1086;
-  assign parity_1086 = ^{select_1059, select_1042, select_1019[2:0]};
+  assign parity_1086 = ^select_1048[2:0];
+  logic parity_1089;
+  assign parity_1089 = ^{select_1065[11:9], select_1048[5:0]};
+  logic parity_1092;
+  assign parity_1092 = ^{select_1065, select_1048, select_1025[2:0]};
   // hls/stages/count_bits.hpp:23
-  logic or_1091;
-  assign or_1091 = (select_1019[1:0] == 2'h3) | (select_1019[2] & (select_1019[0] | select_1019[1]));
+  logic or_1097;
+  assign or_1097 = (select_1025[1:0] == 2'h3) | (select_1025[2] & (select_1025[0] | select_1025[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1095;
-  assign or_1095 = (select_1042[7:6] == 2'h3) | (select_1042[8] & (select_1042[6] | select_1042[7]));
-  logic or_1099;
-  assign or_1099 = (select_1042[10:9] == 2'h3) | (select_1042[11] & (select_1042[9] | select_1042[10]));
+  logic or_1101;
+  assign or_1101 = (select_1048[7:6] == 2'h3) | (select_1048[8] & (select_1048[6] | select_1048[7]));
+  logic or_1105;
+  assign or_1105 = (select_1048[10:9] == 2'h3) | (select_1048[11] & (select_1048[9] | select_1048[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1107;
-  assign or_1107 = (select_1059[7:6] == 2'h3) | (select_1059[8] & (~(select_1059[7:6] == 2'h0)));
+  logic or_1113;
+  assign or_1113 = (select_1065[7:6] == 2'h3) | (select_1065[8] & (~(select_1065[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1111;
-  assign or_1111 = (select_1059[1:0] == 2'h3) | (select_1059[2] & (select_1059[0] | select_1059[1]));
-  logic or_1115;
-  assign or_1115 = (select_1059[4:3] == 2'h3) | (select_1059[5] & (select_1059[3] | select_1059[4]));
+  logic or_1117;
+  assign or_1117 = (select_1065[1:0] == 2'h3) | (select_1065[2] & (select_1065[0] | select_1065[1]));
+  logic or_1121;
+  assign or_1121 = (select_1065[4:3] == 2'h3) | (select_1065[5] & (select_1065[3] | select_1065[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1118;
-  assign parity_1118 = ^{or_1115, or_1111, or_1107};
+  logic parity_1124;
+  assign parity_1124 = ^{or_1121, or_1117, or_1113};
   // hls/stages/count_bits.hpp:23
-  logic or_1122;
-  assign or_1122 = (select_1042[4:3] == 2'h3) | (select_1042[5] & (select_1042[3] | select_1042[4]));
+  logic or_1128;
+  assign or_1128 = (select_1048[4:3] == 2'h3) | (select_1048[5] & (select_1048[3] | select_1048[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1126;
-  assign or_1126 = (select_1059[10:9] == 2'h3) | (select_1059[11] & (select_1059[9] | select_1059[10]));
-  logic or_1130;
-  assign or_1130 = (select_1042[1:0] == 2'h3) | (select_1042[2] & (select_1042[0] | select_1042[1]));
+  logic or_1132;
+  assign or_1132 = (select_1065[10:9] == 2'h3) | (select_1065[11] & (select_1065[9] | select_1065[10]));
+  logic or_1136;
+  assign or_1136 = (select_1048[1:0] == 2'h3) | (select_1048[2] & (select_1048[0] | select_1048[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1133;
-  assign parity_1133 = ^{or_1130, or_1126, or_1122};
-  logic parity_1136;
-  assign parity_1136 = ^{or_1130, or_1126, or_1122, or_1115, or_1111, or_1107, or_1099, or_1095, or_1091};
+  logic parity_1139;
+  assign parity_1139 = ^{or_1136, or_1132, or_1128};
+  logic parity_1142;
+  assign parity_1142 = ^{or_1136, or_1132, or_1128, or_1121, or_1117, or_1113, or_1105, or_1101, or_1097};
   // hls/stages/count_bits.hpp:25
-  logic or_1141;
-  assign or_1141 = (parity_1025 & parity_1028) | ((^select_1019[11:9]) & (parity_1025 | parity_1028));
-  logic and_1144;
-  assign and_1144 = (^{select_1042[11:6], select_1019[2:0]}) & (parity_1071 | parity_1083);
+  logic or_1147;
+  assign or_1147 = (parity_1031 & parity_1034) | ((^select_1025[11:9]) & (parity_1031 | parity_1034));
+  logic and_1150;
+  assign and_1150 = (^{select_1048[11:6], select_1025[2:0]}) & (parity_1077 | parity_1089);
   // hls/stages/count_bits.hpp:23
-  logic or_1152;
-  assign or_1152 = (select_1019[10:9] == 2'h3) | (select_1019[11] & (select_1019[9] | select_1019[10]));
+  logic or_1158;
+  assign or_1158 = (select_1025[10:9] == 2'h3) | (select_1025[11] & (select_1025[9] | select_1025[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1156;
-  assign or_1156 = (select_1019[4:3] == 2'h3) | (select_1019[5] & (select_1019[3] | select_1019[4]));
-  logic or_1160;
-  assign or_1160 = (select_1019[7:6] == 2'h3) | (select_1019[8] & (select_1019[6] | select_1019[7]));
-  logic or_1167;
-  assign or_1167 = (parity_1045 & parity_1048) | ((^select_1019[2:0]) & (parity_1045 | parity_1048));
-  logic or_1171;
-  assign or_1171 = (parity_1065 & parity_1068) | ((^select_1059[8:6]) & (parity_1065 | parity_1068));
-  logic or_1175;
-  assign or_1175 = (parity_1077 & parity_1080) | ((^select_1042[5:3]) & (parity_1077 | parity_1080));
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1272;
-  assign select_1272 = and_763_s8_q ? select_1271_s8_q : 12'h0;
+  logic or_1162;
+  assign or_1162 = (select_1025[4:3] == 2'h3) | (select_1025[5] & (select_1025[3] | select_1025[4]));
+  logic or_1166;
+  assign or_1166 = (select_1025[7:6] == 2'h3) | (select_1025[8] & (select_1025[6] | select_1025[7]));
+  logic or_1173;
+  assign or_1173 = (parity_1051 & parity_1054) | ((^select_1025[2:0]) & (parity_1051 | parity_1054));
+  logic or_1177;
+  assign or_1177 = (parity_1071 & parity_1074) | ((^select_1065[8:6]) & (parity_1071 | parity_1074));
+  logic or_1181;
+  assign or_1181 = (parity_1083 & parity_1086) | ((^select_1048[5:3]) & (parity_1083 | parity_1086));
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1278;
+  assign select_1278 = and_769_s8_q ? select_1277_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1278;
-  assign parity_1278 = ^select_1272[5:3];
-  logic parity_1281;
-  assign parity_1281 = ^select_1272[8:6];
   logic parity_1284;
-  assign parity_1284 = ^select_1272[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1293;
-  assign select_1293 = and_786_s8_q ? select_1292_s8_q : 12'h0;
+  assign parity_1284 = ^select_1278[5:3];
+  logic parity_1287;
+  assign parity_1287 = ^select_1278[8:6];
+  logic parity_1290;
+  assign parity_1290 = ^select_1278[11:3];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1299;
+  assign select_1299 = and_792_s8_q ? select_1298_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1296;
-  assign parity_1296 = ^select_1293[8:6];
-  logic parity_1299;
-  assign parity_1299 = ^select_1293[11:9];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1308;
-  assign select_1308 = and_803_s8_q ? select_1307_s8_q : 12'h0;
+  logic parity_1302;
+  assign parity_1302 = ^select_1299[8:6];
+  logic parity_1305;
+  assign parity_1305 = ^select_1299[11:9];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1314;
+  assign select_1314 = and_809_s8_q ? select_1313_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1314;
-  assign parity_1314 = ^select_1308[2:0];
-  logic parity_1317;
-  assign parity_1317 = ^select_1308[5:3];
   logic parity_1320;
-  assign parity_1320 = ^select_1308[8:0];
+  assign parity_1320 = ^select_1314[2:0];
+  logic parity_1323;
+  assign parity_1323 = ^select_1314[5:3];
   logic parity_1326;
-  assign parity_1326 = ^select_1308[11:9];
-  logic parity_1329;
-  assign parity_1329 = ^select_1293[2:0];
+  assign parity_1326 = ^select_1314[8:0];
   logic parity_1332;
-  assign parity_1332 = ^{select_1308[11:9], select_1293[5:0]};
+  assign parity_1332 = ^select_1314[11:9];
   logic parity_1335;
-  assign parity_1335 = ^{select_1308, select_1293, select_1272[2:0]};
+  assign parity_1335 = ^select_1299[2:0];
+  logic parity_1338;
+  assign parity_1338 = ^{select_1314[11:9], select_1299[5:0]};
+  logic parity_1341;
+  assign parity_1341 = ^{select_1314, select_1299, select_1278[2:0]};
   // hls/stages/count_bits.hpp:23
-  logic or_1340;
-  assign or_1340 = (select_1272[1:0] == 2'h3) | (select_1272[2] & (select_1272[0] | select_1272[1]));
+  logic or_1346;
+  assign or_1346 = (select_1278[1:0] == 2'h3) | (select_1278[2] & (select_1278[0] | select_1278[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1344;
-  assign or_1344 = (select_1293[7:6] == 2'h3) | (select_1293[8] & (select_1293[6] | select_1293[7]));
-  logic or_1348;
-  assign or_1348 = (select_1293[10:9] == 2'h3) | (select_1293[11] & (select_1293[9] | select_1293[10]));
+  logic or_1350;
+  assign or_1350 = (select_1299[7:6] == 2'h3) | (select_1299[8] & (select_1299[6] | select_1299[7]));
+  logic or_1354;
+  assign or_1354 = (select_1299[10:9] == 2'h3) | (select_1299[11] & (select_1299[9] | select_1299[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1356;
-  assign or_1356 = (select_1308[7:6] == 2'h3) | (select_1308[8] & (~(select_1308[7:6] == 2'h0)));
+  logic or_1362;
+  assign or_1362 = (select_1314[7:6] == 2'h3) | (select_1314[8] & (~(select_1314[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1360;
-  assign or_1360 = (select_1308[1:0] == 2'h3) | (select_1308[2] & (select_1308[0] | select_1308[1]));
-  logic or_1364;
-  assign or_1364 = (select_1308[4:3] == 2'h3) | (select_1308[5] & (select_1308[3] | select_1308[4]));
+  logic or_1366;
+  assign or_1366 = (select_1314[1:0] == 2'h3) | (select_1314[2] & (select_1314[0] | select_1314[1]));
+  logic or_1370;
+  assign or_1370 = (select_1314[4:3] == 2'h3) | (select_1314[5] & (select_1314[3] | select_1314[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1367;
-  assign parity_1367 = ^{or_1364, or_1360, or_1356};
+  logic parity_1373;
+  assign parity_1373 = ^{or_1370, or_1366, or_1362};
   // hls/stages/count_bits.hpp:23
-  logic or_1371;
-  assign or_1371 = (select_1293[4:3] == 2'h3) | (select_1293[5] & (select_1293[3] | select_1293[4]));
+  logic or_1377;
+  assign or_1377 = (select_1299[4:3] == 2'h3) | (select_1299[5] & (select_1299[3] | select_1299[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1375;
-  assign or_1375 = (select_1308[10:9] == 2'h3) | (select_1308[11] & (select_1308[9] | select_1308[10]));
-  logic or_1379;
-  assign or_1379 = (select_1293[1:0] == 2'h3) | (select_1293[2] & (select_1293[0] | select_1293[1]));
+  logic or_1381;
+  assign or_1381 = (select_1314[10:9] == 2'h3) | (select_1314[11] & (select_1314[9] | select_1314[10]));
+  logic or_1385;
+  assign or_1385 = (select_1299[1:0] == 2'h3) | (select_1299[2] & (select_1299[0] | select_1299[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1382;
-  assign parity_1382 = ^{or_1379, or_1375, or_1371};
-  logic parity_1385;
-  assign parity_1385 = ^{or_1379, or_1375, or_1371, or_1364, or_1360, or_1356, or_1348, or_1344, or_1340};
+  logic parity_1388;
+  assign parity_1388 = ^{or_1385, or_1381, or_1377};
+  logic parity_1391;
+  assign parity_1391 = ^{or_1385, or_1381, or_1377, or_1370, or_1366, or_1362, or_1354, or_1350, or_1346};
   // hls/stages/count_bits.hpp:25
-  logic or_1390;
-  assign or_1390 = (parity_1278 & parity_1281) | ((^select_1272[11:9]) & (parity_1278 | parity_1281));
-  logic and_1393;
-  assign and_1393 = (^{select_1293[11:6], select_1272[2:0]}) & (parity_1320 | parity_1332);
+  logic or_1396;
+  assign or_1396 = (parity_1284 & parity_1287) | ((^select_1278[11:9]) & (parity_1284 | parity_1287));
+  logic and_1399;
+  assign and_1399 = (^{select_1299[11:6], select_1278[2:0]}) & (parity_1326 | parity_1338);
   // hls/stages/count_bits.hpp:23
-  logic or_1401;
-  assign or_1401 = (select_1272[10:9] == 2'h3) | (select_1272[11] & (select_1272[9] | select_1272[10]));
+  logic or_1407;
+  assign or_1407 = (select_1278[10:9] == 2'h3) | (select_1278[11] & (select_1278[9] | select_1278[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1405;
-  assign or_1405 = (select_1272[4:3] == 2'h3) | (select_1272[5] & (select_1272[3] | select_1272[4]));
-  logic or_1409;
-  assign or_1409 = (select_1272[7:6] == 2'h3) | (select_1272[8] & (select_1272[6] | select_1272[7]));
-  logic or_1416;
-  assign or_1416 = (parity_1296 & parity_1299) | ((^select_1272[2:0]) & (parity_1296 | parity_1299));
-  logic or_1420;
-  assign or_1420 = (parity_1314 & parity_1317) | ((^select_1308[8:6]) & (parity_1314 | parity_1317));
-  logic or_1424;
-  assign or_1424 = (parity_1326 & parity_1329) | ((^select_1293[5:3]) & (parity_1326 | parity_1329));
+  logic or_1411;
+  assign or_1411 = (select_1278[4:3] == 2'h3) | (select_1278[5] & (select_1278[3] | select_1278[4]));
+  logic or_1415;
+  assign or_1415 = (select_1278[7:6] == 2'h3) | (select_1278[8] & (select_1278[6] | select_1278[7]));
+  logic or_1422;
+  assign or_1422 = (parity_1302 & parity_1305) | ((^select_1278[2:0]) & (parity_1302 | parity_1305));
+  logic or_1426;
+  assign or_1426 = (parity_1320 & parity_1323) | ((^select_1314[8:6]) & (parity_1320 | parity_1323));
+  logic or_1430;
+  assign or_1430 = (parity_1332 & parity_1335) | ((^select_1299[5:3]) & (parity_1332 | parity_1335));
   // hls/stages/agreement.hpp:247
-  logic or_1583;
-  assign or_1583 = (cfg_nearer_below_i & shift_s8_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s8_q)));
-  // hls/stages/agreement.hpp:1009
-  logic [5:0] sum_1648;
-  assign sum_1648 = {1'b0, last_s8_q[6:2]} + 6'h1;
+  logic or_1589;
+  assign or_1589 = (cfg_nearer_below_i & shift_s8_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s8_q)));
+  // hls/stages/agreement.hpp:1016
+  logic [5:0] sum_1654;
+  assign sum_1654 = {1'b0, last_s8_q[6:2]} + 6'h1;
   // hls/stages/patches.hpp:102
-  logic [9:0] sum_1729;
-  assign sum_1729 = {2'h0, x_s8_q} + {{4{b_s8_q[5]}}, b_s8_q};
+  logic [9:0] sum_1735;
+  assign sum_1735 = {2'h0, x_s8_q} + {{4{b_s8_q[5]}}, b_s8_q};
   // hls/stages/registration.hpp:213
-  logic [9:0] select_1756;
-  assign select_1756 = b_s8_q[4] ? select_1755_s8_q[9:0] : 10'h0;
+  logic [9:0] select_1762;
+  assign select_1762 = b_s8_q[4] ? select_1761_s8_q[9:0] : 10'h0;
   // hls/stages/registration.hpp:211
-  logic [12:0] sum_1761;
-  assign sum_1761 = (b_s8_q[0] ? select_1755_s8_q[13:1] : 13'h0) + (b_s8_q[1] ? select_1755_s8_q[12:0] : 13'h0);
+  logic [12:0] sum_1767;
+  assign sum_1767 = (b_s8_q[0] ? select_1761_s8_q[13:1] : 13'h0) + (b_s8_q[1] ? select_1761_s8_q[12:0] : 13'h0);
   // hls/stages/registration.hpp:212
-  logic [11:0] select_1762;
-  assign select_1762 = b_s8_q[2] ? select_1755_s8_q[11:0] : 12'h0;
+  logic [11:0] select_1768;
+  assign select_1768 = b_s8_q[2] ? select_1761_s8_q[11:0] : 12'h0;
   // hls/stages/patches.hpp:516
-  logic not_1786;
-  assign not_1786 = ~equal_1785_s8_q;
+  logic not_1792;
+  assign not_1792 = ~equal_1791_s8_q;
   // hls/stages/patches.hpp:462
-  logic not_1788;
-  assign not_1788 = ~equal_1787_s8_q;
-  logic and_1869;
-  assign and_1869 = not_1786 & (or_1791_s8_q & not_1788);
+  logic not_1794;
+  assign not_1794 = ~equal_1793_s8_q;
+  logic and_1875;
+  assign and_1875 = not_1792 & (or_1797_s8_q & not_1794);
   // hls/stages/patches.hpp:549
-  logic less_1963;
-  assign less_1963 = patches_step_q[4:0] < 5'h11;
-  logic equal_1964;
-  assign equal_1964 = patches_step_q[6:5] == 2'h2;
-  logic equal_1965;
-  assign equal_1965 = patches_step_q[6:5] == 2'h1;
-  logic or_1966;
-  assign or_1966 = equal_1964 | equal_1965;
-  // hls/stages/agreement.hpp:520
-  logic select_2564;
-  assign select_2564 = and_550_s8_q ? (equal_2466_s8_q ? not_2562_s8_q : lower_half_q) : lower_half_q;
+  logic less_1969;
+  assign less_1969 = patches_step_q[4:0] < 5'h11;
+  logic equal_1970;
+  assign equal_1970 = patches_step_q[6:5] == 2'h2;
+  logic equal_1971;
+  assign equal_1971 = patches_step_q[6:5] == 2'h1;
+  logic or_1972;
+  assign or_1972 = equal_1970 | equal_1971;
+  // hls/stages/agreement.hpp:527
+  logic select_2573;
+  assign select_2573 = and_552_s8_q ? (equal_2475_s8_q ? not_2571_s8_q : lower_half_q) : lower_half_q;
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_2722;
-  assign select_2722 = or_580_s8_q ? (less_583_s8_q ? 8'h0 : best_left_rdata_s8_q[16:9]) : 8'h0;
+  logic [7:0] select_2742;
+  assign select_2742 = or_582_s8_q ? (less_585_s8_q ? 8'h0 : best_left_rdata_s8_q[16:9]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_2724_s8_q} - {1'b0, select_2726_s8_q};
+  assign rise_2 = {1'b0, select_2744_s8_q} - {1'b0, select_2746_s8_q};
   // hls/stages/patches.hpp:110
-  logic [5:0] select_2983;
-  assign select_2983 = right_3_s8_q ? last_s8_q[6:1] : 6'h0;
+  logic [5:0] select_3002;
+  assign select_3002 = right_3_s8_q ? last_s8_q[6:1] : 6'h0;
   logic [6:0] from;
-  assign from = {1'b0, further_s8_q} + {1'b0, select_2983};
+  assign from = {1'b0, further_s8_q} + {1'b0, select_3002};
   // hls/stages/patches.hpp:126
-  logic select_3001;
-  assign select_3001 = row_starts_s8_q ? (and_1686_s8_q ? not_2999_s8_q : patches_lower_q) : patches_lower_q;
+  logic select_3020;
+  assign select_3020 = row_starts_s8_q ? (and_1692_s8_q ? not_3018_s8_q : patches_lower_q) : patches_lower_q;
   // hls/stages/patches.hpp:191
-  logic [4:0] select_3071;
-  assign select_3071 = or_3040_s8_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  logic [4:0] select_3090;
+  assign select_3090 = or_3059_s8_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
   // hls/stages/agreement.hpp:275
-  logic select_3521;
-  assign select_3521 = equal_1785_s8_q ? (less_1963 & (equal_1965 & or_1966)) : patches_read_searches_q;
+  logic select_3540;
+  assign select_3540 = equal_1791_s8_q ? (less_1969 & (equal_1971 & or_1972)) : patches_read_searches_q;
 
   // Memory patches_right_0, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:789; read in stage 8, written in stage 20: 8 < 20 < 8 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -2044,7 +2099,7 @@ module horopter_agreement (
   assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
 `ifndef SYNTHESIS
   logic patches_right_0_re;
-  assign patches_right_0_re = s8_en & (not_1786 & (not_1788 & and_1794_s8_q));
+  assign patches_right_0_re = s8_en & (not_1792 & (not_1794 & and_1800_s8_q));
 `endif
   logic [7:0] patches_right_0_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2062,7 +2117,7 @@ module horopter_agreement (
   assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
 `ifndef SYNTHESIS
   logic patches_right_1_re;
-  assign patches_right_1_re = s8_en & (not_1786 & (not_1788 & and_1827_s8_q));
+  assign patches_right_1_re = s8_en & (not_1792 & (not_1794 & and_1833_s8_q));
 `endif
   logic [7:0] patches_right_1_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2081,7 +2136,7 @@ module horopter_agreement (
   assign patches_columns_above_raddr = patches_column_q;
 `ifndef SYNTHESIS
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s8_en & and_1869;
+  assign patches_columns_above_re = s8_en & and_1875;
 `endif
   logic [31:0] patches_columns_above_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2092,9 +2147,9 @@ module horopter_agreement (
   logic [6:0] left_waddr;
   assign left_waddr = x_s8_q[6:0];
   logic left_we;
-  assign left_we = s8_en & and_651_s8_q;
+  assign left_we = s8_en & and_656_s8_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_we) left_mem[left_waddr] <= {and_752_s8_q, left_rdata_s8_q[62:46], and_751_s8_q, left_rdata_s8_q[45:29], and_750_s8_q, left_rdata_s8_q[28:12], and_749_s8_q, left_rdata_s8_q[11:0], fresh_rdata_s8_q[30:26], fresh_rdata_s8_q[24], fresh_rdata_s8_q[11:0]};
+    if (left_we) left_mem[left_waddr] <= {and_758_s8_q, left_rdata_s8_q[62:46], and_757_s8_q, left_rdata_s8_q[45:29], and_756_s8_q, left_rdata_s8_q[28:12], and_755_s8_q, left_rdata_s8_q[11:0], fresh_rdata_s8_q[30:26], fresh_rdata_s8_q[24], fresh_rdata_s8_q[11:0]};
   end
 `ifndef SYNTHESIS
   logic [6:0] left_raddr_s6_sim;
@@ -2133,9 +2188,9 @@ module horopter_agreement (
   logic [6:0] right_codes_waddr;
   assign right_codes_waddr = x_s8_q[6:0];
   logic right_codes_we;
-  assign right_codes_we = s8_en & and_651_s8_q;
+  assign right_codes_we = s8_en & and_656_s8_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_758_s8_q, right_codes_rdata_s8_q[77:66], and_757_s8_q, right_codes_rdata_s8_q[65:54], and_756_s8_q, right_codes_rdata_s8_q[53:40], and_755_s8_q, right_codes_rdata_s8_q[39:26], and_754_s8_q, right_codes_rdata_s8_q[25:12], and_753_s8_q, right_codes_rdata_s8_q[11:0], fresh_rdata_s8_q[32:31], fresh_rdata_s8_q[25], fresh_rdata_s8_q[23:12]};
+    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_764_s8_q, right_codes_rdata_s8_q[77:66], and_763_s8_q, right_codes_rdata_s8_q[65:54], and_762_s8_q, right_codes_rdata_s8_q[53:40], and_761_s8_q, right_codes_rdata_s8_q[39:26], and_760_s8_q, right_codes_rdata_s8_q[25:12], and_759_s8_q, right_codes_rdata_s8_q[11:0], fresh_rdata_s8_q[32:31], fresh_rdata_s8_q[25], fresh_rdata_s8_q[23:12]};
   end
 `ifndef SYNTHESIS
   logic [6:0] right_codes_raddr_s6_sim;
@@ -2180,13 +2235,13 @@ module horopter_agreement (
       patches_step_q <= 7'h0;
       patches_read_searches_q <= 1'b0;
     end else if (s8_en) begin
-      lower_half_q <= select_2564;
-      patches_lower_q <= sample_pair_whole_s8_q ? select_3001 : patches_lower_q;
-      patches_code_row_q <= select_3071;
-      patches_column_q <= or_3040_s8_q ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3064_s8_q & (patches_column_q == 5'h1e);
-      patches_step_q <= or_3040_s8_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3521;
+      lower_half_q <= select_2573;
+      patches_lower_q <= sample_pair_whole_s8_q ? select_3020 : patches_lower_q;
+      patches_code_row_q <= select_3090;
+      patches_column_q <= or_3059_s8_q ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3083_s8_q & (patches_column_q == 5'h1e);
+      patches_step_q <= or_3059_s8_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3540;
     end
   end
 
@@ -2204,6 +2259,7 @@ module horopter_agreement (
   logic [2:0] slot_s9_q;
   logic ends_cell_s9_q;
   logic lower_half_s9_q;
+  logic draws_late_s9_q;
   logic shift_first_s9_q;
   logic [11:0] registration_slope_s9_q;
   logic [4:0] patches_band_rows_number_s9_q;
@@ -2215,137 +2271,144 @@ module horopter_agreement (
   logic [4:0] patches_column_s9_q;
   logic [4:0] patches_step_s9_q;
   logic patches_read_searches_s9_q;
-  logic [3:0] select_509_s9_q;
-  logic equal_510_s9_q;
+  logic done_s9_q;
+  logic [3:0] select_511_s9_q;
+  logic equal_512_s9_q;
   logic row_starts_s9_q;
-  logic [8:0] select_514_s9_q;
-  logic and_523_s9_q;
-  logic equal_529_s9_q;
-  logic [6:0] select_544_s9_q;
+  logic [8:0] select_516_s9_q;
+  logic and_525_s9_q;
+  logic equal_531_s9_q;
+  logic [6:0] select_546_s9_q;
   logic [6:0] last_s9_q;
-  logic and_548_s9_q;
   logic and_550_s9_q;
-  logic equal_569_s9_q;
-  logic equal_575_s9_q;
+  logic and_552_s9_q;
+  logic equal_571_s9_q;
+  logic equal_577_s9_q;
   logic so_s9_q;
-  logic equal_579_s9_q;
-  logic or_580_s9_q;
-  logic less_583_s9_q;
-  logic not_584_s9_q;
-  logic equal_594_s9_q;
-  logic and_601_s9_q;
-  logic and_609_s9_q;
+  logic equal_581_s9_q;
+  logic or_582_s9_q;
+  logic less_585_s9_q;
+  logic not_586_s9_q;
+  logic equal_596_s9_q;
+  logic and_603_s9_q;
+  logic and_612_s9_q;
   logic [6:0] x_s9_2_q;
-  logic select_618_s9_q;
+  logic select_621_s9_q;
   logic [61:0] best_left_rdata_s9_q;
-  logic [6:0] select_627_s9_q;
+  logic [6:0] select_630_s9_q;
   logic [6:0] right_s9_q;
-  logic and_640_s9_q;
+  logic not_641_s9_q;
   logic and_645_s9_q;
-  logic and_647_s9_q;
-  logic equal_680_s9_q;
-  logic xor_838_s9_q;
-  logic parity_887_s9_q;
-  logic and_888_s9_q;
-  logic or_892_s9_q;
-  logic or_896_s9_q;
-  logic or_903_s9_q;
-  logic or_907_s9_q;
-  logic or_911_s9_q;
-  logic or_918_s9_q;
-  logic or_922_s9_q;
-  logic or_926_s9_q;
-  logic and_935_s9_q;
-  logic and_937_s9_q;
-  logic or_949_s9_q;
-  logic or_953_s9_q;
-  logic or_957_s9_q;
-  logic xor_1087_s9_q;
-  logic parity_1102_s9_q;
-  logic parity_1136_s9_q;
-  logic and_1137_s9_q;
-  logic or_1141_s9_q;
-  logic or_1145_s9_q;
-  logic or_1152_s9_q;
-  logic or_1156_s9_q;
-  logic or_1160_s9_q;
-  logic or_1167_s9_q;
-  logic or_1171_s9_q;
-  logic or_1175_s9_q;
-  logic and_1184_s9_q;
-  logic or_1185_s9_q;
-  logic or_1198_s9_q;
-  logic or_1202_s9_q;
-  logic or_1206_s9_q;
-  logic xor_1336_s9_q;
-  logic parity_1351_s9_q;
-  logic parity_1385_s9_q;
-  logic and_1386_s9_q;
-  logic or_1390_s9_q;
-  logic or_1394_s9_q;
-  logic or_1401_s9_q;
-  logic or_1405_s9_q;
-  logic or_1409_s9_q;
-  logic or_1416_s9_q;
-  logic or_1420_s9_q;
-  logic or_1424_s9_q;
-  logic and_1433_s9_q;
-  logic or_1434_s9_q;
-  logic or_1447_s9_q;
-  logic or_1451_s9_q;
-  logic or_1455_s9_q;
-  logic and_1562_s9_q;
-  logic equal_1563_s9_q;
-  logic or_1583_s9_q;
-  logic less_1649_s9_q;
-  logic and_1686_s9_q;
+  logic and_650_s9_q;
+  logic and_652_s9_q;
+  logic equal_685_s9_q;
+  logic xor_844_s9_q;
+  logic parity_893_s9_q;
+  logic and_894_s9_q;
+  logic or_898_s9_q;
+  logic or_902_s9_q;
+  logic or_909_s9_q;
+  logic or_913_s9_q;
+  logic or_917_s9_q;
+  logic or_924_s9_q;
+  logic or_928_s9_q;
+  logic or_932_s9_q;
+  logic and_941_s9_q;
+  logic and_943_s9_q;
+  logic or_955_s9_q;
+  logic or_959_s9_q;
+  logic or_963_s9_q;
+  logic xor_1093_s9_q;
+  logic parity_1108_s9_q;
+  logic parity_1142_s9_q;
+  logic and_1143_s9_q;
+  logic or_1147_s9_q;
+  logic or_1151_s9_q;
+  logic or_1158_s9_q;
+  logic or_1162_s9_q;
+  logic or_1166_s9_q;
+  logic or_1173_s9_q;
+  logic or_1177_s9_q;
+  logic or_1181_s9_q;
+  logic and_1190_s9_q;
+  logic or_1191_s9_q;
+  logic or_1204_s9_q;
+  logic or_1208_s9_q;
+  logic or_1212_s9_q;
+  logic xor_1342_s9_q;
+  logic parity_1357_s9_q;
+  logic parity_1391_s9_q;
+  logic and_1392_s9_q;
+  logic or_1396_s9_q;
+  logic or_1400_s9_q;
+  logic or_1407_s9_q;
+  logic or_1411_s9_q;
+  logic or_1415_s9_q;
+  logic or_1422_s9_q;
+  logic or_1426_s9_q;
+  logic or_1430_s9_q;
+  logic and_1439_s9_q;
+  logic or_1440_s9_q;
+  logic or_1453_s9_q;
+  logic or_1457_s9_q;
+  logic or_1461_s9_q;
+  logic and_1568_s9_q;
+  logic equal_1569_s9_q;
+  logic or_1589_s9_q;
+  logic less_1655_s9_q;
+  logic and_1692_s9_q;
   logic right_3_s9_q;
-  logic less_1700_s9_q;
+  logic less_1706_s9_q;
   logic [5:0] b_s9_q;
-  logic less_1721_s9_q;
-  logic not_1725_s9_q;
-  logic less_1730_s9_q;
-  logic less_1731_s9_q;
-  logic select_1756_s9_q;
-  logic [8:0] difference_1758_s9_q;
-  logic [11:0] sum_1761_s9_q;
+  logic less_1727_s9_q;
+  logic not_1731_s9_q;
+  logic less_1736_s9_q;
+  logic less_1737_s9_q;
   logic select_1762_s9_q;
-  logic [10:0] sum_1764_s9_q;
-  logic equal_1778_s9_q;
-  logic equal_1785_s9_q;
-  logic not_1786_s9_q;
-  logic equal_1787_s9_q;
-  logic not_1788_s9_q;
-  logic equal_1789_s9_q;
-  logic equal_1790_s9_q;
-  logic or_1791_s9_q;
+  logic [8:0] difference_1764_s9_q;
+  logic [11:0] sum_1767_s9_q;
+  logic select_1768_s9_q;
+  logic [10:0] sum_1770_s9_q;
+  logic equal_1784_s9_q;
+  logic equal_1791_s9_q;
   logic not_1792_s9_q;
-  logic [4:0] select_1815_s9_q;
-  logic select_1821_s9_q;
-  logic and_1848_s9_q;
-  logic [3:0] select_1859_s9_q;
-  logic and_1869_s9_q;
-  logic less_1963_s9_q;
-  logic equal_1964_s9_q;
-  logic or_1966_s9_q;
-  logic sum_1990_s9_q;
-  logic and_2011_s9_q;
-  logic and_2131_s9_q;
-  logic equal_2277_s9_q;
-  logic equal_2466_s9_q;
-  logic and_2593_s9_q;
-  logic equal_2678_s9_q;
-  logic [7:0] select_2722_s9_q;
+  logic equal_1793_s9_q;
+  logic not_1794_s9_q;
+  logic equal_1795_s9_q;
+  logic equal_1796_s9_q;
+  logic or_1797_s9_q;
+  logic not_1798_s9_q;
+  logic [4:0] select_1821_s9_q;
+  logic select_1827_s9_q;
+  logic and_1854_s9_q;
+  logic [3:0] select_1865_s9_q;
+  logic and_1875_s9_q;
+  logic less_1969_s9_q;
+  logic equal_1970_s9_q;
+  logic or_1972_s9_q;
+  logic sum_1996_s9_q;
+  logic and_2017_s9_q;
+  logic not_2054_s9_q;
+  logic and_2140_s9_q;
+  logic equal_2286_s9_q;
+  logic equal_2475_s9_q;
+  logic and_2612_s9_q;
+  logic equal_2697_s9_q;
+  logic [7:0] select_2742_s9_q;
   logic rise_2_s9_q;
-  logic [7:0] select_2728_s9_q;
-  logic [7:0] xor_2733_s9_q;
-  logic less_2759_s9_q;
-  logic not_2986_s9_q;
-  logic or_3040_s9_q;
-  logic not_3064_s9_q;
-  logic equal_3556_s9_q;
-  logic less_3812_s9_q;
-  logic equal_4031_s9_q;
+  logic [7:0] select_2748_s9_q;
+  logic [7:0] xor_2753_s9_q;
+  logic less_2779_s9_q;
+  logic not_3005_s9_q;
+  logic or_3059_s9_q;
+  logic not_3083_s9_q;
+  logic equal_3575_s9_q;
+  logic less_3831_s9_q;
+  logic equal_3902_s9_q;
+  logic or_4052_s9_q;
+  logic and_4066_s9_q;
+  logic and_4083_s9_q;
+  logic not_4095_s9_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s9_q <= pixel_0_s8_q;
@@ -2362,6 +2425,7 @@ module horopter_agreement (
       slot_s9_q <= slot_s8_q;
       ends_cell_s9_q <= ends_cell_s8_q;
       lower_half_s9_q <= lower_half_q;
+      draws_late_s9_q <= draws_late_s8_q;
       shift_first_s9_q <= shift_first_s8_q;
       registration_slope_s9_q <= registration_slope_s8_q;
       patches_band_rows_number_s9_q <= patches_band_rows_number_s8_q;
@@ -2373,271 +2437,278 @@ module horopter_agreement (
       patches_column_s9_q <= patches_column_q;
       patches_step_s9_q <= patches_step_q[4:0];
       patches_read_searches_s9_q <= patches_read_searches_q;
-      select_509_s9_q <= select_509_s8_q;
-      equal_510_s9_q <= equal_510_s8_q;
+      done_s9_q <= done_s8_q;
+      select_511_s9_q <= select_511_s8_q;
+      equal_512_s9_q <= equal_512_s8_q;
       row_starts_s9_q <= row_starts_s8_q;
-      select_514_s9_q <= select_514_s8_q;
-      and_523_s9_q <= and_523_s8_q;
-      equal_529_s9_q <= equal_529_s8_q;
-      select_544_s9_q <= select_544_s8_q;
+      select_516_s9_q <= select_516_s8_q;
+      and_525_s9_q <= and_525_s8_q;
+      equal_531_s9_q <= equal_531_s8_q;
+      select_546_s9_q <= select_546_s8_q;
       last_s9_q <= last_s8_2_q;
-      and_548_s9_q <= and_548_s8_q;
       and_550_s9_q <= and_550_s8_q;
-      equal_569_s9_q <= equal_569_s8_q;
-      equal_575_s9_q <= equal_575_s8_q;
-      so_s9_q <= so_s8_q;
-      equal_579_s9_q <= equal_579_s8_q;
-      or_580_s9_q <= or_580_s8_q;
-      less_583_s9_q <= less_583_s8_q;
-      not_584_s9_q <= not_584_s8_q;
-      equal_594_s9_q <= equal_594_s8_q;
-      and_601_s9_q <= and_601_s8_q;
-      and_609_s9_q <= and_609_s8_q;
+      and_552_s9_q <= and_552_s8_q;
+      equal_571_s9_q <= equal_571_s8_q;
+      equal_577_s9_q <= equal_577_s8_q;
+      so_s9_q <= drew_q;
+      equal_581_s9_q <= equal_581_s8_q;
+      or_582_s9_q <= or_582_s8_q;
+      less_585_s9_q <= less_585_s8_q;
+      not_586_s9_q <= not_586_s8_q;
+      equal_596_s9_q <= equal_596_s8_q;
+      and_603_s9_q <= and_603_s8_q;
+      and_612_s9_q <= and_612_s8_q;
       x_s9_2_q <= x_s8_2_q;
-      select_618_s9_q <= select_618_s8_q;
+      select_621_s9_q <= select_621_s8_q;
       best_left_rdata_s9_q <= best_left_rdata_s8_q;
-      select_627_s9_q <= ({1'b0, last_s8_q} < found) ? 7'h0 : found[6:0];
+      select_630_s9_q <= ({1'b0, last_s8_q} < found) ? 7'h0 : found[6:0];
       right_s9_q <= right_s8_q;
-      and_640_s9_q <= and_640_s8_q;
+      not_641_s9_q <= not_641_s8_q;
       and_645_s9_q <= and_645_s8_q;
-      and_647_s9_q <= and_647_s8_q;
-      equal_680_s9_q <= equal_680_s8_q;
-      xor_838_s9_q <= parity_782 ^ parity_837;
-      parity_887_s9_q <= parity_887;
-      and_888_s9_q <= parity_782 & parity_837;
-      or_892_s9_q <= or_892;
-      or_896_s9_q <= (parity_822 & parity_834) | and_895;
-      or_903_s9_q <= or_903;
-      or_907_s9_q <= or_907;
-      or_911_s9_q <= or_911;
-      or_918_s9_q <= or_918;
-      or_922_s9_q <= or_922;
-      or_926_s9_q <= or_926;
-      and_935_s9_q <= parity_869 & parity_884;
-      and_937_s9_q <= (^{or_850, or_846, or_842}) & (parity_869 | parity_884);
-      or_949_s9_q <= (or_846 & or_850) | (or_842 & (or_846 | or_850));
-      or_953_s9_q <= (or_862 & or_866) | (or_858 & (or_862 | or_866));
-      or_957_s9_q <= (or_877 & or_881) | (or_873 & (or_877 | or_881));
-      xor_1087_s9_q <= parity_1031 ^ parity_1086;
-      parity_1102_s9_q <= ^{or_1099, or_1095, or_1091};
-      parity_1136_s9_q <= parity_1136;
-      and_1137_s9_q <= parity_1031 & parity_1086;
-      or_1141_s9_q <= or_1141;
-      or_1145_s9_q <= (parity_1071 & parity_1083) | and_1144;
-      or_1152_s9_q <= or_1152;
-      or_1156_s9_q <= or_1156;
-      or_1160_s9_q <= or_1160;
-      or_1167_s9_q <= or_1167;
-      or_1171_s9_q <= or_1171;
-      or_1175_s9_q <= or_1175;
-      and_1184_s9_q <= parity_1118 & parity_1133;
-      or_1185_s9_q <= parity_1118 | parity_1133;
-      or_1198_s9_q <= (or_1095 & or_1099) | (or_1091 & (or_1095 | or_1099));
-      or_1202_s9_q <= (or_1111 & or_1115) | (or_1107 & (or_1111 | or_1115));
-      or_1206_s9_q <= (or_1126 & or_1130) | (or_1122 & (or_1126 | or_1130));
-      xor_1336_s9_q <= parity_1284 ^ parity_1335;
-      parity_1351_s9_q <= ^{or_1348, or_1344, or_1340};
-      parity_1385_s9_q <= parity_1385;
-      and_1386_s9_q <= parity_1284 & parity_1335;
-      or_1390_s9_q <= or_1390;
-      or_1394_s9_q <= (parity_1320 & parity_1332) | and_1393;
-      or_1401_s9_q <= or_1401;
-      or_1405_s9_q <= or_1405;
-      or_1409_s9_q <= or_1409;
-      or_1416_s9_q <= or_1416;
-      or_1420_s9_q <= or_1420;
-      or_1424_s9_q <= or_1424;
-      and_1433_s9_q <= parity_1367 & parity_1382;
-      or_1434_s9_q <= parity_1367 | parity_1382;
-      or_1447_s9_q <= (or_1344 & or_1348) | (or_1340 & (or_1344 | or_1348));
-      or_1451_s9_q <= (or_1360 & or_1364) | (or_1356 & (or_1360 | or_1364));
-      or_1455_s9_q <= (or_1375 & or_1379) | (or_1371 & (or_1375 | or_1379));
-      and_1562_s9_q <= and_1562_s8_q;
-      equal_1563_s9_q <= equal_1563_s8_q;
-      or_1583_s9_q <= or_1583;
-      less_1649_s9_q <= {1'b0, sum_1648, last_s8_q[1]} < x_s8_q;
-      and_1686_s9_q <= and_1686_s8_q;
+      and_650_s9_q <= and_650_s8_q;
+      and_652_s9_q <= and_652_s8_q;
+      equal_685_s9_q <= equal_685_s8_q;
+      xor_844_s9_q <= parity_788 ^ parity_843;
+      parity_893_s9_q <= parity_893;
+      and_894_s9_q <= parity_788 & parity_843;
+      or_898_s9_q <= or_898;
+      or_902_s9_q <= (parity_828 & parity_840) | and_901;
+      or_909_s9_q <= or_909;
+      or_913_s9_q <= or_913;
+      or_917_s9_q <= or_917;
+      or_924_s9_q <= or_924;
+      or_928_s9_q <= or_928;
+      or_932_s9_q <= or_932;
+      and_941_s9_q <= parity_875 & parity_890;
+      and_943_s9_q <= (^{or_856, or_852, or_848}) & (parity_875 | parity_890);
+      or_955_s9_q <= (or_852 & or_856) | (or_848 & (or_852 | or_856));
+      or_959_s9_q <= (or_868 & or_872) | (or_864 & (or_868 | or_872));
+      or_963_s9_q <= (or_883 & or_887) | (or_879 & (or_883 | or_887));
+      xor_1093_s9_q <= parity_1037 ^ parity_1092;
+      parity_1108_s9_q <= ^{or_1105, or_1101, or_1097};
+      parity_1142_s9_q <= parity_1142;
+      and_1143_s9_q <= parity_1037 & parity_1092;
+      or_1147_s9_q <= or_1147;
+      or_1151_s9_q <= (parity_1077 & parity_1089) | and_1150;
+      or_1158_s9_q <= or_1158;
+      or_1162_s9_q <= or_1162;
+      or_1166_s9_q <= or_1166;
+      or_1173_s9_q <= or_1173;
+      or_1177_s9_q <= or_1177;
+      or_1181_s9_q <= or_1181;
+      and_1190_s9_q <= parity_1124 & parity_1139;
+      or_1191_s9_q <= parity_1124 | parity_1139;
+      or_1204_s9_q <= (or_1101 & or_1105) | (or_1097 & (or_1101 | or_1105));
+      or_1208_s9_q <= (or_1117 & or_1121) | (or_1113 & (or_1117 | or_1121));
+      or_1212_s9_q <= (or_1132 & or_1136) | (or_1128 & (or_1132 | or_1136));
+      xor_1342_s9_q <= parity_1290 ^ parity_1341;
+      parity_1357_s9_q <= ^{or_1354, or_1350, or_1346};
+      parity_1391_s9_q <= parity_1391;
+      and_1392_s9_q <= parity_1290 & parity_1341;
+      or_1396_s9_q <= or_1396;
+      or_1400_s9_q <= (parity_1326 & parity_1338) | and_1399;
+      or_1407_s9_q <= or_1407;
+      or_1411_s9_q <= or_1411;
+      or_1415_s9_q <= or_1415;
+      or_1422_s9_q <= or_1422;
+      or_1426_s9_q <= or_1426;
+      or_1430_s9_q <= or_1430;
+      and_1439_s9_q <= parity_1373 & parity_1388;
+      or_1440_s9_q <= parity_1373 | parity_1388;
+      or_1453_s9_q <= (or_1350 & or_1354) | (or_1346 & (or_1350 | or_1354));
+      or_1457_s9_q <= (or_1366 & or_1370) | (or_1362 & (or_1366 | or_1370));
+      or_1461_s9_q <= (or_1381 & or_1385) | (or_1377 & (or_1381 | or_1385));
+      and_1568_s9_q <= and_1568_s8_q;
+      equal_1569_s9_q <= equal_1569_s8_q;
+      or_1589_s9_q <= or_1589;
+      less_1655_s9_q <= {1'b0, sum_1654, last_s8_q[1]} < x_s8_q;
+      and_1692_s9_q <= and_1692_s8_q;
       right_3_s9_q <= right_3_s8_q;
-      less_1700_s9_q <= less_1700_s8_q;
+      less_1706_s9_q <= less_1706_s8_q;
       b_s9_q <= b_s8_q;
-      less_1721_s9_q <= {3'h0, last_s8_q[6:1]} < ({1'b0, x_s8_q} + 9'h1);
-      not_1725_s9_q <= ~(x_s8_q < {1'b0, last_s8_q});
-      less_1730_s9_q <= $signed(10'h0) < $signed(sum_1729);
-      less_1731_s9_q <= $signed(sum_1729) < $signed({3'h0, last_s8_q});
-      select_1756_s9_q <= select_1756[0];
-      difference_1758_s9_q <= select_1756[9:1] - (b_s8_q[5] ? select_1755_s8_q[8:0] : 9'h0);
-      sum_1761_s9_q <= sum_1761[12:1];
+      less_1727_s9_q <= {3'h0, last_s8_q[6:1]} < ({1'b0, x_s8_q} + 9'h1);
+      not_1731_s9_q <= ~(x_s8_q < {1'b0, last_s8_q});
+      less_1736_s9_q <= $signed(10'h0) < $signed(sum_1735);
+      less_1737_s9_q <= $signed(sum_1735) < $signed({3'h0, last_s8_q});
       select_1762_s9_q <= select_1762[0];
-      sum_1764_s9_q <= select_1762[11:1] + (b_s8_q[3] ? select_1755_s8_q[10:0] : 11'h0);
-      equal_1778_s9_q <= x_s8_q == {1'b0, last_s8_q};
-      equal_1785_s9_q <= equal_1785_s8_q;
-      not_1786_s9_q <= not_1786;
-      equal_1787_s9_q <= equal_1787_s8_q;
-      not_1788_s9_q <= not_1788;
-      equal_1789_s9_q <= equal_1789_s8_q;
-      equal_1790_s9_q <= equal_1790_s8_q;
-      or_1791_s9_q <= or_1791_s8_q;
-      not_1792_s9_q <= not_1792_s8_q;
-      select_1815_s9_q <= select_1815_s8_q;
+      difference_1764_s9_q <= select_1762[9:1] - (b_s8_q[5] ? select_1761_s8_q[8:0] : 9'h0);
+      sum_1767_s9_q <= sum_1767[12:1];
+      select_1768_s9_q <= select_1768[0];
+      sum_1770_s9_q <= select_1768[11:1] + (b_s8_q[3] ? select_1761_s8_q[10:0] : 11'h0);
+      equal_1784_s9_q <= x_s8_q == {1'b0, last_s8_q};
+      equal_1791_s9_q <= equal_1791_s8_q;
+      not_1792_s9_q <= not_1792;
+      equal_1793_s9_q <= equal_1793_s8_q;
+      not_1794_s9_q <= not_1794;
+      equal_1795_s9_q <= equal_1795_s8_q;
+      equal_1796_s9_q <= equal_1796_s8_q;
+      or_1797_s9_q <= or_1797_s8_q;
+      not_1798_s9_q <= not_1798_s8_q;
       select_1821_s9_q <= select_1821_s8_q;
-      and_1848_s9_q <= not_1786 & (not_1788 & and_1846_s8_q);
-      select_1859_s9_q <= select_1859_s8_q;
-      and_1869_s9_q <= and_1869;
-      less_1963_s9_q <= less_1963;
-      equal_1964_s9_q <= equal_1964;
-      or_1966_s9_q <= or_1966;
-      sum_1990_s9_q <= sum_1990_s8_q;
-      and_2011_s9_q <= and_2011_s8_q;
-      and_2131_s9_q <= and_2128_s8_q & (~({sum_1648, last_s8_q[1:0]} < x_s8_q));
-      equal_2277_s9_q <= equal_2277_s8_q;
-      equal_2466_s9_q <= equal_2466_s8_q;
-      and_2593_s9_q <= or_580_s8_q & and_2592_s8_q;
-      equal_2678_s9_q <= shift_s8_q == 6'h0;
-      select_2722_s9_q <= select_2722;
+      select_1827_s9_q <= select_1827_s8_q;
+      and_1854_s9_q <= not_1792 & (not_1794 & and_1852_s8_q);
+      select_1865_s9_q <= select_1865_s8_q;
+      and_1875_s9_q <= and_1875;
+      less_1969_s9_q <= less_1969;
+      equal_1970_s9_q <= equal_1970;
+      or_1972_s9_q <= or_1972;
+      sum_1996_s9_q <= sum_1996_s8_q;
+      and_2017_s9_q <= and_2017_s8_q;
+      not_2054_s9_q <= not_2054_s8_q;
+      and_2140_s9_q <= and_2137_s8_q & (~({sum_1654, last_s8_q[1:0]} < x_s8_q));
+      equal_2286_s9_q <= equal_2286_s8_q;
+      equal_2475_s9_q <= equal_2475_s8_q;
+      and_2612_s9_q <= or_582_s8_q & and_2611_s8_q;
+      equal_2697_s9_q <= shift_s8_q == 6'h0;
+      select_2742_s9_q <= select_2742;
       rise_2_s9_q <= rise_2[8];
-      select_2728_s9_q <= rise_2[8] ? select_2724_s8_q : select_2726_s8_q;
-      xor_2733_s9_q <= rise_2[7:0] ^ {8{rise_2[8]}};
-      less_2759_s9_q <= select_2724_s8_q < select_2726_s8_q;
-      not_2986_s9_q <= ~(x_s8_q < {1'b0, from});
-      or_3040_s9_q <= or_3040_s8_q;
-      not_3064_s9_q <= not_3064_s8_q;
-      equal_3556_s9_q <= patches_step_q[6:5] == 2'h3;
-      less_3812_s9_q <= less_3812_s8_q;
-      equal_4031_s9_q <= equal_4031_s8_q;
+      select_2748_s9_q <= rise_2[8] ? select_2744_s8_q : select_2746_s8_q;
+      xor_2753_s9_q <= rise_2[7:0] ^ {8{rise_2[8]}};
+      less_2779_s9_q <= select_2744_s8_q < select_2746_s8_q;
+      not_3005_s9_q <= ~(x_s8_q < {1'b0, from});
+      or_3059_s9_q <= or_3059_s8_q;
+      not_3083_s9_q <= not_3083_s8_q;
+      equal_3575_s9_q <= patches_step_q[6:5] == 2'h3;
+      less_3831_s9_q <= less_3831_s8_q;
+      equal_3902_s9_q <= equal_3902_s8_q;
+      or_4052_s9_q <= or_4052_s8_q;
+      and_4066_s9_q <= said_q;
+      and_4083_s9_q <= less_2574 & proven_q;
+      not_4095_s9_q <= not_4095_s8_q;
     end
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
   // hls/stages/patches.hpp:106
-  logic equal_570;
-  assign equal_570 = x_s9_q == 8'h0;
+  logic equal_572;
+  assign equal_572 = x_s9_q == 8'h0;
   // hls/stages/agreement.hpp:259
   logic first;
-  assign first = equal_569_s9_q & equal_570;
+  assign first = equal_571_s9_q & equal_572;
   // hls/stages/count_bits.hpp:24
-  logic parity_914;
-  assign parity_914 = ^{or_911_s9_q, or_907_s9_q, or_903_s9_q};
-  logic parity_929;
-  assign parity_929 = ^{or_926_s9_q, or_922_s9_q, or_918_s9_q};
-  logic parity_932;
-  assign parity_932 = ^{or_926_s9_q, or_922_s9_q, or_918_s9_q, or_911_s9_q, or_907_s9_q, or_903_s9_q, or_896_s9_q, or_892_s9_q, and_888_s9_q};
+  logic parity_920;
+  assign parity_920 = ^{or_917_s9_q, or_913_s9_q, or_909_s9_q};
+  logic parity_935;
+  assign parity_935 = ^{or_932_s9_q, or_928_s9_q, or_924_s9_q};
+  logic parity_938;
+  assign parity_938 = ^{or_932_s9_q, or_928_s9_q, or_924_s9_q, or_917_s9_q, or_913_s9_q, or_909_s9_q, or_902_s9_q, or_898_s9_q, and_894_s9_q};
   // hls/stages/count_bits.hpp:25
-  logic and_934;
-  assign and_934 = parity_887_s9_q & parity_932;
-  logic or_938;
-  assign or_938 = and_935_s9_q | and_937_s9_q;
-  logic and_941;
-  assign and_941 = (^{or_896_s9_q, or_892_s9_q, and_888_s9_q}) & (parity_914 | parity_929);
-  logic or_942;
-  assign or_942 = (parity_914 & parity_929) | and_941;
+  logic and_940;
+  assign and_940 = parity_893_s9_q & parity_938;
+  logic or_944;
+  assign or_944 = and_941_s9_q | and_943_s9_q;
+  logic and_947;
+  assign and_947 = (^{or_902_s9_q, or_898_s9_q, and_894_s9_q}) & (parity_920 | parity_935);
+  logic or_948;
+  assign or_948 = (parity_920 & parity_935) | and_947;
   // hls/stages/count_bits.hpp:24
-  logic parity_960;
-  assign parity_960 = ^{or_957_s9_q, or_953_s9_q, or_949_s9_q};
+  logic parity_966;
+  assign parity_966 = ^{or_963_s9_q, or_959_s9_q, or_955_s9_q};
   // hls/stages/count_bits.hpp:25
-  logic or_964;
-  assign or_964 = (or_892_s9_q & or_896_s9_q) | (and_888_s9_q & (or_892_s9_q | or_896_s9_q));
-  logic or_968;
-  assign or_968 = (or_907_s9_q & or_911_s9_q) | (or_903_s9_q & (or_907_s9_q | or_911_s9_q));
-  logic or_972;
-  assign or_972 = (or_922_s9_q & or_926_s9_q) | (or_918_s9_q & (or_922_s9_q | or_926_s9_q));
+  logic or_970;
+  assign or_970 = (or_898_s9_q & or_902_s9_q) | (and_894_s9_q & (or_898_s9_q | or_902_s9_q));
+  logic or_974;
+  assign or_974 = (or_913_s9_q & or_917_s9_q) | (or_909_s9_q & (or_913_s9_q | or_917_s9_q));
+  logic or_978;
+  assign or_978 = (or_928_s9_q & or_932_s9_q) | (or_924_s9_q & (or_928_s9_q | or_932_s9_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_975;
-  assign parity_975 = ^{or_972, or_968, or_964};
-  logic parity_978;
-  assign parity_978 = ^{or_972, or_968, or_964, or_957_s9_q, or_953_s9_q, or_949_s9_q, or_942, or_938, and_934};
+  logic parity_981;
+  assign parity_981 = ^{or_978, or_974, or_970};
+  logic parity_984;
+  assign parity_984 = ^{or_978, or_974, or_970, or_963_s9_q, or_959_s9_q, or_955_s9_q, or_948, or_944, and_940};
   // hls/stages/count_bits.hpp:25
-  logic or_990;
-  assign or_990 = (or_953_s9_q & or_957_s9_q) | (or_949_s9_q & (or_953_s9_q | or_957_s9_q));
+  logic or_996;
+  assign or_996 = (or_959_s9_q & or_963_s9_q) | (or_955_s9_q & (or_959_s9_q | or_963_s9_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_1163;
-  assign parity_1163 = ^{or_1160_s9_q, or_1156_s9_q, or_1152_s9_q};
-  logic parity_1178;
-  assign parity_1178 = ^{or_1175_s9_q, or_1171_s9_q, or_1167_s9_q};
-  logic parity_1181;
-  assign parity_1181 = ^{or_1175_s9_q, or_1171_s9_q, or_1167_s9_q, or_1160_s9_q, or_1156_s9_q, or_1152_s9_q, or_1145_s9_q, or_1141_s9_q, and_1137_s9_q};
+  logic parity_1169;
+  assign parity_1169 = ^{or_1166_s9_q, or_1162_s9_q, or_1158_s9_q};
+  logic parity_1184;
+  assign parity_1184 = ^{or_1181_s9_q, or_1177_s9_q, or_1173_s9_q};
+  logic parity_1187;
+  assign parity_1187 = ^{or_1181_s9_q, or_1177_s9_q, or_1173_s9_q, or_1166_s9_q, or_1162_s9_q, or_1158_s9_q, or_1151_s9_q, or_1147_s9_q, and_1143_s9_q};
   // hls/stages/count_bits.hpp:25
-  logic and_1183;
-  assign and_1183 = parity_1136_s9_q & parity_1181;
-  logic or_1187;
-  assign or_1187 = and_1184_s9_q | (parity_1102_s9_q & or_1185_s9_q);
-  logic and_1190;
-  assign and_1190 = (^{or_1145_s9_q, or_1141_s9_q, and_1137_s9_q}) & (parity_1163 | parity_1178);
-  logic or_1191;
-  assign or_1191 = (parity_1163 & parity_1178) | and_1190;
+  logic and_1189;
+  assign and_1189 = parity_1142_s9_q & parity_1187;
+  logic or_1193;
+  assign or_1193 = and_1190_s9_q | (parity_1108_s9_q & or_1191_s9_q);
+  logic and_1196;
+  assign and_1196 = (^{or_1151_s9_q, or_1147_s9_q, and_1143_s9_q}) & (parity_1169 | parity_1184);
+  logic or_1197;
+  assign or_1197 = (parity_1169 & parity_1184) | and_1196;
   // hls/stages/count_bits.hpp:24
-  logic parity_1209;
-  assign parity_1209 = ^{or_1206_s9_q, or_1202_s9_q, or_1198_s9_q};
+  logic parity_1215;
+  assign parity_1215 = ^{or_1212_s9_q, or_1208_s9_q, or_1204_s9_q};
   // hls/stages/count_bits.hpp:25
-  logic or_1213;
-  assign or_1213 = (or_1141_s9_q & or_1145_s9_q) | (and_1137_s9_q & (or_1141_s9_q | or_1145_s9_q));
-  logic or_1217;
-  assign or_1217 = (or_1156_s9_q & or_1160_s9_q) | (or_1152_s9_q & (or_1156_s9_q | or_1160_s9_q));
-  logic or_1221;
-  assign or_1221 = (or_1171_s9_q & or_1175_s9_q) | (or_1167_s9_q & (or_1171_s9_q | or_1175_s9_q));
+  logic or_1219;
+  assign or_1219 = (or_1147_s9_q & or_1151_s9_q) | (and_1143_s9_q & (or_1147_s9_q | or_1151_s9_q));
+  logic or_1223;
+  assign or_1223 = (or_1162_s9_q & or_1166_s9_q) | (or_1158_s9_q & (or_1162_s9_q | or_1166_s9_q));
+  logic or_1227;
+  assign or_1227 = (or_1177_s9_q & or_1181_s9_q) | (or_1173_s9_q & (or_1177_s9_q | or_1181_s9_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_1224;
-  assign parity_1224 = ^{or_1221, or_1217, or_1213};
-  logic parity_1227;
-  assign parity_1227 = ^{or_1221, or_1217, or_1213, or_1206_s9_q, or_1202_s9_q, or_1198_s9_q, or_1191, or_1187, and_1183};
+  logic parity_1230;
+  assign parity_1230 = ^{or_1227, or_1223, or_1219};
+  logic parity_1233;
+  assign parity_1233 = ^{or_1227, or_1223, or_1219, or_1212_s9_q, or_1208_s9_q, or_1204_s9_q, or_1197, or_1193, and_1189};
   // hls/stages/count_bits.hpp:25
-  logic or_1239;
-  assign or_1239 = (or_1202_s9_q & or_1206_s9_q) | (or_1198_s9_q & (or_1202_s9_q | or_1206_s9_q));
+  logic or_1245;
+  assign or_1245 = (or_1208_s9_q & or_1212_s9_q) | (or_1204_s9_q & (or_1208_s9_q | or_1212_s9_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_1412;
-  assign parity_1412 = ^{or_1409_s9_q, or_1405_s9_q, or_1401_s9_q};
-  logic parity_1427;
-  assign parity_1427 = ^{or_1424_s9_q, or_1420_s9_q, or_1416_s9_q};
-  logic parity_1430;
-  assign parity_1430 = ^{or_1424_s9_q, or_1420_s9_q, or_1416_s9_q, or_1409_s9_q, or_1405_s9_q, or_1401_s9_q, or_1394_s9_q, or_1390_s9_q, and_1386_s9_q};
+  logic parity_1418;
+  assign parity_1418 = ^{or_1415_s9_q, or_1411_s9_q, or_1407_s9_q};
+  logic parity_1433;
+  assign parity_1433 = ^{or_1430_s9_q, or_1426_s9_q, or_1422_s9_q};
+  logic parity_1436;
+  assign parity_1436 = ^{or_1430_s9_q, or_1426_s9_q, or_1422_s9_q, or_1415_s9_q, or_1411_s9_q, or_1407_s9_q, or_1400_s9_q, or_1396_s9_q, and_1392_s9_q};
   // hls/stages/count_bits.hpp:25
-  logic and_1432;
-  assign and_1432 = parity_1385_s9_q & parity_1430;
-  logic or_1436;
-  assign or_1436 = and_1433_s9_q | (parity_1351_s9_q & or_1434_s9_q);
-  logic and_1439;
-  assign and_1439 = (^{or_1394_s9_q, or_1390_s9_q, and_1386_s9_q}) & (parity_1412 | parity_1427);
-  logic or_1440;
-  assign or_1440 = (parity_1412 & parity_1427) | and_1439;
+  logic and_1438;
+  assign and_1438 = parity_1391_s9_q & parity_1436;
+  logic or_1442;
+  assign or_1442 = and_1439_s9_q | (parity_1357_s9_q & or_1440_s9_q);
+  logic and_1445;
+  assign and_1445 = (^{or_1400_s9_q, or_1396_s9_q, and_1392_s9_q}) & (parity_1418 | parity_1433);
+  logic or_1446;
+  assign or_1446 = (parity_1418 & parity_1433) | and_1445;
   // hls/stages/count_bits.hpp:24
-  logic parity_1458;
-  assign parity_1458 = ^{or_1455_s9_q, or_1451_s9_q, or_1447_s9_q};
+  logic parity_1464;
+  assign parity_1464 = ^{or_1461_s9_q, or_1457_s9_q, or_1453_s9_q};
   // hls/stages/count_bits.hpp:25
-  logic or_1462;
-  assign or_1462 = (or_1390_s9_q & or_1394_s9_q) | (and_1386_s9_q & (or_1390_s9_q | or_1394_s9_q));
-  logic or_1466;
-  assign or_1466 = (or_1405_s9_q & or_1409_s9_q) | (or_1401_s9_q & (or_1405_s9_q | or_1409_s9_q));
-  logic or_1470;
-  assign or_1470 = (or_1420_s9_q & or_1424_s9_q) | (or_1416_s9_q & (or_1420_s9_q | or_1424_s9_q));
+  logic or_1468;
+  assign or_1468 = (or_1396_s9_q & or_1400_s9_q) | (and_1392_s9_q & (or_1396_s9_q | or_1400_s9_q));
+  logic or_1472;
+  assign or_1472 = (or_1411_s9_q & or_1415_s9_q) | (or_1407_s9_q & (or_1411_s9_q | or_1415_s9_q));
+  logic or_1476;
+  assign or_1476 = (or_1426_s9_q & or_1430_s9_q) | (or_1422_s9_q & (or_1426_s9_q | or_1430_s9_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_1473;
-  assign parity_1473 = ^{or_1470, or_1466, or_1462};
-  logic parity_1476;
-  assign parity_1476 = ^{or_1470, or_1466, or_1462, or_1455_s9_q, or_1451_s9_q, or_1447_s9_q, or_1440, or_1436, and_1432};
+  logic parity_1479;
+  assign parity_1479 = ^{or_1476, or_1472, or_1468};
+  logic parity_1482;
+  assign parity_1482 = ^{or_1476, or_1472, or_1468, or_1461_s9_q, or_1457_s9_q, or_1453_s9_q, or_1446, or_1442, and_1438};
   // hls/stages/count_bits.hpp:25
-  logic or_1488;
-  assign or_1488 = (or_1451_s9_q & or_1455_s9_q) | (or_1447_s9_q & (or_1451_s9_q | or_1455_s9_q));
+  logic or_1494;
+  assign or_1494 = (or_1457_s9_q & or_1461_s9_q) | (or_1453_s9_q & (or_1457_s9_q | or_1461_s9_q));
   // hls/stages/patches.hpp:104
-  logic and_1723;
-  assign and_1723 = less_1721_s9_q & (~right_3_s9_q);
-  // hls/stages/agreement.hpp:1018
-  logic and_1733;
-  assign and_1733 = (~(and_1723 | (equal_570 | not_1725_s9_q))) & (less_1730_s9_q & less_1731_s9_q);
+  logic and_1729;
+  assign and_1729 = less_1727_s9_q & (~right_3_s9_q);
+  // hls/stages/agreement.hpp:1025
+  logic and_1739;
+  assign and_1739 = (~(and_1729 | (equal_572 | not_1731_s9_q))) & (less_1736_s9_q & less_1737_s9_q);
   // hls/stages/registration.hpp:214
-  logic [11:0] sum_1765;
-  assign sum_1765 = sum_1761_s9_q + {sum_1764_s9_q, select_1762_s9_q};
-  logic [9:0] sum_1766;
-  assign sum_1766 = {difference_1758_s9_q, select_1756_s9_q} + sum_1765[11:2];
+  logic [11:0] sum_1771;
+  assign sum_1771 = sum_1767_s9_q + {sum_1770_s9_q, select_1768_s9_q};
+  logic [9:0] sum_1772;
+  assign sum_1772 = {difference_1764_s9_q, select_1762_s9_q} + sum_1771[11:2];
   // hls/stages/registration.hpp:35
   logic [8:0] fall;
-  assign fall = {1'b0, select_2722_s9_q} - {1'b0, select_2728_s9_q};
+  assign fall = {1'b0, select_2742_s9_q} - {1'b0, select_2748_s9_q};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:34
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2_s9_q} + {1'b0, xor_2733_s9_q};
+  assign size_3 = {8'h0, rise_2_s9_q} + {1'b0, xor_2753_s9_q};
 
-  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1376; read in stage 9, written in stage 16: 9 < 16 < 9 + DISTANCE.
+  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1386; read in stage 9, written in stage 16: 9 < 16 < 9 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] best_right_mem [0:119];
@@ -2645,10 +2716,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 120; i++) best_right_mem[i] = 29'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_580_s9_q ? select_627_s9_q : right_s9_q;
+  assign best_right_raddr = or_582_s9_q ? select_630_s9_q : right_s9_q;
 `ifndef SYNTHESIS
   logic best_right_re;
-  assign best_right_re = s9_en & select_618_s9_q;
+  assign best_right_re = s9_en & select_621_s9_q;
 `endif
   logic [28:0] best_right_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2666,7 +2737,7 @@ module horopter_agreement (
   assign patches_left_raddr = {patches_second_s9_q, patches_code_row_s9_q[3:0], patches_column_s9_q[3:0]};
 `ifndef SYNTHESIS
   logic patches_left_re;
-  assign patches_left_re = s9_en & and_1848_s9_q;
+  assign patches_left_re = s9_en & and_1854_s9_q;
 `endif
   logic [7:0] patches_left_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2685,7 +2756,7 @@ module horopter_agreement (
   assign patches_rows_raddr = patches_step_s9_q;
 `ifndef SYNTHESIS
   logic patches_rows_re;
-  assign patches_rows_re = s9_en & (equal_1785_s9_q & (less_1963_s9_q & or_1966_s9_q));
+  assign patches_rows_re = s9_en & (equal_1791_s9_q & (less_1969_s9_q & or_1972_s9_q));
 `endif
   logic [14:0] patches_rows_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2706,6 +2777,7 @@ module horopter_agreement (
   logic [2:0] slot_s10_q;
   logic ends_cell_s10_q;
   logic lower_half_s10_q;
+  logic draws_late_s10_q;
   logic shift_first_s10_q;
   logic [11:0] registration_slope_s10_q;
   logic [4:0] patches_band_rows_number_s10_q;
@@ -2717,108 +2789,115 @@ module horopter_agreement (
   logic [4:0] patches_column_s10_q;
   logic [4:0] patches_step_s10_q;
   logic patches_read_searches_s10_q;
-  logic [3:0] select_509_s10_q;
-  logic equal_510_s10_q;
+  logic done_s10_q;
+  logic [3:0] select_511_s10_q;
+  logic equal_512_s10_q;
   logic row_starts_s10_q;
-  logic [8:0] select_514_s10_q;
-  logic and_523_s10_q;
-  logic equal_529_s10_q;
-  logic [6:0] select_544_s10_q;
+  logic [8:0] select_516_s10_q;
+  logic and_525_s10_q;
+  logic equal_531_s10_q;
+  logic [6:0] select_546_s10_q;
   logic [6:0] last_s10_q;
-  logic and_548_s10_q;
   logic and_550_s10_q;
-  logic equal_570_s10_q;
+  logic and_552_s10_q;
+  logic equal_572_s10_q;
   logic first_s10_q;
-  logic equal_575_s10_q;
+  logic equal_577_s10_q;
   logic so_s10_q;
-  logic equal_579_s10_q;
-  logic or_580_s10_q;
-  logic less_583_s10_q;
-  logic not_584_s10_q;
-  logic equal_594_s10_q;
-  logic and_601_s10_q;
-  logic and_609_s10_q;
+  logic equal_581_s10_q;
+  logic or_582_s10_q;
+  logic less_585_s10_q;
+  logic not_586_s10_q;
+  logic equal_596_s10_q;
+  logic and_603_s10_q;
+  logic and_612_s10_q;
   logic [6:0] x_s10_2_q;
   logic [61:0] best_left_rdata_s10_q;
-  logic [6:0] select_627_s10_q;
+  logic [6:0] select_630_s10_q;
   logic [6:0] right_s10_q;
-  logic and_640_s10_q;
+  logic not_641_s10_q;
   logic and_645_s10_q;
-  logic and_647_s10_q;
-  logic equal_680_s10_q;
-  logic xor_838_s10_q;
-  logic xor_933_s10_q;
-  logic parity_978_s10_q;
-  logic and_979_s10_q;
-  logic and_981_s10_q;
-  logic and_983_s10_q;
+  logic and_650_s10_q;
+  logic and_652_s10_q;
+  logic equal_685_s10_q;
+  logic xor_844_s10_q;
+  logic xor_939_s10_q;
+  logic parity_984_s10_q;
   logic and_985_s10_q;
-  logic or_990_s10_q;
-  logic or_994_s10_q;
-  logic xor_1087_s10_q;
-  logic xor_1182_s10_q;
-  logic parity_1227_s10_q;
-  logic and_1228_s10_q;
-  logic and_1230_s10_q;
-  logic and_1232_s10_q;
+  logic and_987_s10_q;
+  logic and_989_s10_q;
+  logic and_991_s10_q;
+  logic or_996_s10_q;
+  logic or_1000_s10_q;
+  logic xor_1093_s10_q;
+  logic xor_1188_s10_q;
+  logic parity_1233_s10_q;
   logic and_1234_s10_q;
-  logic or_1239_s10_q;
-  logic or_1243_s10_q;
-  logic xor_1336_s10_q;
-  logic xor_1431_s10_q;
-  logic parity_1476_s10_q;
-  logic and_1477_s10_q;
-  logic and_1479_s10_q;
-  logic and_1481_s10_q;
+  logic and_1236_s10_q;
+  logic and_1238_s10_q;
+  logic and_1240_s10_q;
+  logic or_1245_s10_q;
+  logic or_1249_s10_q;
+  logic xor_1342_s10_q;
+  logic xor_1437_s10_q;
+  logic parity_1482_s10_q;
   logic and_1483_s10_q;
-  logic or_1488_s10_q;
-  logic or_1492_s10_q;
-  logic and_1562_s10_q;
-  logic equal_1563_s10_q;
-  logic or_1583_s10_q;
-  logic less_1649_s10_q;
-  logic and_1686_s10_q;
+  logic and_1485_s10_q;
+  logic and_1487_s10_q;
+  logic and_1489_s10_q;
+  logic or_1494_s10_q;
+  logic or_1498_s10_q;
+  logic and_1568_s10_q;
+  logic equal_1569_s10_q;
+  logic or_1589_s10_q;
+  logic less_1655_s10_q;
+  logic and_1692_s10_q;
   logic right_3_s10_q;
-  logic less_1700_s10_q;
+  logic less_1706_s10_q;
   logic [5:0] b_s10_q;
-  logic and_1733_s10_q;
-  logic [7:0] sum_1766_s10_q;
-  logic equal_1778_s10_q;
-  logic or_1779_s10_q;
-  logic equal_1785_s10_q;
-  logic not_1786_s10_q;
-  logic equal_1787_s10_q;
-  logic not_1788_s10_q;
-  logic equal_1789_s10_q;
-  logic equal_1790_s10_q;
-  logic or_1791_s10_q;
+  logic and_1739_s10_q;
+  logic [7:0] sum_1772_s10_q;
+  logic equal_1784_s10_q;
+  logic or_1785_s10_q;
+  logic equal_1791_s10_q;
   logic not_1792_s10_q;
+  logic equal_1793_s10_q;
+  logic not_1794_s10_q;
+  logic equal_1795_s10_q;
+  logic equal_1796_s10_q;
+  logic or_1797_s10_q;
+  logic not_1798_s10_q;
   logic [7:0] patches_right_0_rdata_s10_q;
-  logic [4:0] select_1815_s10_q;
-  logic select_1821_s10_q;
+  logic [4:0] select_1821_s10_q;
+  logic select_1827_s10_q;
   logic [7:0] patches_right_1_rdata_s10_q;
-  logic [3:0] select_1859_s10_q;
-  logic and_1869_s10_q;
+  logic [3:0] select_1865_s10_q;
+  logic and_1875_s10_q;
   logic [31:0] patches_columns_above_rdata_s10_q;
-  logic less_1963_s10_q;
-  logic equal_1964_s10_q;
-  logic or_1966_s10_q;
-  logic sum_1990_s10_q;
-  logic and_2011_s10_q;
-  logic and_2133_s10_q;
-  logic equal_2277_s10_q;
-  logic equal_2466_s10_q;
-  logic and_2593_s10_q;
-  logic equal_2678_s10_q;
+  logic less_1969_s10_q;
+  logic equal_1970_s10_q;
+  logic or_1972_s10_q;
+  logic sum_1996_s10_q;
+  logic and_2017_s10_q;
+  logic not_2054_s10_q;
+  logic and_2142_s10_q;
+  logic equal_2286_s10_q;
+  logic equal_2475_s10_q;
+  logic and_2612_s10_q;
+  logic equal_2697_s10_q;
   logic [7:0] wide_s10_q;
   logic [8:0] size_3_s10_q;
-  logic less_2759_s10_q;
-  logic not_2986_s10_q;
-  logic or_3040_s10_q;
-  logic not_3064_s10_q;
-  logic equal_3556_s10_q;
-  logic less_3812_s10_q;
-  logic equal_4031_s10_q;
+  logic less_2779_s10_q;
+  logic not_3005_s10_q;
+  logic or_3059_s10_q;
+  logic not_3083_s10_q;
+  logic equal_3575_s10_q;
+  logic less_3831_s10_q;
+  logic equal_3902_s10_q;
+  logic or_4052_s10_q;
+  logic and_4066_s10_q;
+  logic and_4083_s10_q;
+  logic not_4095_s10_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s10_q <= pixel_0_s9_q;
@@ -2835,6 +2914,7 @@ module horopter_agreement (
       slot_s10_q <= slot_s9_q;
       ends_cell_s10_q <= ends_cell_s9_q;
       lower_half_s10_q <= lower_half_s9_q;
+      draws_late_s10_q <= draws_late_s9_q;
       shift_first_s10_q <= shift_first_s9_q;
       registration_slope_s10_q <= registration_slope_s9_q;
       patches_band_rows_number_s10_q <= patches_band_rows_number_s9_q;
@@ -2846,108 +2926,115 @@ module horopter_agreement (
       patches_column_s10_q <= patches_column_s9_q;
       patches_step_s10_q <= patches_step_s9_q;
       patches_read_searches_s10_q <= patches_read_searches_s9_q;
-      select_509_s10_q <= select_509_s9_q;
-      equal_510_s10_q <= equal_510_s9_q;
+      done_s10_q <= done_s9_q;
+      select_511_s10_q <= select_511_s9_q;
+      equal_512_s10_q <= equal_512_s9_q;
       row_starts_s10_q <= row_starts_s9_q;
-      select_514_s10_q <= select_514_s9_q;
-      and_523_s10_q <= and_523_s9_q;
-      equal_529_s10_q <= equal_529_s9_q;
-      select_544_s10_q <= select_544_s9_q;
+      select_516_s10_q <= select_516_s9_q;
+      and_525_s10_q <= and_525_s9_q;
+      equal_531_s10_q <= equal_531_s9_q;
+      select_546_s10_q <= select_546_s9_q;
       last_s10_q <= last_s9_q;
-      and_548_s10_q <= and_548_s9_q;
       and_550_s10_q <= and_550_s9_q;
-      equal_570_s10_q <= equal_570;
+      and_552_s10_q <= and_552_s9_q;
+      equal_572_s10_q <= equal_572;
       first_s10_q <= first;
-      equal_575_s10_q <= equal_575_s9_q;
+      equal_577_s10_q <= equal_577_s9_q;
       so_s10_q <= so_s9_q;
-      equal_579_s10_q <= equal_579_s9_q;
-      or_580_s10_q <= or_580_s9_q;
-      less_583_s10_q <= less_583_s9_q;
-      not_584_s10_q <= not_584_s9_q;
-      equal_594_s10_q <= equal_594_s9_q;
-      and_601_s10_q <= and_601_s9_q;
-      and_609_s10_q <= and_609_s9_q;
+      equal_581_s10_q <= equal_581_s9_q;
+      or_582_s10_q <= or_582_s9_q;
+      less_585_s10_q <= less_585_s9_q;
+      not_586_s10_q <= not_586_s9_q;
+      equal_596_s10_q <= equal_596_s9_q;
+      and_603_s10_q <= and_603_s9_q;
+      and_612_s10_q <= and_612_s9_q;
       x_s10_2_q <= x_s9_2_q;
       best_left_rdata_s10_q <= best_left_rdata_s9_q;
-      select_627_s10_q <= select_627_s9_q;
+      select_630_s10_q <= select_630_s9_q;
       right_s10_q <= right_s9_q;
-      and_640_s10_q <= and_640_s9_q;
+      not_641_s10_q <= not_641_s9_q;
       and_645_s10_q <= and_645_s9_q;
-      and_647_s10_q <= and_647_s9_q;
-      equal_680_s10_q <= equal_680_s9_q;
-      xor_838_s10_q <= xor_838_s9_q;
-      xor_933_s10_q <= parity_887_s9_q ^ parity_932;
-      parity_978_s10_q <= parity_978;
-      and_979_s10_q <= parity_960 & parity_975;
-      and_981_s10_q <= (^{or_942, or_938, and_934}) & (parity_960 | parity_975);
-      and_983_s10_q <= or_938 & or_942;
-      and_985_s10_q <= and_934 & (or_938 | or_942);
-      or_990_s10_q <= or_990;
-      or_994_s10_q <= (or_968 & or_972) | (or_964 & (or_968 | or_972));
-      xor_1087_s10_q <= xor_1087_s9_q;
-      xor_1182_s10_q <= parity_1136_s9_q ^ parity_1181;
-      parity_1227_s10_q <= parity_1227;
-      and_1228_s10_q <= parity_1209 & parity_1224;
-      and_1230_s10_q <= (^{or_1191, or_1187, and_1183}) & (parity_1209 | parity_1224);
-      and_1232_s10_q <= or_1187 & or_1191;
-      and_1234_s10_q <= and_1183 & (or_1187 | or_1191);
-      or_1239_s10_q <= or_1239;
-      or_1243_s10_q <= (or_1217 & or_1221) | (or_1213 & (or_1217 | or_1221));
-      xor_1336_s10_q <= xor_1336_s9_q;
-      xor_1431_s10_q <= parity_1385_s9_q ^ parity_1430;
-      parity_1476_s10_q <= parity_1476;
-      and_1477_s10_q <= parity_1458 & parity_1473;
-      and_1479_s10_q <= (^{or_1440, or_1436, and_1432}) & (parity_1458 | parity_1473);
-      and_1481_s10_q <= or_1436 & or_1440;
-      and_1483_s10_q <= and_1432 & (or_1436 | or_1440);
-      or_1488_s10_q <= or_1488;
-      or_1492_s10_q <= (or_1466 & or_1470) | (or_1462 & (or_1466 | or_1470));
-      and_1562_s10_q <= and_1562_s9_q;
-      equal_1563_s10_q <= equal_1563_s9_q;
-      or_1583_s10_q <= or_1583_s9_q;
-      less_1649_s10_q <= less_1649_s9_q;
-      and_1686_s10_q <= and_1686_s9_q;
+      and_650_s10_q <= and_650_s9_q;
+      and_652_s10_q <= and_652_s9_q;
+      equal_685_s10_q <= equal_685_s9_q;
+      xor_844_s10_q <= xor_844_s9_q;
+      xor_939_s10_q <= parity_893_s9_q ^ parity_938;
+      parity_984_s10_q <= parity_984;
+      and_985_s10_q <= parity_966 & parity_981;
+      and_987_s10_q <= (^{or_948, or_944, and_940}) & (parity_966 | parity_981);
+      and_989_s10_q <= or_944 & or_948;
+      and_991_s10_q <= and_940 & (or_944 | or_948);
+      or_996_s10_q <= or_996;
+      or_1000_s10_q <= (or_974 & or_978) | (or_970 & (or_974 | or_978));
+      xor_1093_s10_q <= xor_1093_s9_q;
+      xor_1188_s10_q <= parity_1142_s9_q ^ parity_1187;
+      parity_1233_s10_q <= parity_1233;
+      and_1234_s10_q <= parity_1215 & parity_1230;
+      and_1236_s10_q <= (^{or_1197, or_1193, and_1189}) & (parity_1215 | parity_1230);
+      and_1238_s10_q <= or_1193 & or_1197;
+      and_1240_s10_q <= and_1189 & (or_1193 | or_1197);
+      or_1245_s10_q <= or_1245;
+      or_1249_s10_q <= (or_1223 & or_1227) | (or_1219 & (or_1223 | or_1227));
+      xor_1342_s10_q <= xor_1342_s9_q;
+      xor_1437_s10_q <= parity_1391_s9_q ^ parity_1436;
+      parity_1482_s10_q <= parity_1482;
+      and_1483_s10_q <= parity_1464 & parity_1479;
+      and_1485_s10_q <= (^{or_1446, or_1442, and_1438}) & (parity_1464 | parity_1479);
+      and_1487_s10_q <= or_1442 & or_1446;
+      and_1489_s10_q <= and_1438 & (or_1442 | or_1446);
+      or_1494_s10_q <= or_1494;
+      or_1498_s10_q <= (or_1472 & or_1476) | (or_1468 & (or_1472 | or_1476));
+      and_1568_s10_q <= and_1568_s9_q;
+      equal_1569_s10_q <= equal_1569_s9_q;
+      or_1589_s10_q <= or_1589_s9_q;
+      less_1655_s10_q <= less_1655_s9_q;
+      and_1692_s10_q <= and_1692_s9_q;
       right_3_s10_q <= right_3_s9_q;
-      less_1700_s10_q <= less_1700_s9_q;
+      less_1706_s10_q <= less_1706_s9_q;
       b_s10_q <= b_s9_q;
-      and_1733_s10_q <= and_1733;
-      sum_1766_s10_q <= sum_1766[9:2];
-      equal_1778_s10_q <= equal_1778_s9_q;
-      or_1779_s10_q <= and_1723 | equal_1778_s9_q;
-      equal_1785_s10_q <= equal_1785_s9_q;
-      not_1786_s10_q <= not_1786_s9_q;
-      equal_1787_s10_q <= equal_1787_s9_q;
-      not_1788_s10_q <= not_1788_s9_q;
-      equal_1789_s10_q <= equal_1789_s9_q;
-      equal_1790_s10_q <= equal_1790_s9_q;
-      or_1791_s10_q <= or_1791_s9_q;
+      and_1739_s10_q <= and_1739;
+      sum_1772_s10_q <= sum_1772[9:2];
+      equal_1784_s10_q <= equal_1784_s9_q;
+      or_1785_s10_q <= and_1729 | equal_1784_s9_q;
+      equal_1791_s10_q <= equal_1791_s9_q;
       not_1792_s10_q <= not_1792_s9_q;
+      equal_1793_s10_q <= equal_1793_s9_q;
+      not_1794_s10_q <= not_1794_s9_q;
+      equal_1795_s10_q <= equal_1795_s9_q;
+      equal_1796_s10_q <= equal_1796_s9_q;
+      or_1797_s10_q <= or_1797_s9_q;
+      not_1798_s10_q <= not_1798_s9_q;
       patches_right_0_rdata_s10_q <= patches_right_0_rdata_q;
-      select_1815_s10_q <= select_1815_s9_q;
       select_1821_s10_q <= select_1821_s9_q;
+      select_1827_s10_q <= select_1827_s9_q;
       patches_right_1_rdata_s10_q <= patches_right_1_rdata_q;
-      select_1859_s10_q <= select_1859_s9_q;
-      and_1869_s10_q <= and_1869_s9_q;
+      select_1865_s10_q <= select_1865_s9_q;
+      and_1875_s10_q <= and_1875_s9_q;
       patches_columns_above_rdata_s10_q <= patches_columns_above_rdata_q;
-      less_1963_s10_q <= less_1963_s9_q;
-      equal_1964_s10_q <= equal_1964_s9_q;
-      or_1966_s10_q <= or_1966_s9_q;
-      sum_1990_s10_q <= sum_1990_s9_q;
-      and_2011_s10_q <= and_2011_s9_q;
-      and_2133_s10_q <= so_s9_q & (ends_cell_s9_q & and_2131_s9_q);
-      equal_2277_s10_q <= equal_2277_s9_q;
-      equal_2466_s10_q <= equal_2466_s9_q;
-      and_2593_s10_q <= and_2593_s9_q;
-      equal_2678_s10_q <= equal_2678_s9_q;
+      less_1969_s10_q <= less_1969_s9_q;
+      equal_1970_s10_q <= equal_1970_s9_q;
+      or_1972_s10_q <= or_1972_s9_q;
+      sum_1996_s10_q <= sum_1996_s9_q;
+      and_2017_s10_q <= and_2017_s9_q;
+      not_2054_s10_q <= not_2054_s9_q;
+      and_2142_s10_q <= so_s9_q & (ends_cell_s9_q & and_2140_s9_q);
+      equal_2286_s10_q <= equal_2286_s9_q;
+      equal_2475_s10_q <= equal_2475_s9_q;
+      and_2612_s10_q <= and_2612_s9_q;
+      equal_2697_s10_q <= equal_2697_s9_q;
       wide_s10_q <= wide;
       size_3_s10_q <= size_3;
-      less_2759_s10_q <= less_2759_s9_q;
-      not_2986_s10_q <= not_2986_s9_q;
-      or_3040_s10_q <= or_3040_s9_q;
-      not_3064_s10_q <= not_3064_s9_q;
-      equal_3556_s10_q <= equal_3556_s9_q;
-      less_3812_s10_q <= less_3812_s9_q;
-      equal_4031_s10_q <= equal_4031_s9_q;
+      less_2779_s10_q <= less_2779_s9_q;
+      not_3005_s10_q <= not_3005_s9_q;
+      or_3059_s10_q <= or_3059_s9_q;
+      not_3083_s10_q <= not_3083_s9_q;
+      equal_3575_s10_q <= equal_3575_s9_q;
+      less_3831_s10_q <= less_3831_s9_q;
+      equal_3902_s10_q <= equal_3902_s9_q;
+      or_4052_s10_q <= or_4052_s9_q;
+      and_4066_s10_q <= and_4066_s9_q;
+      and_4083_s10_q <= and_4083_s9_q;
+      not_4095_s10_q <= not_4095_s9_q;
     end
   end
 
@@ -2982,108 +3069,108 @@ module horopter_agreement (
   logic [5:0] sums_1_columns_values_13_q;
   // hls/stages/agreement.hpp:226
   logic inside_v;
-  assign inside_v = or_580_s10_q & not_584_s10_q;
+  assign inside_v = or_582_s10_q & not_586_s10_q;
   // hls/stages/count_bits.hpp:25
-  logic or_982;
-  assign or_982 = and_979_s10_q | and_981_s10_q;
-  logic or_986;
-  assign or_986 = and_983_s10_q | and_985_s10_q;
+  logic or_988;
+  assign or_988 = and_985_s10_q | and_987_s10_q;
+  logic or_992;
+  assign or_992 = and_989_s10_q | and_991_s10_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_999;
-  assign parity_999 = ^{or_994_s10_q, or_990_s10_q, or_986, or_982};
+  logic parity_1005;
+  assign parity_1005 = ^{or_1000_s10_q, or_996_s10_q, or_992, or_988};
   // hls/stages/count_bits.hpp:25
-  logic or_1003;
-  assign or_1003 = (or_990_s10_q & or_994_s10_q) | (or_986 & (or_990_s10_q | or_994_s10_q));
-  logic and_1004;
-  assign and_1004 = or_982 & (^{or_994_s10_q, or_990_s10_q, or_986});
+  logic or_1009;
+  assign or_1009 = (or_996_s10_q & or_1000_s10_q) | (or_992 & (or_996_s10_q | or_1000_s10_q));
+  logic and_1010;
+  assign and_1010 = or_988 & (^{or_1000_s10_q, or_996_s10_q, or_992});
   // hls/stages/count_bits.hpp:24
-  logic xor_1005;
-  assign xor_1005 = or_1003 ^ and_1004;
+  logic xor_1011;
+  assign xor_1011 = or_1009 ^ and_1010;
   // hls/stages/count_bits.hpp:27
-  logic and_1006;
-  assign and_1006 = or_1003 & and_1004;
+  logic and_1012;
+  assign and_1012 = or_1009 & and_1010;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1007;
-  assign select_1007 = equal_594_s10_q ? {and_1006, xor_1005, parity_999, parity_978_s10_q, xor_933_s10_q, xor_838_s10_q} : 6'h0;
+  logic [5:0] select_1013;
+  assign select_1013 = equal_596_s10_q ? {and_1012, xor_1011, parity_1005, parity_984_s10_q, xor_939_s10_q, xor_844_s10_q} : 6'h0;
   logic [5:0] column;
-  assign column = or_580_s10_q ? 6'h0 : select_1007;
+  assign column = or_582_s10_q ? 6'h0 : select_1013;
   // hls/stages/count_bits.hpp:25
-  logic or_1231;
-  assign or_1231 = and_1228_s10_q | and_1230_s10_q;
-  logic or_1235;
-  assign or_1235 = and_1232_s10_q | and_1234_s10_q;
+  logic or_1237;
+  assign or_1237 = and_1234_s10_q | and_1236_s10_q;
+  logic or_1241;
+  assign or_1241 = and_1238_s10_q | and_1240_s10_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_1248;
-  assign parity_1248 = ^{or_1243_s10_q, or_1239_s10_q, or_1235, or_1231};
+  logic parity_1254;
+  assign parity_1254 = ^{or_1249_s10_q, or_1245_s10_q, or_1241, or_1237};
   // hls/stages/count_bits.hpp:25
-  logic or_1252;
-  assign or_1252 = (or_1239_s10_q & or_1243_s10_q) | (or_1235 & (or_1239_s10_q | or_1243_s10_q));
-  logic and_1253;
-  assign and_1253 = or_1231 & (^{or_1243_s10_q, or_1239_s10_q, or_1235});
+  logic or_1258;
+  assign or_1258 = (or_1245_s10_q & or_1249_s10_q) | (or_1241 & (or_1245_s10_q | or_1249_s10_q));
+  logic and_1259;
+  assign and_1259 = or_1237 & (^{or_1249_s10_q, or_1245_s10_q, or_1241});
   // hls/stages/count_bits.hpp:24
-  logic xor_1254;
-  assign xor_1254 = or_1252 ^ and_1253;
+  logic xor_1260;
+  assign xor_1260 = or_1258 ^ and_1259;
   // hls/stages/count_bits.hpp:27
-  logic and_1255;
-  assign and_1255 = or_1252 & and_1253;
+  logic and_1261;
+  assign and_1261 = or_1258 & and_1259;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1256;
-  assign select_1256 = equal_594_s10_q ? {and_1255, xor_1254, parity_1248, parity_1227_s10_q, xor_1182_s10_q, xor_1087_s10_q} : 6'h0;
+  logic [5:0] select_1262;
+  assign select_1262 = equal_596_s10_q ? {and_1261, xor_1260, parity_1254, parity_1233_s10_q, xor_1188_s10_q, xor_1093_s10_q} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_580_s10_q ? 6'h0 : select_1256;
+  assign column_2 = or_582_s10_q ? 6'h0 : select_1262;
   // hls/stages/count_bits.hpp:25
-  logic or_1480;
-  assign or_1480 = and_1477_s10_q | and_1479_s10_q;
-  logic or_1484;
-  assign or_1484 = and_1481_s10_q | and_1483_s10_q;
+  logic or_1486;
+  assign or_1486 = and_1483_s10_q | and_1485_s10_q;
+  logic or_1490;
+  assign or_1490 = and_1487_s10_q | and_1489_s10_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_1497;
-  assign parity_1497 = ^{or_1492_s10_q, or_1488_s10_q, or_1484, or_1480};
+  logic parity_1503;
+  assign parity_1503 = ^{or_1498_s10_q, or_1494_s10_q, or_1490, or_1486};
   // hls/stages/count_bits.hpp:25
-  logic or_1501;
-  assign or_1501 = (or_1488_s10_q & or_1492_s10_q) | (or_1484 & (or_1488_s10_q | or_1492_s10_q));
-  logic and_1502;
-  assign and_1502 = or_1480 & (^{or_1492_s10_q, or_1488_s10_q, or_1484});
+  logic or_1507;
+  assign or_1507 = (or_1494_s10_q & or_1498_s10_q) | (or_1490 & (or_1494_s10_q | or_1498_s10_q));
+  logic and_1508;
+  assign and_1508 = or_1486 & (^{or_1498_s10_q, or_1494_s10_q, or_1490});
   // hls/stages/count_bits.hpp:24
-  logic xor_1503;
-  assign xor_1503 = or_1501 ^ and_1502;
+  logic xor_1509;
+  assign xor_1509 = or_1507 ^ and_1508;
   // hls/stages/count_bits.hpp:27
-  logic and_1504;
-  assign and_1504 = or_1501 & and_1502;
+  logic and_1510;
+  assign and_1510 = or_1507 & and_1508;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1505;
-  assign select_1505 = equal_594_s10_q ? {and_1504, xor_1503, parity_1497, parity_1476_s10_q, xor_1431_s10_q, xor_1336_s10_q} : 6'h0;
+  logic [5:0] select_1511;
+  assign select_1511 = equal_596_s10_q ? {and_1510, xor_1509, parity_1503, parity_1482_s10_q, xor_1437_s10_q, xor_1342_s10_q} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_580_s10_q ? 6'h0 : select_1505;
-  // hls/stages/agreement.hpp:779
+  assign column_3 = or_582_s10_q ? 6'h0 : select_1511;
+  // hls/stages/agreement.hpp:786
   logic [5:0] before_v_2;
   assign before_v_2 = age_s10_q[1] ? sums_0_columns_values_7_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1541;
-  assign sum_1541 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
-  // hls/stages/agreement.hpp:779
+  // hls/stages/agreement.hpp:787
+  logic [6:0] sum_1547;
+  assign sum_1547 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
+  // hls/stages/agreement.hpp:786
   logic [5:0] before_v_3;
   assign before_v_3 = age_s10_q[1] ? sums_1_columns_values_7_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1544;
-  assign sum_1544 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
+  // hls/stages/agreement.hpp:787
+  logic [6:0] sum_1550;
+  assign sum_1550 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
   // hls/stages/agreement.hpp:262
   logic right_2;
-  assign right_2 = inside_v & less_1649_s10_q;
+  assign right_2 = inside_v & less_1655_s10_q;
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_1767;
-  assign sum_1767 = {registration_slope_s10_q[11], registration_slope_s10_q} + {{5{sum_1766_s10_q[7]}}, sum_1766_s10_q};
+  logic [12:0] sum_1773;
+  assign sum_1773 = {registration_slope_s10_q[11], registration_slope_s10_q} + {{5{sum_1772_s10_q[7]}}, sum_1772_s10_q};
   // hls/stages/patches.hpp:174
   logic [7:0] pixel;
-  assign pixel = equal_1790_s10_q ? (patches_second_s10_q ? 8'h0 : patches_right_0_rdata_s10_q) : 8'h0;
+  assign pixel = equal_1796_s10_q ? (patches_second_s10_q ? 8'h0 : patches_right_0_rdata_s10_q) : 8'h0;
   // hls/stages/patches.hpp:471
-  logic [8:0] sum_1916;
-  assign sum_1916 = {1'b0, patches_columns_above_rdata_s10_q[23:16]} + {3'h0, patches_columns_above_rdata_s10_q[31:26]};
+  logic [8:0] sum_1922;
+  assign sum_1922 = {1'b0, patches_columns_above_rdata_s10_q[23:16]} + {3'h0, patches_columns_above_rdata_s10_q[31:26]};
   // hls/stages/registration.hpp:40
-  logic [8:0] select_2736;
-  assign select_2736 = ({wide_s10_q, 1'b0} < size_3_s10_q) ? {wide_s10_q, 1'b0} : size_3_s10_q;
+  logic [8:0] select_2756;
+  assign select_2756 = ({wide_s10_q, 1'b0} < size_3_s10_q) ? {wide_s10_q, 1'b0} : size_3_s10_q;
   logic [8:0] taken;
-  assign taken = ~select_2736;
+  assign taken = ~select_2756;
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -3165,6 +3252,7 @@ module horopter_agreement (
   logic [2:0] slot_s11_q;
   logic ends_cell_s11_q;
   logic lower_half_s11_q;
+  logic draws_late_s11_q;
   logic shift_first_s11_q;
   logic [4:0] patches_band_rows_number_s11_q;
   logic patches_chooses_s11_q;
@@ -3175,93 +3263,101 @@ module horopter_agreement (
   logic [4:0] patches_column_s11_q;
   logic [4:0] patches_step_s11_q;
   logic patches_read_searches_s11_q;
-  logic [3:0] select_509_s11_q;
-  logic equal_510_s11_q;
+  logic done_s11_q;
+  logic [3:0] select_511_s11_q;
+  logic equal_512_s11_q;
   logic row_starts_s11_q;
-  logic [8:0] select_514_s11_q;
-  logic and_523_s11_q;
-  logic equal_529_s11_q;
-  logic [6:0] select_544_s11_q;
+  logic [8:0] select_516_s11_q;
+  logic and_525_s11_q;
+  logic equal_531_s11_q;
+  logic [6:0] select_546_s11_q;
   logic [6:0] last_s11_q;
-  logic and_548_s11_q;
   logic and_550_s11_q;
-  logic equal_570_s11_q;
+  logic and_552_s11_q;
+  logic equal_572_s11_q;
   logic first_s11_q;
-  logic equal_575_s11_q;
+  logic equal_577_s11_q;
   logic so_s11_q;
-  logic equal_579_s11_q;
-  logic or_580_s11_q;
-  logic less_583_s11_q;
-  logic not_584_s11_q;
+  logic equal_581_s11_q;
+  logic or_582_s11_q;
+  logic less_585_s11_q;
+  logic not_586_s11_q;
   logic inside_v_s11_q;
-  logic and_601_s11_q;
-  logic and_609_s11_q;
+  logic and_603_s11_q;
+  logic and_612_s11_q;
   logic [6:0] x_s11_2_q;
   logic [61:0] best_left_rdata_s11_q;
-  logic [6:0] select_627_s11_q;
+  logic [6:0] select_630_s11_q;
   logic [6:0] right_s11_q;
   logic [28:0] best_right_rdata_s11_q;
-  logic and_640_s11_q;
+  logic not_641_s11_q;
   logic and_645_s11_q;
-  logic and_647_s11_q;
-  logic equal_680_s11_q;
+  logic and_650_s11_q;
+  logic and_652_s11_q;
+  logic equal_685_s11_q;
   logic [5:0] column_s11_q;
-  logic [5:0] select_1258_s11_q;
-  logic [5:0] select_1507_s11_q;
-  logic [6:0] sum_1542_s11_q;
-  logic [6:0] sum_1545_s11_q;
-  logic and_1562_s11_q;
-  logic equal_1563_s11_q;
-  logic or_1583_s11_q;
+  logic [5:0] select_1264_s11_q;
+  logic [5:0] select_1513_s11_q;
+  logic [6:0] sum_1548_s11_q;
+  logic [6:0] sum_1551_s11_q;
+  logic and_1568_s11_q;
+  logic equal_1569_s11_q;
+  logic or_1589_s11_q;
+  logic and_1598_s11_q;
   logic right_2_s11_q;
-  logic and_1686_s11_q;
-  logic and_1698_s11_q;
-  logic less_1700_s11_q;
+  logic and_1692_s11_q;
+  logic and_1704_s11_q;
+  logic less_1706_s11_q;
   logic [5:0] b_s11_q;
-  logic and_1733_s11_q;
-  logic [7:0] sum_1767_s11_q;
-  logic less_1768_s11_q;
-  logic less_1769_s11_q;
-  logic equal_1778_s11_q;
-  logic and_1782_s11_q;
-  logic equal_1785_s11_q;
-  logic not_1786_s11_q;
-  logic equal_1787_s11_q;
-  logic not_1788_s11_q;
-  logic equal_1789_s11_q;
-  logic equal_1790_s11_q;
-  logic or_1791_s11_q;
+  logic and_1739_s11_q;
+  logic [7:0] sum_1773_s11_q;
+  logic less_1774_s11_q;
+  logic less_1775_s11_q;
+  logic equal_1784_s11_q;
+  logic and_1788_s11_q;
+  logic equal_1791_s11_q;
   logic not_1792_s11_q;
-  logic [4:0] select_1815_s11_q;
-  logic select_1821_s11_q;
+  logic equal_1793_s11_q;
+  logic not_1794_s11_q;
+  logic equal_1795_s11_q;
+  logic equal_1796_s11_q;
+  logic or_1797_s11_q;
+  logic not_1798_s11_q;
+  logic [4:0] select_1821_s11_q;
+  logic select_1827_s11_q;
   logic [7:0] patches_left_rdata_s11_q;
-  logic [3:0] select_1859_s11_q;
-  logic and_1869_s11_q;
+  logic [3:0] select_1865_s11_q;
+  logic and_1875_s11_q;
   logic [31:0] patches_columns_above_rdata_s11_q;
-  logic [7:0] select_1873_s11_q;
-  logic [8:0] sum_1916_s11_q;
-  logic less_1963_s11_q;
-  logic equal_1964_s11_q;
-  logic or_1966_s11_q;
+  logic [7:0] select_1879_s11_q;
+  logic [8:0] sum_1922_s11_q;
+  logic less_1969_s11_q;
+  logic equal_1970_s11_q;
+  logic or_1972_s11_q;
   logic [14:0] patches_rows_rdata_s11_q;
-  logic sum_1990_s11_q;
-  logic and_2011_s11_q;
-  logic and_2133_s11_q;
-  logic equal_2277_s11_q;
-  logic equal_2466_s11_q;
-  logic and_2593_s11_q;
-  logic equal_2678_s11_q;
-  logic less_2720_s11_q;
+  logic sum_1996_s11_q;
+  logic and_2017_s11_q;
+  logic not_2054_s11_q;
+  logic and_2142_s11_q;
+  logic equal_2286_s11_q;
+  logic equal_2475_s11_q;
+  logic and_2612_s11_q;
+  logic equal_2697_s11_q;
+  logic less_2740_s11_q;
   logic [7:0] wide_s11_q;
   logic [8:0] taken_s11_q;
-  logic [7:0] not_2738_s11_q;
-  logic less_2759_s11_q;
-  logic and_2989_s11_q;
-  logic or_3040_s11_q;
-  logic not_3064_s11_q;
-  logic equal_3556_s11_q;
-  logic less_3812_s11_q;
-  logic equal_4031_s11_q;
+  logic [7:0] not_2758_s11_q;
+  logic less_2779_s11_q;
+  logic and_3008_s11_q;
+  logic or_3059_s11_q;
+  logic not_3083_s11_q;
+  logic equal_3575_s11_q;
+  logic less_3831_s11_q;
+  logic equal_3902_s11_q;
+  logic or_4052_s11_q;
+  logic and_4066_s11_q;
+  logic and_4083_s11_q;
+  logic not_4095_s11_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s11_q <= pixel_0_s10_q;
@@ -3278,6 +3374,7 @@ module horopter_agreement (
       slot_s11_q <= slot_s10_q;
       ends_cell_s11_q <= ends_cell_s10_q;
       lower_half_s11_q <= lower_half_s10_q;
+      draws_late_s11_q <= draws_late_s10_q;
       shift_first_s11_q <= shift_first_s10_q;
       patches_band_rows_number_s11_q <= patches_band_rows_number_s10_q;
       patches_chooses_s11_q <= patches_chooses_s10_q;
@@ -3288,93 +3385,101 @@ module horopter_agreement (
       patches_column_s11_q <= patches_column_s10_q;
       patches_step_s11_q <= patches_step_s10_q;
       patches_read_searches_s11_q <= patches_read_searches_s10_q;
-      select_509_s11_q <= select_509_s10_q;
-      equal_510_s11_q <= equal_510_s10_q;
+      done_s11_q <= done_s10_q;
+      select_511_s11_q <= select_511_s10_q;
+      equal_512_s11_q <= equal_512_s10_q;
       row_starts_s11_q <= row_starts_s10_q;
-      select_514_s11_q <= select_514_s10_q;
-      and_523_s11_q <= and_523_s10_q;
-      equal_529_s11_q <= equal_529_s10_q;
-      select_544_s11_q <= select_544_s10_q;
+      select_516_s11_q <= select_516_s10_q;
+      and_525_s11_q <= and_525_s10_q;
+      equal_531_s11_q <= equal_531_s10_q;
+      select_546_s11_q <= select_546_s10_q;
       last_s11_q <= last_s10_q;
-      and_548_s11_q <= and_548_s10_q;
       and_550_s11_q <= and_550_s10_q;
-      equal_570_s11_q <= equal_570_s10_q;
+      and_552_s11_q <= and_552_s10_q;
+      equal_572_s11_q <= equal_572_s10_q;
       first_s11_q <= first_s10_q;
-      equal_575_s11_q <= equal_575_s10_q;
+      equal_577_s11_q <= equal_577_s10_q;
       so_s11_q <= so_s10_q;
-      equal_579_s11_q <= equal_579_s10_q;
-      or_580_s11_q <= or_580_s10_q;
-      less_583_s11_q <= less_583_s10_q;
-      not_584_s11_q <= not_584_s10_q;
+      equal_581_s11_q <= equal_581_s10_q;
+      or_582_s11_q <= or_582_s10_q;
+      less_585_s11_q <= less_585_s10_q;
+      not_586_s11_q <= not_586_s10_q;
       inside_v_s11_q <= inside_v;
-      and_601_s11_q <= and_601_s10_q;
-      and_609_s11_q <= and_609_s10_q;
+      and_603_s11_q <= and_603_s10_q;
+      and_612_s11_q <= and_612_s10_q;
       x_s11_2_q <= x_s10_2_q;
       best_left_rdata_s11_q <= best_left_rdata_s10_q;
-      select_627_s11_q <= select_627_s10_q;
+      select_630_s11_q <= select_630_s10_q;
       right_s11_q <= right_s10_q;
       best_right_rdata_s11_q <= best_right_rdata_q;
-      and_640_s11_q <= and_640_s10_q;
+      not_641_s11_q <= not_641_s10_q;
       and_645_s11_q <= and_645_s10_q;
-      and_647_s11_q <= and_647_s10_q;
-      equal_680_s11_q <= equal_680_s10_q;
+      and_650_s11_q <= and_650_s10_q;
+      and_652_s11_q <= and_652_s10_q;
+      equal_685_s11_q <= equal_685_s10_q;
       column_s11_q <= column;
-      select_1258_s11_q <= age_s10_q[3] ? sums_0_columns_values_13_q : 6'h0;
-      select_1507_s11_q <= age_s10_q[3] ? sums_1_columns_values_13_q : 6'h0;
-      sum_1542_s11_q <= {1'b0, before_v_2} + sum_1541;
-      sum_1545_s11_q <= {1'b0, before_v_3} + sum_1544;
-      and_1562_s11_q <= and_1562_s10_q;
-      equal_1563_s11_q <= equal_1563_s10_q;
-      or_1583_s11_q <= or_1583_s10_q;
+      select_1264_s11_q <= age_s10_q[3] ? sums_0_columns_values_13_q : 6'h0;
+      select_1513_s11_q <= age_s10_q[3] ? sums_1_columns_values_13_q : 6'h0;
+      sum_1548_s11_q <= {1'b0, before_v_2} + sum_1547;
+      sum_1551_s11_q <= {1'b0, before_v_3} + sum_1550;
+      and_1568_s11_q <= and_1568_s10_q;
+      equal_1569_s11_q <= equal_1569_s10_q;
+      or_1589_s11_q <= or_1589_s10_q;
+      and_1598_s11_q <= or_582_s10_q & (slot_s10_q[2] & not_586_s10_q);
       right_2_s11_q <= right_2;
-      and_1686_s11_q <= and_1686_s10_q;
-      and_1698_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & right_3_s10_q));
-      less_1700_s11_q <= less_1700_s10_q;
+      and_1692_s11_q <= and_1692_s10_q;
+      and_1704_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & right_3_s10_q));
+      less_1706_s11_q <= less_1706_s10_q;
       b_s11_q <= b_s10_q;
-      and_1733_s11_q <= and_1733_s10_q;
-      sum_1767_s11_q <= sum_1767[7:0];
-      less_1768_s11_q <= $signed(6'h0) < $signed(sum_1767[12:7]);
-      less_1769_s11_q <= $signed(sum_1767[12:7]) < $signed(6'h3f);
-      equal_1778_s11_q <= equal_1778_s10_q;
-      and_1782_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & or_1779_s10_q));
-      equal_1785_s11_q <= equal_1785_s10_q;
-      not_1786_s11_q <= not_1786_s10_q;
-      equal_1787_s11_q <= equal_1787_s10_q;
-      not_1788_s11_q <= not_1788_s10_q;
-      equal_1789_s11_q <= equal_1789_s10_q;
-      equal_1790_s11_q <= equal_1790_s10_q;
-      or_1791_s11_q <= or_1791_s10_q;
+      and_1739_s11_q <= and_1739_s10_q;
+      sum_1773_s11_q <= sum_1773[7:0];
+      less_1774_s11_q <= $signed(6'h0) < $signed(sum_1773[12:7]);
+      less_1775_s11_q <= $signed(sum_1773[12:7]) < $signed(6'h3f);
+      equal_1784_s11_q <= equal_1784_s10_q;
+      and_1788_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & or_1785_s10_q));
+      equal_1791_s11_q <= equal_1791_s10_q;
       not_1792_s11_q <= not_1792_s10_q;
-      select_1815_s11_q <= select_1815_s10_q;
+      equal_1793_s11_q <= equal_1793_s10_q;
+      not_1794_s11_q <= not_1794_s10_q;
+      equal_1795_s11_q <= equal_1795_s10_q;
+      equal_1796_s11_q <= equal_1796_s10_q;
+      or_1797_s11_q <= or_1797_s10_q;
+      not_1798_s11_q <= not_1798_s10_q;
       select_1821_s11_q <= select_1821_s10_q;
+      select_1827_s11_q <= select_1827_s10_q;
       patches_left_rdata_s11_q <= patches_left_rdata_q;
-      select_1859_s11_q <= select_1859_s10_q;
-      and_1869_s11_q <= and_1869_s10_q;
+      select_1865_s11_q <= select_1865_s10_q;
+      and_1875_s11_q <= and_1875_s10_q;
       patches_columns_above_rdata_s11_q <= patches_columns_above_rdata_s10_q;
-      select_1873_s11_q <= patches_second_s10_q ? patches_right_1_rdata_s10_q : pixel;
-      sum_1916_s11_q <= sum_1916;
-      less_1963_s11_q <= less_1963_s10_q;
-      equal_1964_s11_q <= equal_1964_s10_q;
-      or_1966_s11_q <= or_1966_s10_q;
+      select_1879_s11_q <= patches_second_s10_q ? patches_right_1_rdata_s10_q : pixel;
+      sum_1922_s11_q <= sum_1922;
+      less_1969_s11_q <= less_1969_s10_q;
+      equal_1970_s11_q <= equal_1970_s10_q;
+      or_1972_s11_q <= or_1972_s10_q;
       patches_rows_rdata_s11_q <= patches_rows_rdata_q;
-      sum_1990_s11_q <= sum_1990_s10_q;
-      and_2011_s11_q <= and_2011_s10_q;
-      and_2133_s11_q <= and_2133_s10_q;
-      equal_2277_s11_q <= equal_2277_s10_q;
-      equal_2466_s11_q <= equal_2466_s10_q;
-      and_2593_s11_q <= and_2593_s10_q;
-      equal_2678_s11_q <= equal_2678_s10_q;
-      less_2720_s11_q <= slot_s10_q < 3'h3;
+      sum_1996_s11_q <= sum_1996_s10_q;
+      and_2017_s11_q <= and_2017_s10_q;
+      not_2054_s11_q <= not_2054_s10_q;
+      and_2142_s11_q <= and_2142_s10_q;
+      equal_2286_s11_q <= equal_2286_s10_q;
+      equal_2475_s11_q <= equal_2475_s10_q;
+      and_2612_s11_q <= and_2612_s10_q;
+      equal_2697_s11_q <= equal_2697_s10_q;
+      less_2740_s11_q <= slot_s10_q < 3'h3;
       wide_s11_q <= wide_s10_q;
       taken_s11_q <= taken;
-      not_2738_s11_q <= ~wide_s10_q;
-      less_2759_s11_q <= less_2759_s10_q;
-      and_2989_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & not_2986_s10_q));
-      or_3040_s11_q <= or_3040_s10_q;
-      not_3064_s11_q <= not_3064_s10_q;
-      equal_3556_s11_q <= equal_3556_s10_q;
-      less_3812_s11_q <= less_3812_s10_q;
-      equal_4031_s11_q <= equal_4031_s10_q;
+      not_2758_s11_q <= ~wide_s10_q;
+      less_2779_s11_q <= less_2779_s10_q;
+      and_3008_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & not_3005_s10_q));
+      or_3059_s11_q <= or_3059_s10_q;
+      not_3083_s11_q <= not_3083_s10_q;
+      equal_3575_s11_q <= equal_3575_s10_q;
+      less_3831_s11_q <= less_3831_s10_q;
+      equal_3902_s11_q <= equal_3902_s10_q;
+      or_4052_s11_q <= or_4052_s10_q;
+      and_4066_s11_q <= and_4066_s10_q;
+      and_4083_s11_q <= and_4083_s10_q;
+      not_4095_s11_q <= not_4095_s10_q;
     end
   end
 
@@ -3396,131 +3501,133 @@ module horopter_agreement (
   logic [9:0] patches_read_row_differing_q;
   logic [4:0] patches_read_row_column_q;
   // hls/stages/census.hpp:127
-  logic and_524;
-  assign and_524 = sample_pair_whole_s11_q & and_523_s11_q;
+  logic and_526;
+  assign and_526 = sample_pair_whole_s11_q & and_525_s11_q;
   // hls/stages/moments.hpp:57
-  logic [13:0] select_573;
-  assign select_573 = moments_starts_q ? 14'h1 : (moments_place_q + {13'h0, moments_taken_q});
-  // hls/stages/agreement.hpp:1009
-  logic not_576;
-  assign not_576 = ~equal_575_s11_q;
-  // hls/stages/agreement.hpp:201
+  logic [13:0] select_575;
+  assign select_575 = moments_starts_q ? 14'h1 : (moments_place_q + {13'h0, moments_taken_q});
+  // hls/stages/agreement.hpp:1016
   logic not_578;
-  assign not_578 = ~so_s11_q;
-  // hls/stages/agreement.hpp:979
+  assign not_578 = ~equal_577_s11_q;
+  // hls/stages/agreement.hpp:201
+  logic not_580;
+  assign not_580 = ~so_s11_q;
+  // hls/stages/agreement.hpp:986
   logic [6:0] chosen;
   assign chosen = slot_s11_q[2] ? best_right_rdata_s11_q[14:8] : best_right_rdata_s11_q[28:22];
-  // hls/stages/agreement.hpp:807
-  logic or_760;
-  assign or_760 = shift_first_s11_q | (~shift_not_right_q);
-  // hls/stages/agreement.hpp:778
-  logic [5:0] select_1009;
-  assign select_1009 = age_s11_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  // hls/stages/agreement.hpp:779
+  // hls/stages/agreement.hpp:814
+  logic or_766;
+  assign or_766 = shift_first_s11_q | (~shift_not_right_q);
+  // hls/stages/agreement.hpp:785
+  logic [5:0] select_1015;
+  assign select_1015 = age_s11_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  // hls/stages/agreement.hpp:786
   logic [5:0] before_v;
   assign before_v = age_s11_q[1] ? middle_sum_columns_values_3_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1537;
-  assign sum_1537 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
-  // hls/stages/agreement.hpp:751
-  logic [6:0] select_1547;
-  assign select_1547 = (sum_1542_s11_q < sum_1545_s11_q) ? sum_1545_s11_q : sum_1542_s11_q;
-  // hls/stages/agreement.hpp:788
-  logic and_1573;
-  assign and_1573 = ends_cell_s11_q & inside_v_s11_q;
-  logic and_1575;
-  assign and_1575 = not_576 & (so_s11_q & and_1573);
+  // hls/stages/agreement.hpp:787
+  logic [6:0] sum_1543;
+  assign sum_1543 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
+  // hls/stages/agreement.hpp:758
+  logic [6:0] select_1553;
+  assign select_1553 = (sum_1548_s11_q < sum_1551_s11_q) ? sum_1551_s11_q : sum_1548_s11_q;
+  // hls/stages/agreement.hpp:795
+  logic and_1579;
+  assign and_1579 = ends_cell_s11_q & inside_v_s11_q;
+  logic and_1581;
+  assign and_1581 = not_578 & (so_s11_q & and_1579);
+  logic [6:0] select_1585;
+  assign select_1585 = so_s11_q ? x_s11_q[6:0] : (or_582_s11_q ? (less_585_s11_q ? 7'h0 : select_630_s11_q) : 7'h0);
   // hls/stages/registration.hpp:83
-  logic equal_1701;
-  assign equal_1701 = slot_s11_q == 3'h7;
+  logic equal_1707;
+  assign equal_1707 = slot_s11_q == 3'h7;
   // hls/stages/registration.hpp:211
-  logic [6:0] select_1704;
-  assign select_1704 = b_s11_q[0] ? registration_slope_here_q[7:1] : 7'h0;
-  logic [7:0] select_1705;
-  assign select_1705 = b_s11_q[1] ? registration_slope_here_q : 8'h0;
-  logic [8:0] sum_1706;
-  assign sum_1706 = {{2{select_1704[6]}}, select_1704} + {select_1705[7], select_1705};
-  // hls/stages/registration.hpp:212
-  logic [7:0] select_1707;
-  assign select_1707 = b_s11_q[2] ? registration_slope_here_q : 8'h0;
-  logic [7:0] select_1708;
-  assign select_1708 = b_s11_q[3] ? registration_slope_here_q : 8'h0;
-  logic [8:0] sum_1709;
-  assign sum_1709 = {{2{select_1707[7]}}, select_1707[7:1]} + {select_1708[7], select_1708};
-  // hls/stages/registration.hpp:213
+  logic [6:0] select_1710;
+  assign select_1710 = b_s11_q[0] ? registration_slope_here_q[7:1] : 7'h0;
   logic [7:0] select_1711;
-  assign select_1711 = b_s11_q[4] ? registration_slope_here_q : 8'h0;
-  logic [7:0] select_1712;
-  assign select_1712 = b_s11_q[5] ? registration_slope_here_q : 8'h0;
-  logic [8:0] difference_1713;
-  assign difference_1713 = {{2{select_1711[7]}}, select_1711[7:1]} - {select_1712[7], select_1712};
-  // hls/stages/agreement.hpp:788
-  logic [5:0] select_1749;
-  assign select_1749 = so_s11_q ? (ends_cell_s11_q ? (inside_v_s11_q ? b_s11_q : 6'h0) : 6'h0) : 6'h0;
+  assign select_1711 = b_s11_q[1] ? registration_slope_here_q : 8'h0;
+  logic [8:0] sum_1712;
+  assign sum_1712 = {{2{select_1710[6]}}, select_1710} + {select_1711[7], select_1711};
+  // hls/stages/registration.hpp:212
+  logic [7:0] select_1713;
+  assign select_1713 = b_s11_q[2] ? registration_slope_here_q : 8'h0;
+  logic [7:0] select_1714;
+  assign select_1714 = b_s11_q[3] ? registration_slope_here_q : 8'h0;
+  logic [8:0] sum_1715;
+  assign sum_1715 = {{2{select_1713[7]}}, select_1713[7:1]} + {select_1714[7], select_1714};
+  // hls/stages/registration.hpp:213
+  logic [7:0] select_1717;
+  assign select_1717 = b_s11_q[4] ? registration_slope_here_q : 8'h0;
+  logic [7:0] select_1718;
+  assign select_1718 = b_s11_q[5] ? registration_slope_here_q : 8'h0;
+  logic [8:0] difference_1719;
+  assign difference_1719 = {{2{select_1717[7]}}, select_1717[7:1]} - {select_1718[7], select_1718};
+  // hls/stages/agreement.hpp:795
+  logic [5:0] select_1755;
+  assign select_1755 = so_s11_q ? (ends_cell_s11_q ? (inside_v_s11_q ? b_s11_q : 6'h0) : 6'h0) : 6'h0;
   // hls/stages/registration.hpp:218
-  logic [7:0] select_1771;
-  assign select_1771 = less_1768_s11_q ? 8'h7f : (less_1769_s11_q ? 8'h80 : sum_1767_s11_q);
+  logic [7:0] select_1777;
+  assign select_1777 = less_1774_s11_q ? 8'h7f : (less_1775_s11_q ? 8'h80 : sum_1773_s11_q);
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
-  assign slope = equal_1701 ? registration_slope_here_q : select_1771;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_1775;
-  assign select_1775 = so_s11_q ? (ends_cell_s11_q ? (inside_v_s11_q ? slope : 8'h0) : 8'h0) : 8'h0;
-  logic and_1783;
-  assign and_1783 = not_576 & and_1782_s11_q;
+  assign slope = equal_1707 ? registration_slope_here_q : select_1777;
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_1781;
+  assign select_1781 = so_s11_q ? (ends_cell_s11_q ? (inside_v_s11_q ? slope : 8'h0) : 8'h0) : 8'h0;
+  logic and_1789;
+  assign and_1789 = not_578 & and_1788_s11_q;
   // hls/stages/patches.hpp:174
   logic [7:0] pixel_2;
-  assign pixel_2 = equal_1790_s11_q ? select_1873_s11_q : patches_left_rdata_s11_q;
+  assign pixel_2 = equal_1796_s11_q ? select_1879_s11_q : patches_left_rdata_s11_q;
   // hls/stages/patches.hpp:471
-  logic [9:0] sum_1917;
-  assign sum_1917 = {2'h0, patches_columns_above_rdata_s11_q[15:8]} + {1'b0, sum_1916_s11_q};
-  // hls/stages/agreement.hpp:788
-  logic and_2329;
-  assign and_2329 = not_576 & (not_578 & (equal_579_s11_q & (inside_v_s11_q & first_s11_q)));
+  logic [9:0] sum_1923;
+  assign sum_1923 = {2'h0, patches_columns_above_rdata_s11_q[15:8]} + {1'b0, sum_1922_s11_q};
+  // hls/stages/agreement.hpp:795
+  logic and_2338;
+  assign and_2338 = not_578 & (not_580 & (equal_581_s11_q & (inside_v_s11_q & first_s11_q)));
   // hls/stages/agreement.hpp:239
-  logic [5:0] select_2566;
-  assign select_2566 = slot_s11_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_2567;
-  assign select_2567 = slot_s11_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
-  logic [5:0] select_2568;
-  assign select_2568 = slot_s11_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
-  logic [5:0] select_2569;
-  assign select_2569 = slot_s11_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
-  logic [5:0] select_2570;
-  assign select_2570 = slot_s11_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
-  logic [5:0] select_2571;
-  assign select_2571 = slot_s11_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
-  // hls/stages/agreement.hpp:986
+  logic [5:0] select_2585;
+  assign select_2585 = slot_s11_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
+  logic [5:0] select_2586;
+  assign select_2586 = slot_s11_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
+  logic [5:0] select_2587;
+  assign select_2587 = slot_s11_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  logic [5:0] select_2588;
+  assign select_2588 = slot_s11_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_2589;
+  assign select_2589 = slot_s11_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_2590;
+  assign select_2590 = slot_s11_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  // hls/stages/agreement.hpp:993
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s11_q[61:54]} - {1'b0, best_left_rdata_s11_q[53:46]};
   // hls/stages/registration.hpp:37
-  logic not_2731;
-  assign not_2731 = ~registration_displacement_over_q[9];
+  logic not_2751;
+  assign not_2751 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2720_s11_q ? {1'b0, wide_s11_q, 1'b0} : {registration_displacement_over_q[8:0], not_2731};
+  assign left = less_2740_s11_q ? {1'b0, wide_s11_q, 1'b0} : {registration_displacement_over_q[8:0], not_2751};
   // hls/stages/registration.hpp:40
-  logic [7:0] select_2739;
-  assign select_2739 = registration_displacement_over_q[9] ? wide_s11_q : not_2738_s11_q;
+  logic [7:0] select_2759;
+  assign select_2759 = registration_displacement_over_q[9] ? wide_s11_q : not_2758_s11_q;
   logic [9:0] taken_2;
-  assign taken_2 = less_2720_s11_q ? {taken_s11_q, 1'b1} : {not_2731, select_2739, not_2731};
+  assign taken_2 = less_2740_s11_q ? {taken_s11_q, 1'b1} : {not_2751, select_2759, not_2751};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2741;
-  assign sum_2741 = {left, 1'b1} + {taken_2, less_2720_s11_q};
+  logic [10:0] sum_2761;
+  assign sum_2761 = {left, 1'b1} + {taken_2, less_2740_s11_q};
   // hls/stages/agreement.hpp:257
-  logic [4:0] select_2743;
-  assign select_2743 = so_s11_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_2745;
-  assign select_2745 = equal_575_s11_q ? registration_slope_here_q : (so_s11_q ? slope : registration_slope_here_q);
+  logic [4:0] select_2763;
+  assign select_2763 = so_s11_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_2765;
+  assign select_2765 = equal_577_s11_q ? registration_slope_here_q : (so_s11_q ? slope : registration_slope_here_q);
   // hls/stages/agreement.hpp:149
-  logic [2:0] select_2754;
-  assign select_2754 = or_580_s11_q ? (less_583_s11_q ? 3'h0 : best_left_rdata_s11_q[8:6]) : 3'h0;
+  logic [2:0] select_2774;
+  assign select_2774 = or_582_s11_q ? (less_585_s11_q ? 3'h0 : best_left_rdata_s11_q[8:6]) : 3'h0;
   // hls/stages/patches.hpp:559
-  logic [9:0] select_3507;
-  assign select_3507 = less_1963_s11_q ? (or_1966_s11_q ? patches_rows_rdata_s11_q[9:0] : 10'h0) : 10'h0;
-  logic [4:0] select_3510;
-  assign select_3510 = less_1963_s11_q ? (or_1966_s11_q ? patches_rows_rdata_s11_q[14:10] : 5'h0) : 5'h0;
+  logic [9:0] select_3526;
+  assign select_3526 = less_1969_s11_q ? (or_1972_s11_q ? patches_rows_rdata_s11_q[9:0] : 10'h0) : 10'h0;
+  logic [4:0] select_3529;
+  assign select_3529 = less_1969_s11_q ? (or_1972_s11_q ? patches_rows_rdata_s11_q[14:10] : 5'h0) : 5'h0;
 
   // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:238; read in stage 11, written in stage 14: 11 < 14 < 11 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -3530,17 +3637,55 @@ module horopter_agreement (
   initial for (int i = 0; i < 480; i++) averager_memory_mem[i] = 30'h0;
 `endif
   logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_514_s11_q;
+  assign averager_memory_raddr = select_516_s11_q;
 `ifndef SYNTHESIS
   logic averager_memory_re;
-  assign averager_memory_re = s11_en & and_524;
+  assign averager_memory_re = s11_en & and_526;
 `endif
   logic [29:0] averager_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
-  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1405; read in stage 11, written in stage 15: 11 < 15 < 11 + DISTANCE.
+  // Memory left_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1388; read in stage 11, written in stage 16: 11 < 16 < 11 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  (* ram_style = "distributed" *)
+  logic [1:0] left_turns_mem [0:119];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 120; i++) left_turns_mem[i] = 2'h0;
+`endif
+  logic [6:0] left_turns_raddr;
+  assign left_turns_raddr = x_s11_q[6:0];
+`ifndef SYNTHESIS
+  logic left_turns_re;
+  assign left_turns_re = s11_en & and_1598_s11_q;
+`endif
+  logic [1:0] left_turns_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) left_turns_rdata_q <= left_turns_mem[left_turns_raddr];
+  end
+
+  // Memory right_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1388; read in stage 11, written in stage 16: 11 < 16 < 11 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  (* ram_style = "distributed" *)
+  logic [1:0] right_turns_mem [0:119];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 120; i++) right_turns_mem[i] = 2'h0;
+`endif
+  logic [6:0] right_turns_raddr;
+  assign right_turns_raddr = select_630_s11_q;
+`ifndef SYNTHESIS
+  logic right_turns_re;
+  assign right_turns_re = s11_en & and_1598_s11_q;
+`endif
+  logic [1:0] right_turns_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) right_turns_rdata_q <= right_turns_mem[right_turns_raddr];
+  end
+
+  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1415; read in stage 11, written in stage 15: 11 < 15 < 11 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] seen_columns_mem [0:119];
@@ -3551,7 +3696,7 @@ module horopter_agreement (
   assign seen_columns_raddr = x_s11_q[6:0];
 `ifndef SYNTHESIS
   logic seen_columns_re;
-  assign seen_columns_re = s11_en & and_1575;
+  assign seen_columns_re = s11_en & and_1581;
 `endif
   logic [17:0] seen_columns_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -3570,15 +3715,15 @@ module horopter_agreement (
       patches_read_row_differing_q <= 10'h0;
       patches_read_row_column_q <= 5'h0;
     end else if (s11_en) begin
-      moments_place_q <= select_573;
-      moments_taken_q <= not_576 & (not_578 & (equal_579_s11_q & inside_v_s11_q));
-      moments_starts_q <= and_2329;
+      moments_place_q <= select_575;
+      moments_taken_q <= not_578 & (not_580 & (equal_581_s11_q & inside_v_s11_q));
+      moments_starts_q <= and_2338;
       shift_not_right_q <= $signed(run_shift_s11_q) < $signed(6'h1);
-      registration_displacement_over_q <= so_s11_q ? sum_2741[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2743;
-      registration_slope_here_q <= select_2745;
-      patches_read_row_differing_q <= equal_1785_s11_q ? select_3507 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_1785_s11_q ? select_3510 : patches_read_row_column_q;
+      registration_displacement_over_q <= so_s11_q ? sum_2761[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2763;
+      registration_slope_here_q <= select_2765;
+      patches_read_row_differing_q <= equal_1791_s11_q ? select_3526 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_1791_s11_q ? select_3529 : patches_read_row_column_q;
     end
   end
 
@@ -3597,12 +3742,12 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s11_en) begin
       middle_sum_columns_values_0_q <= slot_s11_q[0] ? middle_sum_columns_values_0_q : column_s11_q;
-      middle_sum_columns_values_1_q <= select_2566;
-      middle_sum_columns_values_2_q <= select_2567;
-      middle_sum_columns_values_3_q <= select_2568;
-      middle_sum_columns_values_4_q <= select_2569;
-      middle_sum_columns_values_5_q <= select_2570;
-      middle_sum_columns_values_6_q <= select_2571;
+      middle_sum_columns_values_1_q <= select_2585;
+      middle_sum_columns_values_2_q <= select_2586;
+      middle_sum_columns_values_3_q <= select_2587;
+      middle_sum_columns_values_4_q <= select_2588;
+      middle_sum_columns_values_5_q <= select_2589;
+      middle_sum_columns_values_6_q <= select_2590;
     end
   end
 
@@ -3621,6 +3766,7 @@ module horopter_agreement (
   logic [2:0] slot_s12_q;
   logic ends_cell_s12_q;
   logic lower_half_s12_q;
+  logic draws_late_s12_q;
   logic shift_not_right_s12_q;
   logic [4:0] patches_band_rows_number_s12_q;
   logic [4:0] patches_choosing_band_s12_q;
@@ -3632,108 +3778,114 @@ module horopter_agreement (
   logic [9:0] patches_read_row_differing_s12_q;
   logic [4:0] patches_read_row_column_s12_q;
   logic patches_read_searches_s12_q;
-  logic [3:0] select_509_s12_q;
-  logic equal_510_s12_q;
+  logic done_s12_q;
+  logic [3:0] select_511_s12_q;
+  logic equal_512_s12_q;
   logic row_starts_s12_q;
-  logic [8:0] select_514_s12_q;
-  logic and_523_s12_q;
-  logic and_524_s12_q;
-  logic equal_529_s12_q;
-  logic [6:0] select_544_s12_q;
+  logic [8:0] select_516_s12_q;
+  logic and_525_s12_q;
+  logic and_526_s12_q;
+  logic equal_531_s12_q;
+  logic [6:0] select_546_s12_q;
   logic [6:0] last_s12_q;
-  logic and_548_s12_q;
   logic and_550_s12_q;
-  logic equal_570_s12_q;
+  logic and_552_s12_q;
+  logic equal_572_s12_q;
   logic first_s12_q;
-  logic equal_575_s12_q;
-  logic not_576_s12_q;
-  logic so_s12_q;
+  logic equal_577_s12_q;
   logic not_578_s12_q;
-  logic equal_579_s12_q;
-  logic or_580_s12_q;
-  logic less_583_s12_q;
-  logic not_584_s12_q;
+  logic so_s12_q;
+  logic not_580_s12_q;
+  logic equal_581_s12_q;
+  logic or_582_s12_q;
+  logic less_585_s12_q;
+  logic not_586_s12_q;
   logic inside_v_s12_q;
-  logic and_601_s12_q;
-  logic and_609_s12_q;
+  logic and_603_s12_q;
+  logic and_612_s12_q;
   logic [6:0] x_s12_2_q;
   logic [61:0] best_left_rdata_s12_q;
-  logic less_620_s12_q;
-  logic [6:0] select_627_s12_q;
+  logic less_623_s12_q;
   logic [6:0] right_s12_q;
   logic [28:0] best_right_rdata_s12_q;
   logic [6:0] chosen_s12_q;
-  logic and_640_s12_q;
+  logic not_641_s12_q;
   logic and_645_s12_q;
-  logic and_647_s12_q;
-  logic equal_680_s12_q;
-  logic select_762_s12_q;
-  logic [6:0] difference_1010_s12_q;
-  logic [6:0] difference_1259_s12_q;
-  logic equal_1260_s12_q;
-  logic [6:0] difference_1508_s12_q;
-  logic [6:0] sum_1538_s12_q;
-  logic [6:0] select_1547_s12_q;
-  logic and_1562_s12_q;
-  logic select_1564_s12_q;
-  logic and_1573_s12_q;
-  logic and_1575_s12_q;
-  logic or_1583_s12_q;
-  logic and_1592_s12_q;
+  logic and_650_s12_q;
+  logic and_652_s12_q;
+  logic equal_685_s12_q;
+  logic select_768_s12_q;
+  logic [6:0] difference_1016_s12_q;
+  logic [6:0] difference_1265_s12_q;
+  logic equal_1266_s12_q;
+  logic [6:0] difference_1514_s12_q;
+  logic [6:0] sum_1544_s12_q;
+  logic [6:0] select_1553_s12_q;
+  logic and_1568_s12_q;
+  logic select_1570_s12_q;
+  logic and_1579_s12_q;
+  logic and_1581_s12_q;
+  logic [6:0] select_1585_s12_q;
+  logic or_1589_s12_q;
   logic right_2_s12_q;
-  logic and_1686_s12_q;
-  logic and_1699_s12_q;
-  logic less_1700_s12_q;
-  logic equal_1701_s12_q;
-  logic [7:0] sum_1706_s12_q;
-  logic select_1707_s12_q;
-  logic [8:0] sum_1709_s12_q;
-  logic select_1711_s12_q;
-  logic [8:0] difference_1713_s12_q;
-  logic and_1733_s12_q;
-  logic [5:0] select_1750_s12_q;
-  logic [7:0] select_1776_s12_q;
-  logic equal_1778_s12_q;
-  logic and_1783_s12_q;
-  logic and_1784_s12_q;
-  logic equal_1785_s12_q;
-  logic not_1786_s12_q;
-  logic equal_1787_s12_q;
-  logic not_1788_s12_q;
-  logic equal_1789_s12_q;
-  logic equal_1790_s12_q;
-  logic or_1791_s12_q;
+  logic and_1692_s12_q;
+  logic and_1705_s12_q;
+  logic less_1706_s12_q;
+  logic equal_1707_s12_q;
+  logic [7:0] sum_1712_s12_q;
+  logic select_1713_s12_q;
+  logic [8:0] sum_1715_s12_q;
+  logic select_1717_s12_q;
+  logic [8:0] difference_1719_s12_q;
+  logic and_1739_s12_q;
+  logic [5:0] select_1756_s12_q;
+  logic [7:0] select_1782_s12_q;
+  logic equal_1784_s12_q;
+  logic and_1789_s12_q;
+  logic and_1790_s12_q;
+  logic equal_1791_s12_q;
   logic not_1792_s12_q;
-  logic [4:0] select_1815_s12_q;
-  logic select_1821_s12_q;
-  logic [3:0] select_1859_s12_q;
-  logic and_1869_s12_q;
+  logic equal_1793_s12_q;
+  logic not_1794_s12_q;
+  logic equal_1795_s12_q;
+  logic equal_1796_s12_q;
+  logic or_1797_s12_q;
+  logic not_1798_s12_q;
+  logic [4:0] select_1821_s12_q;
+  logic select_1827_s12_q;
+  logic [3:0] select_1865_s12_q;
+  logic and_1875_s12_q;
   logic [31:0] patches_columns_above_rdata_s12_q;
   logic [7:0] pixel_2_s12_q;
-  logic [9:0] sum_1917_s12_q;
-  logic less_1963_s12_q;
-  logic equal_1964_s12_q;
-  logic or_1966_s12_q;
+  logic [9:0] sum_1923_s12_q;
+  logic less_1969_s12_q;
+  logic equal_1970_s12_q;
+  logic or_1972_s12_q;
   logic [9:0] patches_rows_rdata_s12_q;
-  logic sum_1990_s12_q;
-  logic and_2011_s12_q;
-  logic and_2134_s12_q;
-  logic equal_2277_s12_q;
-  logic equal_2466_s12_q;
-  logic and_2593_s12_q;
-  logic equal_2678_s12_q;
+  logic sum_1996_s12_q;
+  logic and_2017_s12_q;
+  logic not_2054_s12_q;
+  logic and_2143_s12_q;
+  logic equal_2286_s12_q;
+  logic equal_2475_s12_q;
+  logic and_2612_s12_q;
+  logic equal_2697_s12_q;
   logic rise_s12_q;
-  logic [7:0] xor_2683_s12_q;
-  logic select_2754_s12_q;
-  logic or_2757_s12_q;
-  logic [1:0] sum_2758_s12_q;
-  logic less_2759_s12_q;
-  logic and_2990_s12_q;
-  logic or_3040_s12_q;
-  logic not_3064_s12_q;
-  logic equal_3556_s12_q;
-  logic less_3812_s12_q;
-  logic equal_4031_s12_q;
+  logic [7:0] xor_2702_s12_q;
+  logic select_2774_s12_q;
+  logic or_2777_s12_q;
+  logic [1:0] sum_2778_s12_q;
+  logic less_2779_s12_q;
+  logic and_3009_s12_q;
+  logic or_3059_s12_q;
+  logic not_3083_s12_q;
+  logic equal_3575_s12_q;
+  logic less_3831_s12_q;
+  logic equal_3902_s12_q;
+  logic or_4052_s12_q;
+  logic and_4066_s12_q;
+  logic and_4083_s12_q;
+  logic not_4095_s12_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s12_q <= pixel_0_s11_q;
@@ -3751,6 +3903,7 @@ module horopter_agreement (
       slot_s12_q <= slot_s11_q;
       ends_cell_s12_q <= ends_cell_s11_q;
       lower_half_s12_q <= lower_half_s11_q;
+      draws_late_s12_q <= draws_late_s11_q;
       shift_not_right_s12_q <= shift_not_right_q;
       patches_band_rows_number_s12_q <= patches_band_rows_number_s11_q;
       patches_choosing_band_s12_q <= patches_choosing_band_s11_q;
@@ -3762,108 +3915,114 @@ module horopter_agreement (
       patches_read_row_differing_s12_q <= patches_read_row_differing_q;
       patches_read_row_column_s12_q <= patches_read_row_column_q;
       patches_read_searches_s12_q <= patches_read_searches_s11_q;
-      select_509_s12_q <= select_509_s11_q;
-      equal_510_s12_q <= equal_510_s11_q;
+      done_s12_q <= done_s11_q;
+      select_511_s12_q <= select_511_s11_q;
+      equal_512_s12_q <= equal_512_s11_q;
       row_starts_s12_q <= row_starts_s11_q;
-      select_514_s12_q <= select_514_s11_q;
-      and_523_s12_q <= and_523_s11_q;
-      and_524_s12_q <= and_524;
-      equal_529_s12_q <= equal_529_s11_q;
-      select_544_s12_q <= select_544_s11_q;
+      select_516_s12_q <= select_516_s11_q;
+      and_525_s12_q <= and_525_s11_q;
+      and_526_s12_q <= and_526;
+      equal_531_s12_q <= equal_531_s11_q;
+      select_546_s12_q <= select_546_s11_q;
       last_s12_q <= last_s11_q;
-      and_548_s12_q <= and_548_s11_q;
       and_550_s12_q <= and_550_s11_q;
-      equal_570_s12_q <= equal_570_s11_q;
+      and_552_s12_q <= and_552_s11_q;
+      equal_572_s12_q <= equal_572_s11_q;
       first_s12_q <= first_s11_q;
-      equal_575_s12_q <= equal_575_s11_q;
-      not_576_s12_q <= not_576;
-      so_s12_q <= so_s11_q;
+      equal_577_s12_q <= equal_577_s11_q;
       not_578_s12_q <= not_578;
-      equal_579_s12_q <= equal_579_s11_q;
-      or_580_s12_q <= or_580_s11_q;
-      less_583_s12_q <= less_583_s11_q;
-      not_584_s12_q <= not_584_s11_q;
+      so_s12_q <= so_s11_q;
+      not_580_s12_q <= not_580;
+      equal_581_s12_q <= equal_581_s11_q;
+      or_582_s12_q <= or_582_s11_q;
+      less_585_s12_q <= less_585_s11_q;
+      not_586_s12_q <= not_586_s11_q;
       inside_v_s12_q <= inside_v_s11_q;
-      and_601_s12_q <= and_601_s11_q;
-      and_609_s12_q <= and_609_s11_q;
+      and_603_s12_q <= and_603_s11_q;
+      and_612_s12_q <= and_612_s11_q;
       x_s12_2_q <= x_s11_2_q;
       best_left_rdata_s12_q <= best_left_rdata_s11_q;
-      less_620_s12_q <= 8'hb6 < best_left_rdata_s11_q[16:9];
-      select_627_s12_q <= select_627_s11_q;
+      less_623_s12_q <= 8'hb6 < best_left_rdata_s11_q[16:9];
       right_s12_q <= right_s11_q;
       best_right_rdata_s12_q <= best_right_rdata_s11_q;
       chosen_s12_q <= chosen;
-      and_640_s12_q <= and_640_s11_q;
+      not_641_s12_q <= not_641_s11_q;
       and_645_s12_q <= and_645_s11_q;
-      and_647_s12_q <= and_647_s11_q;
-      equal_680_s12_q <= equal_680_s11_q;
-      select_762_s12_q <= or_760 ? shift_first_s11_q : (~age_s11_q[1]);
-      difference_1010_s12_q <= {1'b0, column_s11_q} - {1'b0, select_1009};
-      difference_1259_s12_q <= {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1258_s11_q};
-      equal_1260_s12_q <= {age_s11_q[0], slot_s11_q[0]} == 2'h0;
-      difference_1508_s12_q <= {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1507_s11_q};
-      sum_1538_s12_q <= {1'b0, before_v} + sum_1537;
-      select_1547_s12_q <= select_1547;
-      and_1562_s12_q <= and_1562_s11_q;
-      select_1564_s12_q <= or_760 ? shift_first_s11_q : equal_1563_s11_q;
-      and_1573_s12_q <= and_1573;
-      and_1575_s12_q <= and_1575;
-      or_1583_s12_q <= or_1583_s11_q;
-      and_1592_s12_q <= or_580_s11_q & (slot_s11_q[2] & not_584_s11_q);
+      and_650_s12_q <= and_650_s11_q;
+      and_652_s12_q <= and_652_s11_q;
+      equal_685_s12_q <= equal_685_s11_q;
+      select_768_s12_q <= or_766 ? shift_first_s11_q : (~age_s11_q[1]);
+      difference_1016_s12_q <= {1'b0, column_s11_q} - {1'b0, select_1015};
+      difference_1265_s12_q <= {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1264_s11_q};
+      equal_1266_s12_q <= {age_s11_q[0], slot_s11_q[0]} == 2'h0;
+      difference_1514_s12_q <= {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1513_s11_q};
+      sum_1544_s12_q <= {1'b0, before_v} + sum_1543;
+      select_1553_s12_q <= select_1553;
+      and_1568_s12_q <= and_1568_s11_q;
+      select_1570_s12_q <= or_766 ? shift_first_s11_q : equal_1569_s11_q;
+      and_1579_s12_q <= and_1579;
+      and_1581_s12_q <= and_1581;
+      select_1585_s12_q <= select_1585;
+      or_1589_s12_q <= or_1589_s11_q;
       right_2_s12_q <= right_2_s11_q;
-      and_1686_s12_q <= and_1686_s11_q;
-      and_1699_s12_q <= not_576 & and_1698_s11_q;
-      less_1700_s12_q <= less_1700_s11_q;
-      equal_1701_s12_q <= equal_1701;
-      sum_1706_s12_q <= sum_1706[8:1];
-      select_1707_s12_q <= select_1707[0];
-      sum_1709_s12_q <= sum_1709;
-      select_1711_s12_q <= select_1711[0];
-      difference_1713_s12_q <= difference_1713;
-      and_1733_s12_q <= and_1733_s11_q;
-      select_1750_s12_q <= equal_575_s11_q ? 6'h0 : select_1749;
-      select_1776_s12_q <= equal_575_s11_q ? 8'h0 : select_1775;
-      equal_1778_s12_q <= equal_1778_s11_q;
-      and_1783_s12_q <= and_1783;
-      and_1784_s12_q <= patches_chooses_s11_q & and_1783;
-      equal_1785_s12_q <= equal_1785_s11_q;
-      not_1786_s12_q <= not_1786_s11_q;
-      equal_1787_s12_q <= equal_1787_s11_q;
-      not_1788_s12_q <= not_1788_s11_q;
-      equal_1789_s12_q <= equal_1789_s11_q;
-      equal_1790_s12_q <= equal_1790_s11_q;
-      or_1791_s12_q <= or_1791_s11_q;
+      and_1692_s12_q <= and_1692_s11_q;
+      and_1705_s12_q <= not_578 & and_1704_s11_q;
+      less_1706_s12_q <= less_1706_s11_q;
+      equal_1707_s12_q <= equal_1707;
+      sum_1712_s12_q <= sum_1712[8:1];
+      select_1713_s12_q <= select_1713[0];
+      sum_1715_s12_q <= sum_1715;
+      select_1717_s12_q <= select_1717[0];
+      difference_1719_s12_q <= difference_1719;
+      and_1739_s12_q <= and_1739_s11_q;
+      select_1756_s12_q <= equal_577_s11_q ? 6'h0 : select_1755;
+      select_1782_s12_q <= equal_577_s11_q ? 8'h0 : select_1781;
+      equal_1784_s12_q <= equal_1784_s11_q;
+      and_1789_s12_q <= and_1789;
+      and_1790_s12_q <= patches_chooses_s11_q & and_1789;
+      equal_1791_s12_q <= equal_1791_s11_q;
       not_1792_s12_q <= not_1792_s11_q;
-      select_1815_s12_q <= select_1815_s11_q;
+      equal_1793_s12_q <= equal_1793_s11_q;
+      not_1794_s12_q <= not_1794_s11_q;
+      equal_1795_s12_q <= equal_1795_s11_q;
+      equal_1796_s12_q <= equal_1796_s11_q;
+      or_1797_s12_q <= or_1797_s11_q;
+      not_1798_s12_q <= not_1798_s11_q;
       select_1821_s12_q <= select_1821_s11_q;
-      select_1859_s12_q <= select_1859_s11_q;
-      and_1869_s12_q <= and_1869_s11_q;
+      select_1827_s12_q <= select_1827_s11_q;
+      select_1865_s12_q <= select_1865_s11_q;
+      and_1875_s12_q <= and_1875_s11_q;
       patches_columns_above_rdata_s12_q <= patches_columns_above_rdata_s11_q;
       pixel_2_s12_q <= pixel_2;
-      sum_1917_s12_q <= sum_1917;
-      less_1963_s12_q <= less_1963_s11_q;
-      equal_1964_s12_q <= equal_1964_s11_q;
-      or_1966_s12_q <= or_1966_s11_q;
+      sum_1923_s12_q <= sum_1923;
+      less_1969_s12_q <= less_1969_s11_q;
+      equal_1970_s12_q <= equal_1970_s11_q;
+      or_1972_s12_q <= or_1972_s11_q;
       patches_rows_rdata_s12_q <= patches_rows_rdata_s11_q[9:0];
-      sum_1990_s12_q <= sum_1990_s11_q;
-      and_2011_s12_q <= and_2011_s11_q;
-      and_2134_s12_q <= not_576 & and_2133_s11_q;
-      equal_2277_s12_q <= equal_2277_s11_q;
-      equal_2466_s12_q <= equal_2466_s11_q;
-      and_2593_s12_q <= and_2593_s11_q;
-      equal_2678_s12_q <= equal_2678_s11_q;
+      sum_1996_s12_q <= sum_1996_s11_q;
+      and_2017_s12_q <= and_2017_s11_q;
+      not_2054_s12_q <= not_2054_s11_q;
+      and_2143_s12_q <= not_578 & and_2142_s11_q;
+      equal_2286_s12_q <= equal_2286_s11_q;
+      equal_2475_s12_q <= equal_2475_s11_q;
+      and_2612_s12_q <= and_2612_s11_q;
+      equal_2697_s12_q <= equal_2697_s11_q;
       rise_s12_q <= rise[8];
-      xor_2683_s12_q <= rise[7:0] ^ {8{rise[8]}};
-      select_2754_s12_q <= select_2754[0];
-      or_2757_s12_q <= (select_2754 == 3'h0) | (select_2754 == 3'h4);
-      sum_2758_s12_q <= select_2754[2:1] + 2'h3;
-      less_2759_s12_q <= less_2759_s11_q;
-      and_2990_s12_q <= not_576 & and_2989_s11_q;
-      or_3040_s12_q <= or_3040_s11_q;
-      not_3064_s12_q <= not_3064_s11_q;
-      equal_3556_s12_q <= equal_3556_s11_q;
-      less_3812_s12_q <= less_3812_s11_q;
-      equal_4031_s12_q <= equal_4031_s11_q;
+      xor_2702_s12_q <= rise[7:0] ^ {8{rise[8]}};
+      select_2774_s12_q <= select_2774[0];
+      or_2777_s12_q <= (select_2774 == 3'h0) | (select_2774 == 3'h4);
+      sum_2778_s12_q <= select_2774[2:1] + 2'h3;
+      less_2779_s12_q <= less_2779_s11_q;
+      and_3009_s12_q <= not_578 & and_3008_s11_q;
+      or_3059_s12_q <= or_3059_s11_q;
+      not_3083_s12_q <= not_3083_s11_q;
+      equal_3575_s12_q <= equal_3575_s11_q;
+      less_3831_s12_q <= less_3831_s11_q;
+      equal_3902_s12_q <= equal_3902_s11_q;
+      or_4052_s12_q <= or_4052_s11_q;
+      and_4066_s12_q <= and_4066_s11_q;
+      and_4083_s12_q <= and_4083_s11_q;
+      not_4095_s12_q <= not_4095_s11_q;
     end
   end
 
@@ -3891,116 +4050,113 @@ module horopter_agreement (
   logic [7:0] region_down_back_q;
   logic [8:0] region_down_next_q;
   // hls/stages/census.hpp:117
-  logic [13:0] select_527;
-  assign select_527 = equal_510_s12_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
-  logic [13:0] sum_533;
-  assign sum_533 = {6'h0, sample_pair_pixel_1_q} + (equal_510_s12_q ? 14'h0 : averager_running_1_q);
+  logic [13:0] select_529;
+  assign select_529 = equal_512_s12_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
+  logic [13:0] sum_535;
+  assign sum_535 = {6'h0, sample_pair_pixel_1_q} + (equal_512_s12_q ? 14'h0 : averager_running_1_q);
   // hls/stages/moments.hpp:63
   logic [10:0] place;
   assign place = first_s12_q ? 11'h0 : moments_place_q[13:3];
   // hls/stages/moments.hpp:104
-  logic not_588;
-  assign not_588 = ~(11'h3ec < place);
-  // hls/stages/agreement.hpp:978
-  logic select_622;
-  assign select_622 = slot_s12_q[2] ? less_620_s12_q : (6'h2a < best_left_rdata_s12_q[39:34]);
-  // hls/stages/agreement.hpp:992
-  logic [8:0] difference_632;
-  assign difference_632 = {2'h0, chosen_s12_q} - {1'b0, x_s12_q};
-  // hls/stages/agreement.hpp:778
-  logic [7:0] sum_1012;
-  assign sum_1012 = {difference_1010_s12_q[6], difference_1010_s12_q} + (age_s12_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
-  logic [7:0] sum_1262;
-  assign sum_1262 = {difference_1259_s12_q[6], difference_1259_s12_q} + (equal_1260_s12_q ? 8'h0 : sums_0_sum_sums_values_1_q);
-  logic [7:0] sum_1510;
-  assign sum_1510 = {difference_1508_s12_q[6], difference_1508_s12_q} + (equal_1260_s12_q ? 8'h0 : sums_1_sum_sums_values_1_q);
-  // hls/stages/agreement.hpp:755
-  logic [6:0] select_1539;
-  assign select_1539 = slot_s12_q[0] ? chosen_near_q : sum_1538_s12_q;
-  // hls/stages/agreement.hpp:751
-  logic [6:0] select_1549;
-  assign select_1549 = (select_1539 < select_1547_s12_q) ? select_1547_s12_q : select_1539;
-  // hls/stages/agreement.hpp:788
-  logic [6:0] select_1579;
-  assign select_1579 = so_s12_q ? x_s12_q[6:0] : (or_580_s12_q ? (less_583_s12_q ? 7'h0 : select_627_s12_q) : 7'h0);
+  logic not_590;
+  assign not_590 = ~(11'h3ec < place);
+  // hls/stages/agreement.hpp:985
+  logic select_625;
+  assign select_625 = slot_s12_q[2] ? less_623_s12_q : (6'h2a < best_left_rdata_s12_q[39:34]);
+  // hls/stages/agreement.hpp:999
+  logic [8:0] difference_635;
+  assign difference_635 = {2'h0, chosen_s12_q} - {1'b0, x_s12_q};
+  // hls/stages/agreement.hpp:785
+  logic [7:0] sum_1018;
+  assign sum_1018 = {difference_1016_s12_q[6], difference_1016_s12_q} + (age_s12_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  logic [7:0] sum_1268;
+  assign sum_1268 = {difference_1265_s12_q[6], difference_1265_s12_q} + (equal_1266_s12_q ? 8'h0 : sums_0_sum_sums_values_1_q);
+  logic [7:0] sum_1516;
+  assign sum_1516 = {difference_1514_s12_q[6], difference_1514_s12_q} + (equal_1266_s12_q ? 8'h0 : sums_1_sum_sums_values_1_q);
+  // hls/stages/agreement.hpp:762
+  logic [6:0] select_1545;
+  assign select_1545 = slot_s12_q[0] ? chosen_near_q : sum_1544_s12_q;
+  // hls/stages/agreement.hpp:758
+  logic [6:0] select_1555;
+  assign select_1555 = (select_1545 < select_1553_s12_q) ? select_1553_s12_q : select_1545;
   // hls/stages/registration.hpp:214
-  logic [10:0] sum_1710;
-  assign sum_1710 = {{3{sum_1706_s12_q[7]}}, sum_1706_s12_q} + {sum_1709_s12_q[8], sum_1709_s12_q, select_1707_s12_q};
-  logic [9:0] sum_1714;
-  assign sum_1714 = {difference_1713_s12_q, select_1711_s12_q} + {sum_1710[10], sum_1710[10:2]};
+  logic [10:0] sum_1716;
+  assign sum_1716 = {{3{sum_1712_s12_q[7]}}, sum_1712_s12_q} + {sum_1715_s12_q[8], sum_1715_s12_q, select_1713_s12_q};
+  logic [9:0] sum_1720;
+  assign sum_1720 = {difference_1719_s12_q, select_1717_s12_q} + {sum_1716[10], sum_1716[10:2]};
   // hls/stages/patches.hpp:473
-  logic [8:0] sum_1897;
-  assign sum_1897 = {1'b0, patches_columns_above_rdata_s12_q[7:0]} + {2'h0, pixel_2_s12_q[7:1]};
-  logic [8:0] sum_1898;
-  assign sum_1898 = {1'b0, patches_columns_above_rdata_s12_q[23:16]} + {2'h0, patches_columns_above_rdata_s12_q[31:25]};
+  logic [8:0] sum_1903;
+  assign sum_1903 = {1'b0, patches_columns_above_rdata_s12_q[7:0]} + {2'h0, pixel_2_s12_q[7:1]};
+  logic [8:0] sum_1904;
+  assign sum_1904 = {1'b0, patches_columns_above_rdata_s12_q[23:16]} + {2'h0, patches_columns_above_rdata_s12_q[31:25]};
   // hls/stages/patches.hpp:471
-  logic [10:0] sum_1918;
-  assign sum_1918 = {3'h0, patches_columns_above_rdata_s12_q[15:8]} + {sum_1917_s12_q, patches_columns_above_rdata_s12_q[25]};
+  logic [10:0] sum_1924;
+  assign sum_1924 = {3'h0, patches_columns_above_rdata_s12_q[15:8]} + {sum_1923_s12_q, patches_columns_above_rdata_s12_q[25]};
   // hls/stages/agreement.hpp:239
-  logic [6:0] select_2578;
-  assign select_2578 = slot_s12_q[0] ? 7'h0 : sum_1538_s12_q;
-  // hls/stages/agreement.hpp:751
-  logic [6:0] select_2580;
-  assign select_2580 = (select_2578 < select_1547_s12_q) ? select_1547_s12_q : select_2578;
-  // hls/stages/agreement.hpp:987
+  logic [6:0] select_2597;
+  assign select_2597 = slot_s12_q[0] ? 7'h0 : sum_1544_s12_q;
+  // hls/stages/agreement.hpp:758
+  logic [6:0] select_2599;
+  assign select_2599 = (select_2597 < select_1553_s12_q) ? select_1553_s12_q : select_2597;
+  // hls/stages/agreement.hpp:994
   logic [7:0] lower;
   assign lower = rise_s12_q ? best_left_rdata_s12_q[61:54] : best_left_rdata_s12_q[53:46];
   // hls/stages/registration.hpp:47
-  logic [7:0] difference_2760;
-  assign difference_2760 = {sum_2758_s12_q, select_2754_s12_q, 5'h0} - {3'h0, registration_displacement_fraction_q};
+  logic [7:0] difference_2780;
+  assign difference_2780 = {sum_2778_s12_q, select_2774_s12_q, 5'h0} - {3'h0, registration_displacement_fraction_q};
   // hls/stages/registration.hpp:102
-  logic [7:0] select_2761;
-  assign select_2761 = less_2759_s12_q ? difference_2760 : {sum_2758_s12_q, select_2754_s12_q, registration_displacement_fraction_q};
-  logic [7:0] select_2762;
-  assign select_2762 = or_2757_s12_q ? {sum_2758_s12_q, select_2754_s12_q, 5'h0} : select_2761;
+  logic [7:0] select_2781;
+  assign select_2781 = less_2779_s12_q ? difference_2780 : {sum_2778_s12_q, select_2774_s12_q, registration_displacement_fraction_q};
+  logic [7:0] select_2782;
+  assign select_2782 = or_2777_s12_q ? {sum_2778_s12_q, select_2774_s12_q, 5'h0} : select_2781;
   // hls/stages/patches.hpp:191
-  logic select_3079;
-  assign select_3079 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3098;
+  assign select_3098 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/patches.hpp:177
-  logic and_3140;
-  assign and_3140 = patches_along_ends_q & patches_match_row_ends_q;
+  logic and_3159;
+  assign and_3159 = patches_along_ends_q & patches_match_row_ends_q;
   // hls/stages/patches.hpp:417
-  logic [4:0] select_3145;
-  assign select_3145 = or_3040_s12_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  logic [4:0] select_3164;
+  assign select_3164 = or_3059_s12_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:419
-  logic [3:0] select_3147;
-  assign select_3147 = and_3140 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  logic [3:0] select_3166;
+  assign select_3166 = and_3159 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/agreement.hpp:275
-  logic select_3518;
-  assign select_3518 = equal_1785_s12_q ? (less_1963_s12_q & (or_1966_s12_q & (patches_step_s12_q == 5'h0))) : patches_read_first_q;
+  logic select_3537;
+  assign select_3537 = equal_1791_s12_q ? (less_1969_s12_q & (or_1972_s12_q & (patches_step_s12_q == 5'h0))) : patches_read_first_q;
   // hls/stages/patches.hpp:180
-  logic or_3523;
-  assign or_3523 = patches_read_first_q | (patches_read_row_differing_s12_q < patches_peak_best_differing_q);
-  logic and_3524;
-  assign and_3524 = patches_read_searches_s12_q & or_3523;
+  logic or_3542;
+  assign or_3542 = patches_read_first_q | (patches_read_row_differing_s12_q < patches_peak_best_differing_q);
+  logic and_3543;
+  assign and_3543 = patches_read_searches_s12_q & or_3542;
   // hls/stages/patches.hpp:542
-  logic [14:0] select_3544;
-  assign select_3544 = and_3524 ? {patches_read_row_column_s12_q, patches_read_row_differing_s12_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  logic [14:0] select_3563;
+  assign select_3563 = and_3543 ? {patches_read_row_column_s12_q, patches_read_row_differing_s12_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3545;
-  assign select_3545 = equal_1785_s12_q ? select_3544[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3546;
-  assign select_3546 = equal_1785_s12_q ? select_3544[14:10] : patches_peak_best_column_q;
+  logic [9:0] select_3564;
+  assign select_3564 = equal_1791_s12_q ? select_3563[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3565;
+  assign select_3565 = equal_1791_s12_q ? select_3563[14:10] : patches_peak_best_column_q;
   // hls/stages/division.hpp:34
-  logic [7:0] sum_3813;
-  assign sum_3813 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:460
-  logic [8:0] select_3836;
-  assign select_3836 = equal_680_s12_q ? {difference_3834[7], difference_3834} : (less_3812_s12_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:520
-  logic [8:0] select_3838;
-  assign select_3838 = and_550_s12_q ? (equal_2466_s12_q ? select_3836 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:460
-  logic [7:0] select_3840;
-  assign select_3840 = equal_680_s12_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:520
-  logic [7:0] select_3842;
-  assign select_3842 = and_550_s12_q ? (equal_2466_s12_q ? select_3840 : region_down_back_q) : region_down_back_q;
+  logic [7:0] sum_3832;
+  assign sum_3832 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/agreement.hpp:464
+  logic [8:0] select_3855;
+  assign select_3855 = equal_685_s12_q ? {difference_3853[7], difference_3853} : (less_3831_s12_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:527
+  logic [8:0] select_3857;
+  assign select_3857 = and_552_s12_q ? (equal_2475_s12_q ? select_3855 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:464
+  logic [7:0] select_3859;
+  assign select_3859 = equal_685_s12_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:527
+  logic [7:0] select_3861;
+  assign select_3861 = and_552_s12_q ? (equal_2475_s12_q ? select_3859 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:36
-  logic [8:0] select_3844;
-  assign select_3844 = sum_3813[7] ? {1'b1, sum_3813[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
+  logic [8:0] select_3863;
+  assign select_3863 = sum_3832[7] ? {1'b1, sum_3832[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
 
-  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1377; read in stage 12, written in stage 15: 12 < 15 < 12 + DISTANCE.
+  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1387; read in stage 12, written in stage 15: 12 < 15 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4012,56 +4168,18 @@ module horopter_agreement (
   assign shown_right_raddr = x_s12_q[6:0];
 `ifndef SYNTHESIS
   logic shown_right_re;
-  assign shown_right_re = s12_en & and_1575_s12_q;
+  assign shown_right_re = s12_en & and_1581_s12_q;
 `endif
   logic [1:0] shown_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory left_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1378; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  (* ram_style = "distributed" *)
-  logic [1:0] left_turns_mem [0:119];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 120; i++) left_turns_mem[i] = 2'h0;
-`endif
-  logic [6:0] left_turns_raddr;
-  assign left_turns_raddr = x_s12_q[6:0];
-`ifndef SYNTHESIS
-  logic left_turns_re;
-  assign left_turns_re = s12_en & and_1592_s12_q;
-`endif
-  logic [1:0] left_turns_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) left_turns_rdata_q <= left_turns_mem[left_turns_raddr];
-  end
-
-  // Memory right_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1378; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  (* ram_style = "distributed" *)
-  logic [1:0] right_turns_mem [0:119];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 120; i++) right_turns_mem[i] = 2'h0;
-`endif
-  logic [6:0] right_turns_raddr;
-  assign right_turns_raddr = select_627_s12_q;
-`ifndef SYNTHESIS
-  logic right_turns_re;
-  assign right_turns_re = s12_en & and_1592_s12_q;
-`endif
-  logic [1:0] right_turns_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) right_turns_rdata_q <= right_turns_mem[right_turns_raddr];
-  end
-
   // Memory patches_columns_above, write
   logic [4:0] patches_columns_above_waddr;
   assign patches_columns_above_waddr = patches_column_s12_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s12_en & and_1869_s12_q;
+  assign patches_columns_above_we = s12_en & and_1875_s12_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_columns_above_we) patches_columns_above_mem[patches_columns_above_waddr] <= {patches_columns_above_rdata_s12_q[23:0], pixel_2_s12_q};
   end
@@ -4124,19 +4242,19 @@ module horopter_agreement (
     end else if (s12_en) begin
       sample_pair_pixel_0_q <= pixel_0_s12_q;
       sample_pair_pixel_1_q <= pixel_1_s12_q;
-      chosen_near_q <= select_2580;
-      patches_along_ends_q <= not_3064_s12_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3064_s12_q & select_3079;
-      patches_down_by_q <= or_3040_s12_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3140});
-      patches_along_q <= select_3145;
-      patches_match_row_q <= or_3040_s12_q ? 4'h0 : select_3147;
-      patches_summed_last_q <= not_1786_s12_q & (equal_1787_s12_q & and_3140);
-      patches_read_first_q <= select_3518;
-      patches_peak_best_differing_q <= select_3545;
-      patches_peak_best_column_q <= select_3546;
-      region_down_rest_q <= select_3838;
-      region_down_back_q <= select_3842;
-      region_down_next_q <= select_3844;
+      chosen_near_q <= select_2599;
+      patches_along_ends_q <= not_3083_s12_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3083_s12_q & select_3098;
+      patches_down_by_q <= or_3059_s12_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3159});
+      patches_along_q <= select_3164;
+      patches_match_row_q <= or_3059_s12_q ? 4'h0 : select_3166;
+      patches_summed_last_q <= not_1792_s12_q & (equal_1793_s12_q & and_3159);
+      patches_read_first_q <= select_3537;
+      patches_peak_best_differing_q <= select_3564;
+      patches_peak_best_column_q <= select_3565;
+      region_down_rest_q <= select_3857;
+      region_down_back_q <= select_3861;
+      region_down_next_q <= select_3863;
     end
   end
 
@@ -4154,13 +4272,13 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s12_en) begin
-      averager_running_0_q <= sample_pair_whole_s12_q ? select_527 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s12_q ? sum_533 : averager_running_1_q;
-      middle_sum_sum_sums_values_0_q <= slot_s12_q[0] ? middle_sum_sum_sums_values_0_q : sum_1012;
-      sums_0_sum_sums_values_0_q <= sum_1262;
-      sums_0_sum_sums_values_1_q <= equal_1260_s12_q ? 8'h0 : sums_0_sum_sums_values_0_q;
-      sums_1_sum_sums_values_0_q <= sum_1510;
-      sums_1_sum_sums_values_1_q <= equal_1260_s12_q ? 8'h0 : sums_1_sum_sums_values_0_q;
+      averager_running_0_q <= sample_pair_whole_s12_q ? select_529 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s12_q ? sum_535 : averager_running_1_q;
+      middle_sum_sum_sums_values_0_q <= slot_s12_q[0] ? middle_sum_sum_sums_values_0_q : sum_1018;
+      sums_0_sum_sums_values_0_q <= sum_1268;
+      sums_0_sum_sums_values_1_q <= equal_1266_s12_q ? 8'h0 : sums_0_sum_sums_values_0_q;
+      sums_1_sum_sums_values_0_q <= sum_1516;
+      sums_1_sum_sums_values_1_q <= equal_1266_s12_q ? 8'h0 : sums_1_sum_sums_values_0_q;
     end
   end
 
@@ -4179,6 +4297,7 @@ module horopter_agreement (
   logic [2:0] slot_s13_q;
   logic ends_cell_s13_q;
   logic lower_half_s13_q;
+  logic draws_late_s13_q;
   logic shift_not_right_s13_q;
   logic [4:0] patches_band_rows_number_s13_q;
   logic [4:0] patches_choosing_band_s13_q;
@@ -4194,109 +4313,118 @@ module horopter_agreement (
   logic [4:0] patches_step_s13_q;
   logic [9:0] patches_read_row_differing_s13_q;
   logic patches_read_first_s13_q;
-  logic [3:0] select_509_s13_q;
-  logic equal_510_s13_q;
+  logic done_s13_q;
+  logic [3:0] select_511_s13_q;
+  logic equal_512_s13_q;
   logic row_starts_s13_q;
-  logic [8:0] select_514_s13_q;
-  logic and_523_s13_q;
-  logic and_524_s13_q;
+  logic [8:0] select_516_s13_q;
+  logic and_525_s13_q;
+  logic and_526_s13_q;
   logic [29:0] averager_memory_rdata_s13_q;
-  logic [13:0] select_527_s13_q;
-  logic equal_529_s13_q;
-  logic [13:0] sum_533_s13_q;
-  logic [6:0] select_544_s13_q;
+  logic [13:0] select_529_s13_q;
+  logic equal_531_s13_q;
+  logic [13:0] sum_535_s13_q;
+  logic [6:0] select_546_s13_q;
   logic [6:0] last_s13_q;
-  logic and_548_s13_q;
   logic and_550_s13_q;
-  logic equal_570_s13_q;
-  logic [12:0] select_574_s13_q;
-  logic equal_575_s13_q;
-  logic not_576_s13_q;
-  logic so_s13_q;
+  logic and_552_s13_q;
+  logic equal_572_s13_q;
+  logic [12:0] select_576_s13_q;
+  logic equal_577_s13_q;
   logic not_578_s13_q;
-  logic equal_579_s13_q;
-  logic or_580_s13_q;
-  logic less_583_s13_q;
-  logic not_584_s13_q;
+  logic so_s13_q;
+  logic not_580_s13_q;
+  logic equal_581_s13_q;
+  logic or_582_s13_q;
+  logic less_585_s13_q;
+  logic not_586_s13_q;
   logic inside_v_s13_q;
-  logic not_588_s13_q;
-  logic and_591_s13_q;
-  logic and_601_s13_q;
-  logic and_609_s13_q;
+  logic not_590_s13_q;
+  logic and_593_s13_q;
+  logic and_603_s13_q;
+  logic and_612_s13_q;
   logic [6:0] x_s13_2_q;
   logic [45:0] best_left_rdata_s13_q;
-  logic select_622_s13_q;
+  logic select_625_s13_q;
   logic [6:0] right_s13_q;
   logic [28:0] best_right_rdata_s13_q;
-  logic [9:0] sum_633_s13_q;
-  logic and_640_s13_q;
+  logic [9:0] sum_636_s13_q;
+  logic not_641_s13_q;
   logic and_645_s13_q;
-  logic and_647_s13_q;
-  logic equal_680_s13_q;
-  logic select_762_s13_q;
-  logic [7:0] sum_1012_s13_q;
-  logic less_1511_s13_q;
-  logic [6:0] select_1549_s13_q;
-  logic [7:0] select_1557_s13_q;
-  logic [7:0] select_1560_s13_q;
-  logic and_1562_s13_q;
-  logic select_1564_s13_q;
-  logic and_1573_s13_q;
-  logic and_1575_s13_q;
-  logic [6:0] select_1579_s13_q;
-  logic or_1583_s13_q;
-  logic and_1601_s13_q;
+  logic and_650_s13_q;
+  logic and_652_s13_q;
+  logic equal_685_s13_q;
+  logic select_768_s13_q;
+  logic [7:0] sum_1018_s13_q;
+  logic less_1517_s13_q;
+  logic [6:0] select_1555_s13_q;
+  logic [7:0] select_1563_s13_q;
+  logic [7:0] select_1566_s13_q;
+  logic and_1568_s13_q;
+  logic select_1570_s13_q;
+  logic and_1579_s13_q;
+  logic and_1581_s13_q;
+  logic [6:0] select_1585_s13_q;
+  logic or_1589_s13_q;
+  logic [1:0] left_turns_rdata_s13_q;
+  logic and_1607_s13_q;
+  logic [1:0] right_turns_rdata_s13_q;
   logic right_2_s13_q;
-  logic and_1686_s13_q;
-  logic and_1699_s13_q;
-  logic less_1700_s13_q;
-  logic equal_1701_s13_q;
-  logic sum_1710_s13_q;
-  logic [9:0] sum_1714_s13_q;
-  logic and_1733_s13_q;
-  logic [5:0] select_1750_s13_q;
-  logic [7:0] select_1776_s13_q;
-  logic equal_1778_s13_q;
-  logic and_1783_s13_q;
-  logic and_1784_s13_q;
-  logic equal_1785_s13_q;
-  logic not_1786_s13_q;
-  logic equal_1787_s13_q;
-  logic not_1788_s13_q;
-  logic equal_1789_s13_q;
-  logic equal_1790_s13_q;
-  logic or_1791_s13_q;
+  logic and_1692_s13_q;
+  logic and_1705_s13_q;
+  logic less_1706_s13_q;
+  logic equal_1707_s13_q;
+  logic sum_1716_s13_q;
+  logic [9:0] sum_1720_s13_q;
+  logic and_1739_s13_q;
+  logic [5:0] select_1756_s13_q;
+  logic [7:0] select_1782_s13_q;
+  logic equal_1784_s13_q;
+  logic and_1789_s13_q;
+  logic and_1790_s13_q;
+  logic equal_1791_s13_q;
   logic not_1792_s13_q;
-  logic [4:0] select_1815_s13_q;
-  logic select_1821_s13_q;
-  logic [3:0] select_1859_s13_q;
+  logic equal_1793_s13_q;
+  logic not_1794_s13_q;
+  logic equal_1795_s13_q;
+  logic equal_1796_s13_q;
+  logic or_1797_s13_q;
+  logic not_1798_s13_q;
+  logic [4:0] select_1821_s13_q;
+  logic select_1827_s13_q;
+  logic [3:0] select_1865_s13_q;
   logic [8:0] patches_columns_above_rdata_s13_q;
   logic [7:0] pixel_2_s13_q;
-  logic [4:0] sum_1883_s13_q;
-  logic [8:0] sum_1897_s13_q;
-  logic [8:0] sum_1898_s13_q;
-  logic [10:0] sum_1918_s13_q;
-  logic less_1963_s13_q;
-  logic equal_1964_s13_q;
-  logic or_1966_s13_q;
+  logic [4:0] sum_1889_s13_q;
+  logic [8:0] sum_1903_s13_q;
+  logic [8:0] sum_1904_s13_q;
+  logic [10:0] sum_1924_s13_q;
+  logic less_1969_s13_q;
+  logic equal_1970_s13_q;
+  logic or_1972_s13_q;
   logic [9:0] patches_rows_rdata_s13_q;
-  logic sum_1990_s13_q;
-  logic and_2011_s13_q;
+  logic sum_1996_s13_q;
+  logic and_2017_s13_q;
   logic [17:0] seen_columns_rdata_s13_q;
-  logic and_2134_s13_q;
-  logic equal_2277_s13_q;
-  logic equal_2466_s13_q;
-  logic and_2593_s13_q;
-  logic equal_2678_s13_q;
+  logic not_2054_s13_q;
+  logic and_2143_s13_q;
+  logic equal_2286_s13_q;
+  logic equal_2475_s13_q;
+  logic and_2612_s13_q;
+  logic equal_2697_s13_q;
   logic [7:0] lower_s13_q;
-  logic [7:0] sum_2684_s13_q;
-  logic [7:0] select_2762_s13_q;
-  logic and_2990_s13_q;
-  logic and_3524_s13_q;
-  logic equal_3556_s13_q;
-  logic less_3812_s13_q;
-  logic sum_3813_s13_q;
-  logic equal_4031_s13_q;
+  logic [7:0] sum_2703_s13_q;
+  logic [7:0] select_2782_s13_q;
+  logic and_3009_s13_q;
+  logic and_3543_s13_q;
+  logic equal_3575_s13_q;
+  logic less_3831_s13_q;
+  logic sum_3832_s13_q;
+  logic equal_3902_s13_q;
+  logic or_4052_s13_q;
+  logic and_4066_s13_q;
+  logic and_4083_s13_q;
+  logic not_4095_s13_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       saturated_s13_q <= saturated_s12_q;
@@ -4314,6 +4442,7 @@ module horopter_agreement (
       slot_s13_q <= slot_s12_q;
       ends_cell_s13_q <= ends_cell_s12_q;
       lower_half_s13_q <= lower_half_s12_q;
+      draws_late_s13_q <= draws_late_s12_q;
       shift_not_right_s13_q <= shift_not_right_s12_q;
       patches_band_rows_number_s13_q <= patches_band_rows_number_s12_q;
       patches_choosing_band_s13_q <= patches_choosing_band_s12_q;
@@ -4329,109 +4458,118 @@ module horopter_agreement (
       patches_step_s13_q <= patches_step_s12_q;
       patches_read_row_differing_s13_q <= patches_read_row_differing_s12_q;
       patches_read_first_s13_q <= patches_read_first_q;
-      select_509_s13_q <= select_509_s12_q;
-      equal_510_s13_q <= equal_510_s12_q;
+      done_s13_q <= done_s12_q;
+      select_511_s13_q <= select_511_s12_q;
+      equal_512_s13_q <= equal_512_s12_q;
       row_starts_s13_q <= row_starts_s12_q;
-      select_514_s13_q <= select_514_s12_q;
-      and_523_s13_q <= and_523_s12_q;
-      and_524_s13_q <= and_524_s12_q;
+      select_516_s13_q <= select_516_s12_q;
+      and_525_s13_q <= and_525_s12_q;
+      and_526_s13_q <= and_526_s12_q;
       averager_memory_rdata_s13_q <= averager_memory_rdata_q;
-      select_527_s13_q <= select_527;
-      equal_529_s13_q <= equal_529_s12_q;
-      sum_533_s13_q <= sum_533;
-      select_544_s13_q <= select_544_s12_q;
+      select_529_s13_q <= select_529;
+      equal_531_s13_q <= equal_531_s12_q;
+      sum_535_s13_q <= sum_535;
+      select_546_s13_q <= select_546_s12_q;
       last_s13_q <= last_s12_q;
-      and_548_s13_q <= and_548_s12_q;
       and_550_s13_q <= and_550_s12_q;
-      equal_570_s13_q <= equal_570_s12_q;
-      select_574_s13_q <= first_s12_q ? 13'h0 : moments_place_q[12:0];
-      equal_575_s13_q <= equal_575_s12_q;
-      not_576_s13_q <= not_576_s12_q;
-      so_s13_q <= so_s12_q;
+      and_552_s13_q <= and_552_s12_q;
+      equal_572_s13_q <= equal_572_s12_q;
+      select_576_s13_q <= first_s12_q ? 13'h0 : moments_place_q[12:0];
+      equal_577_s13_q <= equal_577_s12_q;
       not_578_s13_q <= not_578_s12_q;
-      equal_579_s13_q <= equal_579_s12_q;
-      or_580_s13_q <= or_580_s12_q;
-      less_583_s13_q <= less_583_s12_q;
-      not_584_s13_q <= not_584_s12_q;
+      so_s13_q <= so_s12_q;
+      not_580_s13_q <= not_580_s12_q;
+      equal_581_s13_q <= equal_581_s12_q;
+      or_582_s13_q <= or_582_s12_q;
+      less_585_s13_q <= less_585_s12_q;
+      not_586_s13_q <= not_586_s12_q;
       inside_v_s13_q <= inside_v_s12_q;
-      not_588_s13_q <= not_588;
-      and_591_s13_q <= not_578_s12_q & (equal_579_s12_q & (inside_v_s12_q & not_588));
-      and_601_s13_q <= and_601_s12_q;
-      and_609_s13_q <= and_609_s12_q;
+      not_590_s13_q <= not_590;
+      and_593_s13_q <= not_580_s12_q & (equal_581_s12_q & (inside_v_s12_q & not_590));
+      and_603_s13_q <= and_603_s12_q;
+      and_612_s13_q <= and_612_s12_q;
       x_s13_2_q <= x_s12_2_q;
       best_left_rdata_s13_q <= best_left_rdata_s12_q[45:0];
-      select_622_s13_q <= select_622;
+      select_625_s13_q <= select_625;
       right_s13_q <= right_s12_q;
       best_right_rdata_s13_q <= best_right_rdata_s12_q;
-      sum_633_s13_q <= {difference_632[8], difference_632} + 10'h1;
-      and_640_s13_q <= and_640_s12_q;
+      sum_636_s13_q <= {difference_635[8], difference_635} + 10'h1;
+      not_641_s13_q <= not_641_s12_q;
       and_645_s13_q <= and_645_s12_q;
-      and_647_s13_q <= and_647_s12_q;
-      equal_680_s13_q <= equal_680_s12_q;
-      select_762_s13_q <= select_762_s12_q;
-      sum_1012_s13_q <= sum_1012;
-      less_1511_s13_q <= sum_1262 < sum_1510;
-      select_1549_s13_q <= select_1549;
-      select_1557_s13_q <= select_762_s12_q ? 8'h0 : best_left_rdata_s12_q[53:46];
-      select_1560_s13_q <= select_762_s12_q ? 8'h0 : best_left_rdata_s12_q[61:54];
-      and_1562_s13_q <= and_1562_s12_q;
-      select_1564_s13_q <= select_1564_s12_q;
-      and_1573_s13_q <= and_1573_s12_q;
-      and_1575_s13_q <= and_1575_s12_q;
-      select_1579_s13_q <= select_1579;
-      or_1583_s13_q <= or_1583_s12_q;
-      and_1601_s13_q <= moments_taken_q;
+      and_650_s13_q <= and_650_s12_q;
+      and_652_s13_q <= and_652_s12_q;
+      equal_685_s13_q <= equal_685_s12_q;
+      select_768_s13_q <= select_768_s12_q;
+      sum_1018_s13_q <= sum_1018;
+      less_1517_s13_q <= sum_1268 < sum_1516;
+      select_1555_s13_q <= select_1555;
+      select_1563_s13_q <= select_768_s12_q ? 8'h0 : best_left_rdata_s12_q[53:46];
+      select_1566_s13_q <= select_768_s12_q ? 8'h0 : best_left_rdata_s12_q[61:54];
+      and_1568_s13_q <= and_1568_s12_q;
+      select_1570_s13_q <= select_1570_s12_q;
+      and_1579_s13_q <= and_1579_s12_q;
+      and_1581_s13_q <= and_1581_s12_q;
+      select_1585_s13_q <= select_1585_s12_q;
+      or_1589_s13_q <= or_1589_s12_q;
+      left_turns_rdata_s13_q <= left_turns_rdata_q;
+      and_1607_s13_q <= moments_taken_q;
+      right_turns_rdata_s13_q <= right_turns_rdata_q;
       right_2_s13_q <= right_2_s12_q;
-      and_1686_s13_q <= and_1686_s12_q;
-      and_1699_s13_q <= and_1699_s12_q;
-      less_1700_s13_q <= less_1700_s12_q;
-      equal_1701_s13_q <= equal_1701_s12_q;
-      sum_1710_s13_q <= sum_1710[1];
-      sum_1714_s13_q <= sum_1714;
-      and_1733_s13_q <= and_1733_s12_q;
-      select_1750_s13_q <= select_1750_s12_q;
-      select_1776_s13_q <= select_1776_s12_q;
-      equal_1778_s13_q <= equal_1778_s12_q;
-      and_1783_s13_q <= and_1783_s12_q;
-      and_1784_s13_q <= and_1784_s12_q;
-      equal_1785_s13_q <= equal_1785_s12_q;
-      not_1786_s13_q <= not_1786_s12_q;
-      equal_1787_s13_q <= equal_1787_s12_q;
-      not_1788_s13_q <= not_1788_s12_q;
-      equal_1789_s13_q <= equal_1789_s12_q;
-      equal_1790_s13_q <= equal_1790_s12_q;
-      or_1791_s13_q <= or_1791_s12_q;
+      and_1692_s13_q <= and_1692_s12_q;
+      and_1705_s13_q <= and_1705_s12_q;
+      less_1706_s13_q <= less_1706_s12_q;
+      equal_1707_s13_q <= equal_1707_s12_q;
+      sum_1716_s13_q <= sum_1716[1];
+      sum_1720_s13_q <= sum_1720;
+      and_1739_s13_q <= and_1739_s12_q;
+      select_1756_s13_q <= select_1756_s12_q;
+      select_1782_s13_q <= select_1782_s12_q;
+      equal_1784_s13_q <= equal_1784_s12_q;
+      and_1789_s13_q <= and_1789_s12_q;
+      and_1790_s13_q <= and_1790_s12_q;
+      equal_1791_s13_q <= equal_1791_s12_q;
       not_1792_s13_q <= not_1792_s12_q;
-      select_1815_s13_q <= select_1815_s12_q;
+      equal_1793_s13_q <= equal_1793_s12_q;
+      not_1794_s13_q <= not_1794_s12_q;
+      equal_1795_s13_q <= equal_1795_s12_q;
+      equal_1796_s13_q <= equal_1796_s12_q;
+      or_1797_s13_q <= or_1797_s12_q;
+      not_1798_s13_q <= not_1798_s12_q;
       select_1821_s13_q <= select_1821_s12_q;
-      select_1859_s13_q <= select_1859_s12_q;
+      select_1827_s13_q <= select_1827_s12_q;
+      select_1865_s13_q <= select_1865_s12_q;
       patches_columns_above_rdata_s13_q <= {patches_columns_above_rdata_s12_q[24], patches_columns_above_rdata_s12_q[7:0]};
       pixel_2_s13_q <= pixel_2_s12_q;
-      sum_1883_s13_q <= patches_down_by_q + {1'b0, patches_match_row_q};
-      sum_1897_s13_q <= sum_1897;
-      sum_1898_s13_q <= sum_1898;
-      sum_1918_s13_q <= sum_1918;
-      less_1963_s13_q <= less_1963_s12_q;
-      equal_1964_s13_q <= equal_1964_s12_q;
-      or_1966_s13_q <= or_1966_s12_q;
+      sum_1889_s13_q <= patches_down_by_q + {1'b0, patches_match_row_q};
+      sum_1903_s13_q <= sum_1903;
+      sum_1904_s13_q <= sum_1904;
+      sum_1924_s13_q <= sum_1924;
+      less_1969_s13_q <= less_1969_s12_q;
+      equal_1970_s13_q <= equal_1970_s12_q;
+      or_1972_s13_q <= or_1972_s12_q;
       patches_rows_rdata_s13_q <= patches_rows_rdata_s12_q;
-      sum_1990_s13_q <= sum_1990_s12_q;
-      and_2011_s13_q <= and_2011_s12_q;
+      sum_1996_s13_q <= sum_1996_s12_q;
+      and_2017_s13_q <= and_2017_s12_q;
       seen_columns_rdata_s13_q <= seen_columns_rdata_q;
-      and_2134_s13_q <= and_2134_s12_q;
-      equal_2277_s13_q <= equal_2277_s12_q;
-      equal_2466_s13_q <= equal_2466_s12_q;
-      and_2593_s13_q <= and_2593_s12_q;
-      equal_2678_s13_q <= equal_2678_s12_q;
+      not_2054_s13_q <= not_2054_s12_q;
+      and_2143_s13_q <= and_2143_s12_q;
+      equal_2286_s13_q <= equal_2286_s12_q;
+      equal_2475_s13_q <= equal_2475_s12_q;
+      and_2612_s13_q <= and_2612_s12_q;
+      equal_2697_s13_q <= equal_2697_s12_q;
       lower_s13_q <= lower;
-      sum_2684_s13_q <= {7'h0, rise_s12_q} + xor_2683_s12_q;
-      select_2762_s13_q <= select_2762;
-      and_2990_s13_q <= and_2990_s12_q;
-      and_3524_s13_q <= and_3524;
-      equal_3556_s13_q <= equal_3556_s12_q;
-      less_3812_s13_q <= less_3812_s12_q;
-      sum_3813_s13_q <= sum_3813[7];
-      equal_4031_s13_q <= equal_4031_s12_q;
+      sum_2703_s13_q <= {7'h0, rise_s12_q} + xor_2702_s12_q;
+      select_2782_s13_q <= select_2782;
+      and_3009_s13_q <= and_3009_s12_q;
+      and_3543_s13_q <= and_3543;
+      equal_3575_s13_q <= equal_3575_s12_q;
+      less_3831_s13_q <= less_3831_s12_q;
+      sum_3832_s13_q <= sum_3832[7];
+      equal_3902_s13_q <= equal_3902_s12_q;
+      or_4052_s13_q <= or_4052_s12_q;
+      and_4066_s13_q <= and_4066_s12_q;
+      and_4083_s13_q <= and_4083_s12_q;
+      not_4095_s13_q <= not_4095_s12_q;
     end
   end
 
@@ -4456,233 +4594,248 @@ module horopter_agreement (
   logic [7:0] region_columns_q;
   logic region_fresh_q;
   // hls/stages/census.hpp:129
-  logic [13:0] sum_531;
-  assign sum_531 = select_527_s13_q + (equal_529_s13_q ? 14'h0 : averager_memory_rdata_s13_q[13:0]);
-  logic [13:0] sum_535;
-  assign sum_535 = sum_533_s13_q + (equal_529_s13_q ? 14'h0 : averager_memory_rdata_s13_q[27:14]);
-  // hls/stages/agreement.hpp:418
+  logic [13:0] sum_533;
+  assign sum_533 = select_529_s13_q + (equal_531_s13_q ? 14'h0 : averager_memory_rdata_s13_q[13:0]);
+  logic [13:0] sum_537;
+  assign sum_537 = sum_535_s13_q + (equal_531_s13_q ? 14'h0 : averager_memory_rdata_s13_q[27:14]);
+  // hls/stages/agreement.hpp:422
   logic whole;
-  assign whole = equal_510_s13_q ? sample_present_s13_q : (sample_present_s13_q & averager_running_mask_q);
+  assign whole = equal_512_s13_q ? sample_present_s13_q : (sample_present_s13_q & averager_running_mask_q);
   logic all_of_skin;
-  assign all_of_skin = equal_510_s13_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
+  assign all_of_skin = equal_512_s13_q ? sample_of_skin_q : (sample_of_skin_q & averager_running_of_skin_q);
   // hls/stages/census.hpp:131
-  logic and_543;
-  assign and_543 = all_of_skin & (averager_memory_rdata_s13_q[29] | equal_529_s13_q);
-  // hls/stages/agreement.hpp:788
-  logic and_592;
-  assign and_592 = not_576_s13_q & and_591_s13_q;
+  logic and_545;
+  assign and_545 = all_of_skin & (averager_memory_rdata_s13_q[29] | equal_531_s13_q);
+  // hls/stages/agreement.hpp:795
+  logic and_594;
+  assign and_594 = not_578_s13_q & and_593_s13_q;
   // hls/stages/agreement.hpp:247
-  logic and_635;
-  assign and_635 = (and_609_s13_q & select_622_s13_q) & ({{22{sum_633_s13_q[9]}}, sum_633_s13_q} < 32'h3);
-  // hls/stages/agreement.hpp:755
-  logic [7:0] select_1013;
-  assign select_1013 = slot_s13_q[0] ? chosen_score_q : sum_1012_s13_q;
-  // hls/stages/agreement.hpp:751
-  logic [7:0] select_1512;
-  assign select_1512 = less_1511_s13_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic less_1513;
-  assign less_1513 = select_1013 < select_1512;
-  // hls/stages/agreement.hpp:801
+  logic and_638;
+  assign and_638 = (and_612_s13_q & select_625_s13_q) & ({{22{sum_636_s13_q[9]}}, sum_636_s13_q} < 32'h3);
+  // hls/stages/agreement.hpp:762
+  logic [7:0] select_1019;
+  assign select_1019 = slot_s13_q[0] ? chosen_score_q : sum_1018_s13_q;
+  // hls/stages/agreement.hpp:758
+  logic [7:0] select_1518;
+  assign select_1518 = less_1517_s13_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic less_1519;
+  assign less_1519 = select_1019 < select_1518;
+  // hls/stages/agreement.hpp:808
   logic [7:0] of_best;
-  assign of_best = shift_allowed_q ? (less_1513 ? select_1512 : select_1013) : 8'h0;
-  // hls/stages/agreement.hpp:720
-  logic not_1519;
-  assign not_1519 = ~slot_s13_q[0];
-  // hls/stages/agreement.hpp:752
-  logic [1:0] select_1520;
-  assign select_1520 = less_1511_s13_q ? {slot_s13_q[0], not_1519} : 2'h0;
-  logic [2:0] select_1522;
-  assign select_1522 = less_1513 ? {select_1520, not_1519} : (slot_s13_q[0] ? chosen_place_q : 3'h2);
-  // hls/stages/agreement.hpp:802
+  assign of_best = shift_allowed_q ? (less_1519 ? select_1518 : select_1019) : 8'h0;
+  // hls/stages/agreement.hpp:727
+  logic not_1525;
+  assign not_1525 = ~slot_s13_q[0];
+  // hls/stages/agreement.hpp:759
+  logic [1:0] select_1526;
+  assign select_1526 = less_1517_s13_q ? {slot_s13_q[0], not_1525} : 2'h0;
+  logic [2:0] select_1528;
+  assign select_1528 = less_1519 ? {select_1526, not_1525} : (slot_s13_q[0] ? chosen_place_q : 3'h2);
+  // hls/stages/agreement.hpp:809
   logic [6:0] of_near;
-  assign of_near = shift_allowed_q ? select_1549_s13_q : 7'h0;
-  // hls/stages/agreement.hpp:813
-  logic less_1551;
-  assign less_1551 = best_left_rdata_s13_q[39:33] < of_near;
-  // hls/stages/agreement.hpp:1128
-  logic equal_1608;
-  assign equal_1608 = x_s13_q[6:4] == 3'h7;
+  assign of_near = shift_allowed_q ? select_1555_s13_q : 7'h0;
+  // hls/stages/agreement.hpp:820
+  logic less_1557;
+  assign less_1557 = best_left_rdata_s13_q[39:33] < of_near;
+  // hls/stages/agreement.hpp:1136
+  logic equal_1614;
+  assign equal_1614 = x_s13_q[6:4] == 3'h7;
   // hls/stages/registration.hpp:147
   logic all;
   assign all = x_s13_q[5:3] == 3'h4;
   // hls/stages/patches.hpp:214
-  logic equal_1622;
-  assign equal_1622 = x_s13_q[5:0] == 6'h3c;
-  logic equal_1624;
-  assign equal_1624 = x_s13_q[5:0] == 6'h3b;
-  logic equal_1626;
-  assign equal_1626 = x_s13_q[5:0] == 6'h36;
   logic equal_1628;
-  assign equal_1628 = x_s13_q[5:0] == 6'h35;
+  assign equal_1628 = x_s13_q[5:0] == 6'h3c;
   logic equal_1630;
-  assign equal_1630 = x_s13_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1178
-  logic and_1634;
-  assign and_1634 = (~equal_1624) & ((~equal_1626) & ((~equal_1628) & (~equal_1630)));
+  assign equal_1630 = x_s13_q[5:0] == 6'h3b;
+  logic equal_1632;
+  assign equal_1632 = x_s13_q[5:0] == 6'h36;
+  logic equal_1634;
+  assign equal_1634 = x_s13_q[5:0] == 6'h35;
+  logic equal_1636;
+  assign equal_1636 = x_s13_q[5:0] == 6'h34;
+  // hls/stages/agreement.hpp:1186
+  logic and_1640;
+  assign and_1640 = (~equal_1630) & ((~equal_1632) & ((~equal_1634) & (~equal_1636)));
   // hls/stages/patches.hpp:377
-  logic [1:0] select_1687;
-  assign select_1687 = and_1686_s13_q ? 2'h1 : patches_fetch_q;
-  logic [4:0] select_1688;
-  assign select_1688 = and_1686_s13_q ? patches_band_rows_number_s13_q : patches_band_q;
+  logic [1:0] select_1693;
+  assign select_1693 = and_1692_s13_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_1694;
+  assign select_1694 = and_1692_s13_q ? patches_band_rows_number_s13_q : patches_band_q;
   // hls/stages/agreement.hpp:276
-  logic [5:0] select_1689;
-  assign select_1689 = row_starts_s13_q ? {select_1688, select_1687[1]} : {patches_band_q, patches_fetch_q[1]};
+  logic [5:0] select_1695;
+  assign select_1695 = row_starts_s13_q ? {select_1694, select_1693[1]} : {patches_band_q, patches_fetch_q[1]};
   // hls/stages/patches.hpp:126
-  logic [1:0] select_1690;
-  assign select_1690 = row_starts_s13_q ? select_1687 : patches_fetch_q;
-  logic equal_1691;
-  assign equal_1691 = select_1690 == 2'h0;
+  logic [1:0] select_1696;
+  assign select_1696 = row_starts_s13_q ? select_1693 : patches_fetch_q;
+  logic equal_1697;
+  assign equal_1697 = select_1696 == 2'h0;
   // hls/stages/registration.hpp:107
   logic [10:0] expected;
-  assign expected = equal_1701_s13_q ? {sum_1714_s13_q, sum_1710_s13_q} : registration_expected_q;
+  assign expected = equal_1707_s13_q ? {sum_1720_s13_q, sum_1716_s13_q} : registration_expected_q;
   // hls/stages/patches.hpp:126
-  logic [4:0] select_1798;
-  assign select_1798 = row_starts_s13_q ? select_1688 : patches_band_q;
+  logic [4:0] select_1804;
+  assign select_1804 = row_starts_s13_q ? select_1694 : patches_band_q;
   // hls/stages/patches.hpp:357
-  logic equal_1799;
-  assign equal_1799 = {patches_choosing_band_s13_q, and_1699_s13_q} == {select_1798, select_1690[1]};
+  logic equal_1805;
+  assign equal_1805 = {patches_choosing_band_s13_q, and_1705_s13_q} == {select_1804, select_1696[1]};
   // hls/stages/patches.hpp:504
-  logic less_1875;
-  assign less_1875 = 5'he < patches_along_s13_q;
+  logic less_1881;
+  assign less_1881 = 5'he < patches_along_s13_q;
   // hls/stages/patches.hpp:505
-  logic or_1876;
-  assign or_1876 = equal_1789_s13_q | less_1875;
+  logic or_1882;
+  assign or_1882 = equal_1795_s13_q | less_1881;
   // hls/stages/patches.hpp:508
   logic new_row;
   assign new_row = patches_along_s13_q == 5'h0;
-  logic select_1881;
-  assign select_1881 = equal_1789_s13_q ? patches_column_s13_q[0] : (or_1876 ? (patches_along_s13_q == 5'h10) : (~new_row));
+  logic select_1887;
+  assign select_1887 = equal_1795_s13_q ? patches_column_s13_q[0] : (or_1882 ? (patches_along_s13_q == 5'h10) : (~new_row));
   // hls/stages/patches.hpp:506
-  logic [4:0] select_1884;
-  assign select_1884 = patches_match_row_ends_s13_q ? patches_down_by_s13_q : sum_1883_s13_q;
+  logic [4:0] select_1890;
+  assign select_1890 = patches_match_row_ends_s13_q ? patches_down_by_s13_q : sum_1889_s13_q;
   // hls/stages/patches.hpp:509
-  logic [4:0] select_1887;
-  assign select_1887 = equal_1789_s13_q ? 5'h0 : (or_1876 ? (select_1884 + 5'h1) : sum_1883_s13_q);
+  logic [4:0] select_1893;
+  assign select_1893 = equal_1795_s13_q ? 5'h0 : (or_1882 ? (select_1890 + 5'h1) : sum_1889_s13_q);
   // hls/stages/patches.hpp:485
-  logic equal_1890;
-  assign equal_1890 = patches_column_s13_q == 5'h1f;
+  logic equal_1896;
+  assign equal_1896 = patches_column_s13_q == 5'h1f;
   logic of_row;
   assign of_row = patches_column_s13_q == 5'h11;
-  logic equal_1892;
-  assign equal_1892 = patches_column_s13_q == 5'h18;
+  logic equal_1898;
+  assign equal_1898 = patches_column_s13_q == 5'h18;
   // hls/stages/patches.hpp:487
-  logic and_1894;
-  assign and_1894 = of_row & (~equal_1892);
+  logic and_1900;
+  assign and_1900 = of_row & (~equal_1898);
   logic [1:0] of_row_2;
-  assign of_row_2 = equal_1890 ? 2'h3 : {equal_1892, and_1894};
+  assign of_row_2 = equal_1896 ? 2'h3 : {equal_1898, and_1900};
   // hls/stages/patches.hpp:473
   logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_1897_s13_q, pixel_2_s13_q[0]} - {1'b0, sum_1898_s13_q, patches_columns_above_rdata_s13_q[8]};
+  assign down_2 = {1'b0, sum_1903_s13_q, pixel_2_s13_q[0]} - {1'b0, sum_1904_s13_q, patches_columns_above_rdata_s13_q[8]};
   // hls/stages/patches.hpp:471
-  logic [9:0] sum_1919;
-  assign sum_1919 = {2'h0, patches_columns_above_rdata_s13_q[7:0]} + sum_1918_s13_q[10:1];
+  logic [9:0] sum_1925;
+  assign sum_1925 = {2'h0, patches_columns_above_rdata_s13_q[7:0]} + sum_1924_s13_q[10:1];
   // hls/stages/patches.hpp:486
-  logic or_1938;
-  assign or_1938 = (((patches_column_s13_q == 5'ha) | of_row) | equal_1892) | equal_1890;
+  logic or_1944;
+  assign or_1944 = (((patches_column_s13_q == 5'ha) | of_row) | equal_1898) | equal_1896;
   // hls/stages/patches.hpp:481
-  logic and_1943;
-  assign and_1943 = (~(patches_code_row_s13_q[4:2] == 3'h0)) & (~(patches_column_s13_q[4:2] == 3'h0));
+  logic and_1949;
+  assign and_1949 = (~(patches_code_row_s13_q[4:2] == 3'h0)) & (~(patches_column_s13_q[4:2] == 3'h0));
   // hls/stages/patches.hpp:174
-  logic and_1957;
-  assign and_1957 = (~(equal_1790_s13_q | (~and_1943))) & (~patches_column_s13_q[4]);
+  logic and_1963;
+  assign and_1963 = (~(equal_1796_s13_q | (~and_1949))) & (~patches_column_s13_q[4]);
   // hls/stages/agreement.hpp:205
-  logic [7:0] select_1977;
-  assign select_1977 = so_s13_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:1050
-  logic or_1980;
-  assign or_1980 = select_1977[7] | (~({select_1977[5], select_1977[3], select_1977[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1049
-  logic or_1983;
-  assign or_1983 = select_1977[7] | (~({select_1977[6], select_1977[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:1048
+  logic [7:0] select_1983;
+  assign select_1983 = so_s13_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:1057
   logic or_1986;
-  assign or_1986 = select_1977[7] | (~(select_1977[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:788
-  logic [5:0] select_1987;
-  assign select_1987 = equal_575_s13_q ? x_s13_q[5:0] : {region_row_q, or_1986, or_1983, or_1980};
-  // hls/stages/agreement.hpp:1128
-  logic not_1988;
-  assign not_1988 = ~equal_1608;
-  // hls/stages/agreement.hpp:1058
+  assign or_1986 = select_1983[7] | (~({select_1983[5], select_1983[3], select_1983[1]} == 3'h0));
+  // hls/stages/agreement.hpp:1056
+  logic or_1989;
+  assign or_1989 = select_1983[7] | (~({select_1983[6], select_1983[3:2]} == 3'h0));
+  // hls/stages/agreement.hpp:1055
   logic or_1992;
-  assign or_1992 = (~sum_1990_s13_q) | equal_1778_s13_q;
-  // hls/stages/agreement.hpp:788
-  logic and_1995;
-  assign and_1995 = so_s13_q & (ends_cell_s13_q & (inside_v_s13_q & or_1992));
+  assign or_1992 = select_1983[7] | (~(select_1983[6:4] == 3'h0));
+  // hls/stages/agreement.hpp:795
+  logic [5:0] select_1993;
+  assign select_1993 = equal_577_s13_q ? x_s13_q[5:0] : {region_row_q, or_1992, or_1989, or_1986};
+  // hls/stages/agreement.hpp:1136
+  logic not_1994;
+  assign not_1994 = ~equal_1614;
+  // hls/stages/agreement.hpp:1065
+  logic or_1998;
+  assign or_1998 = (~sum_1996_s13_q) | equal_1784_s13_q;
+  // hls/stages/agreement.hpp:795
+  logic and_2001;
+  assign and_2001 = so_s13_q & (ends_cell_s13_q & (inside_v_s13_q & or_1998));
   // hls/stages/agreement.hpp:262
   logic textured;
-  assign textured = inside_v_s13_q & (or_580_s13_q & (not_584_s13_q & and_609_s13_q));
-  // hls/stages/agreement.hpp:1030
-  logic [7:0] select_2075;
-  assign select_2075 = inside_v_s13_q ? (sum_1990_s13_q ? select_1977 : {select_1977[6:0], 1'b0}) : select_1977;
-  // hls/stages/agreement.hpp:1050
-  logic or_2078;
-  assign or_2078 = select_2075[7] | (~({select_2075[5], select_2075[3], select_2075[1]} == 3'h0));
+  assign textured = inside_v_s13_q & (or_582_s13_q & (not_586_s13_q & and_612_s13_q));
+  // hls/stages/agreement.hpp:1037
+  logic [7:0] select_2082;
+  assign select_2082 = inside_v_s13_q ? (sum_1996_s13_q ? select_1983 : {select_1983[6:0], 1'b0}) : select_1983;
+  // hls/stages/agreement.hpp:1057
+  logic or_2085;
+  assign or_2085 = select_2082[7] | (~({select_2082[5], select_2082[3], select_2082[1]} == 3'h0));
   // hls/stages/agreement.hpp:276
-  logic select_2190;
-  assign select_2190 = sample_pair_whole_s13_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2199;
+  assign select_2199 = sample_pair_whole_s13_q ? all_of_skin : averager_running_of_skin_q;
   // hls/stages/agreement.hpp:239
-  logic [7:0] select_2575;
-  assign select_2575 = slot_s13_q[0] ? 8'h0 : sum_1012_s13_q;
-  // hls/stages/agreement.hpp:751
-  logic less_2576;
-  assign less_2576 = select_2575 < select_1512;
-  // hls/stages/agreement.hpp:788
-  logic less_2582;
-  assign less_2582 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
-  logic less_2584;
-  assign less_2584 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
-  // hls/stages/agreement.hpp:988
-  logic [7:0] difference_2682;
-  assign difference_2682 = best_left_rdata_s13_q[16:9] - lower_s13_q;
-  // hls/stages/agreement.hpp:788
-  logic [10:0] select_2747;
-  assign select_2747 = equal_575_s13_q ? registration_expected_q : (so_s13_q ? expected : registration_expected_q);
+  logic [7:0] select_2594;
+  assign select_2594 = slot_s13_q[0] ? 8'h0 : sum_1018_s13_q;
+  // hls/stages/agreement.hpp:758
+  logic less_2595;
+  assign less_2595 = select_2594 < select_1518;
+  // hls/stages/agreement.hpp:795
+  logic less_2601;
+  assign less_2601 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
+  logic less_2603;
+  assign less_2603 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
+  // hls/stages/agreement.hpp:995
+  logic [7:0] difference_2701;
+  assign difference_2701 = best_left_rdata_s13_q[16:9] - lower_s13_q;
+  // hls/stages/agreement.hpp:149
+  logic and_2716;
+  assign and_2716 = not_586_s13_q & (slot_s13_q[2] & left_turns_rdata_s13_q[0]);
+  // hls/stages/agreement.hpp:247
+  logic and_2718;
+  assign and_2718 = not_586_s13_q & (slot_s13_q[2] & left_turns_rdata_s13_q[1]);
+  // hls/stages/agreement.hpp:149
+  logic [1:0] select_2719;
+  assign select_2719 = or_582_s13_q ? {and_2718, and_2716} : 2'h0;
+  // hls/stages/agreement.hpp:247
+  logic [1:0] select_2721;
+  assign select_2721 = less_585_s13_q ? 2'h0 : (slot_s13_q[2] ? right_turns_rdata_s13_q : 2'h0);
+  // hls/stages/agreement.hpp:149
+  logic [1:0] select_2722;
+  assign select_2722 = or_582_s13_q ? select_2721 : 2'h0;
+  // hls/stages/agreement.hpp:795
+  logic [10:0] select_2767;
+  assign select_2767 = equal_577_s13_q ? registration_expected_q : (so_s13_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:102
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2762_s13_q[7]}}, select_2762_s13_q} - {sum_1714_s13_q[9], sum_1714_s13_q, sum_1710_s13_q};
+  assign value_2 = {{4{select_2782_s13_q[7]}}, select_2782_s13_q} - {sum_1720_s13_q[9], sum_1720_s13_q, sum_1716_s13_q};
   // hls/stages/patches.hpp:358
-  logic not_3005;
-  assign not_3005 = ~select_1690[1];
+  logic not_3024;
+  assign not_3024 = ~select_1696[1];
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3007;
-  assign select_3007 = sample_pair_whole_s13_q ? (equal_1691 ? select_1690 : {not_3005, 1'b0}) : patches_fetch_q;
+  logic [1:0] select_3026;
+  assign select_3026 = sample_pair_whole_s13_q ? (equal_1697 ? select_1696 : {not_3024, 1'b0}) : patches_fetch_q;
   // hls/stages/agreement.hpp:275
-  logic [4:0] select_3502;
-  assign select_3502 = equal_1787_s13_q ? patches_down_by_s13_q : patches_summed_down_by_q;
+  logic [4:0] select_3521;
+  assign select_3521 = equal_1793_s13_q ? patches_down_by_s13_q : patches_summed_down_by_q;
   // hls/stages/patches.hpp:559
-  logic [4:0] select_3513;
-  assign select_3513 = less_1963_s13_q ? (or_1966_s13_q ? patches_step_s13_q : 5'h0) : 5'h0;
+  logic [4:0] select_3532;
+  assign select_3532 = less_1969_s13_q ? (or_1972_s13_q ? patches_step_s13_q : 5'h0) : 5'h0;
   // hls/stages/patches.hpp:543
-  logic [4:0] select_3525;
-  assign select_3525 = and_3524_s13_q ? patches_read_at_q : patches_peak_row_q;
+  logic [4:0] select_3544;
+  assign select_3544 = and_3543_s13_q ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:550
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s13_q} - {1'b0, select_3525};
-  // hls/stages/agreement.hpp:460
-  logic [2:0] select_3815;
-  assign select_3815 = less_3812_s13_q ? (sum_3813_s13_q ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_3817;
-  assign select_3817 = equal_2466_s13_q ? (equal_680_s13_q ? 3'h0 : select_3815) : region_row_q;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_3822;
-  assign select_3822 = equal_575_s13_q ? select_1977 : (so_s13_q ? (ends_cell_s13_q ? select_2075 : select_1977) : 8'h1);
+  assign away = {1'b0, patches_step_s13_q} - {1'b0, select_3544};
+  // hls/stages/agreement.hpp:464
+  logic [2:0] select_3834;
+  assign select_3834 = less_3831_s13_q ? (sum_3832_s13_q ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_3836;
+  assign select_3836 = equal_2475_s13_q ? (equal_685_s13_q ? 3'h0 : select_3834) : region_row_q;
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_3841;
+  assign select_3841 = equal_577_s13_q ? select_1983 : (so_s13_q ? (ends_cell_s13_q ? select_2082 : select_1983) : 8'h1);
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3813_s13_q;
-  // hls/stages/agreement.hpp:460
-  logic select_3848;
-  assign select_3848 = equal_2466_s13_q ? (equal_680_s13_q | (less_3812_s13_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:1217
-  logic equal_3866;
-  assign equal_3866 = x_s13_q[6:3] == 4'h7;
-  logic equal_3891;
-  assign equal_3891 = x_s13_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1125
-  logic [7:0] select_3906;
-  assign select_3906 = (x_s13_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_3908;
-  assign select_3908 = equal_3891 ? cfg_unproven_skin_limit_i : (equal_3866 ? cfg_unproven_limit_i : select_3906);
+  assign next = ~sum_3832_s13_q;
+  // hls/stages/agreement.hpp:464
+  logic select_3867;
+  assign select_3867 = equal_2475_s13_q ? (equal_685_s13_q | (less_3831_s13_q ? next : region_fresh_q)) : region_fresh_q;
+  // hls/stages/agreement.hpp:1225
+  logic equal_3885;
+  assign equal_3885 = x_s13_q[6:3] == 4'h7;
+  logic equal_3910;
+  assign equal_3910 = x_s13_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:1133
+  logic [7:0] select_3925;
+  assign select_3925 = (x_s13_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_3927;
+  assign select_3927 = equal_3910 ? cfg_unproven_skin_limit_i : (equal_3885 ? cfg_unproven_limit_i : select_3925);
 
   // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:352; read in stage 13, written in stage 15: 13 < 15 < 13 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4695,7 +4848,7 @@ module horopter_agreement (
   assign census_memory_raddr = last_s13_q;
 `ifndef SYNTHESIS
   logic census_memory_re;
-  assign census_memory_re = s13_en & and_550_s13_q;
+  assign census_memory_re = s13_en & and_552_s13_q;
 `endif
   logic [77:0] census_memory_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4710,10 +4863,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 8040; i++) moments_memory_mem[i] = 4'h0;
 `endif
   logic [12:0] moments_memory_raddr;
-  assign moments_memory_raddr = select_574_s13_q;
+  assign moments_memory_raddr = select_576_s13_q;
 `ifndef SYNTHESIS
   logic moments_memory_re;
-  assign moments_memory_re = s13_en & and_592;
+  assign moments_memory_re = s13_en & and_594;
 `endif
   logic [3:0] moments_memory_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4744,23 +4897,23 @@ module horopter_agreement (
     end else if (s13_en) begin
       sample_of_skin_q <= mask_s13_q;
       averager_running_mask_q <= sample_pair_whole_s13_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2190;
-      chosen_score_q <= less_2576 ? select_1512 : select_2575;
-      chosen_place_q <= less_2576 ? {select_1520, not_1519} : 3'h2;
-      before_0_q <= select_2575;
+      averager_running_of_skin_q <= select_2199;
+      chosen_score_q <= less_2595 ? select_1518 : select_2594;
+      chosen_place_q <= less_2595 ? {select_1526, not_1525} : 3'h2;
+      before_0_q <= select_2594;
       before_1_q <= sums_0_sum_sums_values_0_q;
       before_2_q <= sums_1_sum_sums_values_0_q;
-      shift_allowed_q <= (~less_2582) & (~less_2584);
-      registration_expected_q <= select_2747;
-      patches_band_q <= sample_pair_whole_s13_q ? select_1798 : patches_band_q;
-      patches_fetch_q <= select_3007;
-      patches_summed_down_by_q <= equal_1785_s13_q ? patches_summed_down_by_q : select_3502;
-      patches_read_at_q <= equal_1785_s13_q ? select_3513 : patches_read_at_q;
-      patches_peak_row_q <= equal_1785_s13_q ? select_3525 : patches_peak_row_q;
-      region_row_q <= and_550_s13_q ? select_3817 : region_row_q;
+      shift_allowed_q <= (~less_2601) & (~less_2603);
+      registration_expected_q <= select_2767;
+      patches_band_q <= sample_pair_whole_s13_q ? select_1804 : patches_band_q;
+      patches_fetch_q <= select_3026;
+      patches_summed_down_by_q <= equal_1791_s13_q ? patches_summed_down_by_q : select_3521;
+      patches_read_at_q <= equal_1791_s13_q ? select_3532 : patches_read_at_q;
+      patches_peak_row_q <= equal_1791_s13_q ? select_3544 : patches_peak_row_q;
+      region_row_q <= and_552_s13_q ? select_3836 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_3822;
-      region_fresh_q <= and_550_s13_q ? select_3848 : region_fresh_q;
+      region_columns_q <= select_3841;
+      region_fresh_q <= and_552_s13_q ? select_3867 : region_fresh_q;
     end
   end
 
@@ -4780,6 +4933,7 @@ module horopter_agreement (
   logic [2:0] slot_s14_q;
   logic ends_cell_s14_q;
   logic lower_half_s14_q;
+  logic draws_late_s14_q;
   logic [7:0] before_0_s14_q;
   logic [7:0] before_1_s14_q;
   logic [7:0] before_2_s14_q;
@@ -4796,152 +4950,160 @@ module horopter_agreement (
   logic patches_read_first_s14_q;
   logic [2:0] region_row_s14_q;
   logic region_fresh_s14_q;
-  logic [3:0] select_509_s14_q;
+  logic done_s14_q;
+  logic [3:0] select_511_s14_q;
   logic row_starts_s14_q;
-  logic [8:0] select_514_s14_q;
-  logic and_523_s14_q;
-  logic and_524_s14_q;
-  logic [13:0] sum_531_s14_q;
-  logic [13:0] sum_535_s14_q;
-  logic and_539_s14_q;
-  logic and_543_s14_q;
-  logic [6:0] select_544_s14_q;
+  logic [8:0] select_516_s14_q;
+  logic and_525_s14_q;
+  logic and_526_s14_q;
+  logic [13:0] sum_533_s14_q;
+  logic [13:0] sum_537_s14_q;
+  logic and_541_s14_q;
+  logic and_545_s14_q;
+  logic [6:0] select_546_s14_q;
   logic [6:0] last_s14_q;
-  logic and_548_s14_q;
   logic and_550_s14_q;
-  logic equal_553_s14_q;
-  logic equal_570_s14_q;
-  logic [12:0] select_574_s14_q;
-  logic equal_575_s14_q;
-  logic not_576_s14_q;
-  logic so_s14_q;
+  logic and_552_s14_q;
+  logic equal_555_s14_q;
+  logic equal_572_s14_q;
+  logic [12:0] select_576_s14_q;
+  logic equal_577_s14_q;
   logic not_578_s14_q;
-  logic equal_579_s14_q;
-  logic or_580_s14_q;
-  logic less_583_s14_q;
-  logic not_584_s14_q;
+  logic so_s14_q;
+  logic not_580_s14_q;
+  logic equal_581_s14_q;
+  logic or_582_s14_q;
+  logic not_586_s14_q;
   logic inside_v_s14_q;
-  logic not_588_s14_q;
-  logic and_592_s14_q;
-  logic and_601_s14_q;
+  logic not_590_s14_q;
+  logic and_594_s14_q;
+  logic and_603_s14_q;
   logic [6:0] x_s14_2_q;
   logic [32:0] best_left_rdata_s14_q;
   logic [6:0] right_s14_q;
   logic [28:0] best_right_rdata_s14_q;
-  logic and_635_s14_q;
-  logic and_640_s14_q;
+  logic and_639_s14_q;
+  logic not_641_s14_q;
   logic and_645_s14_q;
-  logic and_647_s14_q;
-  logic equal_680_s14_q;
-  logic select_762_s14_q;
+  logic and_650_s14_q;
+  logic and_652_s14_q;
+  logic equal_685_s14_q;
+  logic select_768_s14_q;
   logic [7:0] of_best_s14_q;
-  logic [2:0] select_1522_s14_q;
+  logic [2:0] select_1528_s14_q;
   logic [6:0] of_near_s14_q;
-  logic [6:0] select_1552_s14_q;
-  logic [5:0] select_1554_s14_q;
-  logic [7:0] select_1557_s14_q;
-  logic [7:0] select_1560_s14_q;
-  logic and_1562_s14_q;
-  logic select_1564_s14_q;
-  logic or_1570_s14_q;
-  logic and_1573_s14_q;
-  logic and_1575_s14_q;
+  logic [6:0] select_1558_s14_q;
+  logic [5:0] select_1560_s14_q;
+  logic [7:0] select_1563_s14_q;
+  logic [7:0] select_1566_s14_q;
+  logic and_1568_s14_q;
+  logic select_1570_s14_q;
+  logic or_1576_s14_q;
+  logic and_1579_s14_q;
+  logic and_1581_s14_q;
   logic [1:0] shown_right_rdata_s14_q;
-  logic [6:0] select_1579_s14_q;
-  logic and_1584_s14_q;
-  logic [1:0] left_turns_rdata_s14_q;
-  logic and_1601_s14_q;
-  logic [1:0] right_turns_rdata_s14_q;
-  logic equal_1608_s14_q;
+  logic [6:0] select_1585_s14_q;
+  logic and_1590_s14_q;
+  logic and_1607_s14_q;
+  logic equal_1614_s14_q;
   logic all_s14_q;
-  logic equal_1622_s14_q;
-  logic equal_1624_s14_q;
-  logic equal_1626_s14_q;
   logic equal_1628_s14_q;
   logic equal_1630_s14_q;
-  logic and_1635_s14_q;
+  logic equal_1632_s14_q;
+  logic equal_1634_s14_q;
+  logic equal_1636_s14_q;
+  logic and_1641_s14_q;
   logic right_2_s14_q;
-  logic [5:0] select_1689_s14_q;
-  logic select_1690_s14_q;
-  logic equal_1691_s14_q;
-  logic and_1699_s14_q;
-  logic less_1700_s14_q;
-  logic equal_1701_s14_q;
+  logic [5:0] select_1695_s14_q;
+  logic select_1696_s14_q;
+  logic equal_1697_s14_q;
+  logic and_1705_s14_q;
+  logic less_1706_s14_q;
+  logic equal_1707_s14_q;
   logic expected_s14_q;
-  logic [10:0] sum_1716_s14_q;
-  logic and_1733_s14_q;
-  logic [5:0] select_1750_s14_q;
-  logic [7:0] select_1776_s14_q;
-  logic and_1783_s14_q;
-  logic and_1784_s14_q;
-  logic equal_1785_s14_q;
-  logic not_1786_s14_q;
-  logic equal_1787_s14_q;
-  logic not_1788_s14_q;
-  logic equal_1790_s14_q;
-  logic or_1791_s14_q;
+  logic [10:0] sum_1722_s14_q;
+  logic and_1739_s14_q;
+  logic [5:0] select_1756_s14_q;
+  logic [7:0] select_1782_s14_q;
+  logic and_1789_s14_q;
+  logic and_1790_s14_q;
+  logic equal_1791_s14_q;
   logic not_1792_s14_q;
-  logic and_1800_s14_q;
-  logic [4:0] select_1815_s14_q;
-  logic select_1821_s14_q;
-  logic [3:0] select_1859_s14_q;
+  logic equal_1793_s14_q;
+  logic not_1794_s14_q;
+  logic equal_1796_s14_q;
+  logic or_1797_s14_q;
+  logic not_1798_s14_q;
+  logic and_1806_s14_q;
+  logic [4:0] select_1821_s14_q;
+  logic select_1827_s14_q;
+  logic [3:0] select_1865_s14_q;
   logic patches_columns_above_rdata_s14_q;
   logic [7:0] pixel_2_s14_q;
-  logic less_1875_s14_q;
+  logic less_1881_s14_q;
   logic new_row_s14_q;
-  logic select_1881_s14_q;
-  logic not_1882_s14_q;
-  logic [4:0] select_1887_s14_q;
-  logic or_1888_s14_q;
+  logic select_1887_s14_q;
+  logic not_1888_s14_q;
+  logic [4:0] select_1893_s14_q;
+  logic or_1894_s14_q;
   logic [1:0] of_row_2_s14_q;
   logic [10:0] down_2_s14_q;
-  logic sum_1918_s14_q;
-  logic [9:0] sum_1919_s14_q;
-  logic and_1946_s14_q;
-  logic and_1957_s14_q;
-  logic and_1960_s14_q;
-  logic less_1963_s14_q;
-  logic equal_1964_s14_q;
-  logic or_1966_s14_q;
+  logic sum_1924_s14_q;
+  logic [9:0] sum_1925_s14_q;
+  logic and_1952_s14_q;
+  logic and_1963_s14_q;
+  logic and_1966_s14_q;
+  logic less_1969_s14_q;
+  logic equal_1970_s14_q;
+  logic or_1972_s14_q;
   logic [9:0] patches_rows_rdata_s14_q;
-  logic or_1980_s14_q;
-  logic or_1983_s14_q;
   logic or_1986_s14_q;
-  logic [5:0] select_1987_s14_q;
-  logic not_1988_s14_q;
-  logic select_1996_s14_q;
+  logic or_1989_s14_q;
+  logic or_1992_s14_q;
+  logic [5:0] select_1993_s14_q;
+  logic not_1994_s14_q;
+  logic select_2002_s14_q;
   logic textured_s14_q;
-  logic and_2011_s14_q;
-  logic and_2020_s14_q;
+  logic and_2019_s14_q;
+  logic and_2026_s14_q;
   logic [12:0] seen_columns_rdata_s14_q;
-  logic and_2061_s14_q;
-  logic and_2063_s14_q;
-  logic or_2078_s14_q;
-  logic or_2081_s14_q;
-  logic or_2084_s14_q;
-  logic and_2095_s14_q;
-  logic and_2111_s14_q;
-  logic and_2134_s14_q;
-  logic equal_2277_s14_q;
-  logic equal_2466_s14_q;
-  logic and_2593_s14_q;
-  logic and_2617_s14_q;
-  logic equal_2678_s14_q;
-  logic [5:0] difference_2682_s14_q;
-  logic [7:0] sum_2684_s14_q;
-  logic [11:0] select_2765_s14_q;
-  logic and_2990_s14_q;
-  logic less_3116_s14_q;
+  logic not_2054_s14_q;
+  logic and_2068_s14_q;
+  logic and_2070_s14_q;
+  logic or_2085_s14_q;
+  logic or_2088_s14_q;
+  logic or_2091_s14_q;
+  logic and_2103_s14_q;
+  logic and_2119_s14_q;
+  logic and_2143_s14_q;
+  logic equal_2286_s14_q;
+  logic equal_2475_s14_q;
+  logic and_2612_s14_q;
+  logic and_2636_s14_q;
+  logic and_2696_s14_q;
+  logic equal_2697_s14_q;
+  logic [5:0] difference_2701_s14_q;
+  logic [7:0] sum_2703_s14_q;
+  logic select_2719_s14_q;
+  logic select_2722_s14_q;
+  logic and_2723_s14_q;
+  logic [11:0] select_2785_s14_q;
+  logic and_3009_s14_q;
+  logic less_3135_s14_q;
   logic [5:0] away_s14_q;
-  logic [9:0] select_3545_s14_q;
-  logic [4:0] select_3546_s14_q;
-  logic equal_3556_s14_q;
-  logic select_3855_s14_q;
-  logic equal_3866_s14_q;
-  logic equal_3891_s14_q;
-  logic [7:0] select_3908_s14_q;
-  logic and_4021_s14_q;
-  logic equal_4031_s14_q;
+  logic [9:0] select_3564_s14_q;
+  logic [4:0] select_3565_s14_q;
+  logic equal_3575_s14_q;
+  logic select_3874_s14_q;
+  logic equal_3885_s14_q;
+  logic equal_3902_s14_q;
+  logic equal_3910_s14_q;
+  logic [7:0] select_3927_s14_q;
+  logic and_4040_s14_q;
+  logic or_4052_s14_q;
+  logic and_4066_s14_q;
+  logic and_4083_s14_q;
+  logic not_4095_s14_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s14_q <= sample_pair_pixel_0_q;
@@ -4960,6 +5122,7 @@ module horopter_agreement (
       slot_s14_q <= slot_s13_q;
       ends_cell_s14_q <= ends_cell_s13_q;
       lower_half_s14_q <= lower_half_s13_q;
+      draws_late_s14_q <= draws_late_s13_q;
       before_0_s14_q <= before_0_q;
       before_1_s14_q <= before_1_q;
       before_2_s14_q <= before_2_q;
@@ -4976,152 +5139,160 @@ module horopter_agreement (
       patches_read_first_s14_q <= patches_read_first_s13_q;
       region_row_s14_q <= region_row_q;
       region_fresh_s14_q <= region_fresh_q;
-      select_509_s14_q <= select_509_s13_q;
+      done_s14_q <= done_s13_q;
+      select_511_s14_q <= select_511_s13_q;
       row_starts_s14_q <= row_starts_s13_q;
-      select_514_s14_q <= select_514_s13_q;
-      and_523_s14_q <= and_523_s13_q;
-      and_524_s14_q <= and_524_s13_q;
-      sum_531_s14_q <= sum_531;
-      sum_535_s14_q <= sum_535;
-      and_539_s14_q <= whole & (averager_memory_rdata_s13_q[28] | equal_529_s13_q);
-      and_543_s14_q <= and_543;
-      select_544_s14_q <= select_544_s13_q;
+      select_516_s14_q <= select_516_s13_q;
+      and_525_s14_q <= and_525_s13_q;
+      and_526_s14_q <= and_526_s13_q;
+      sum_533_s14_q <= sum_533;
+      sum_537_s14_q <= sum_537;
+      and_541_s14_q <= whole & (averager_memory_rdata_s13_q[28] | equal_531_s13_q);
+      and_545_s14_q <= and_545;
+      select_546_s14_q <= select_546_s13_q;
       last_s14_q <= last_s13_q;
-      and_548_s14_q <= and_548_s13_q;
       and_550_s14_q <= and_550_s13_q;
-      equal_553_s14_q <= select_509_s13_q == 4'h3;
-      equal_570_s14_q <= equal_570_s13_q;
-      select_574_s14_q <= select_574_s13_q;
-      equal_575_s14_q <= equal_575_s13_q;
-      not_576_s14_q <= not_576_s13_q;
-      so_s14_q <= so_s13_q;
+      and_552_s14_q <= and_552_s13_q;
+      equal_555_s14_q <= select_511_s13_q == 4'h3;
+      equal_572_s14_q <= equal_572_s13_q;
+      select_576_s14_q <= select_576_s13_q;
+      equal_577_s14_q <= equal_577_s13_q;
       not_578_s14_q <= not_578_s13_q;
-      equal_579_s14_q <= equal_579_s13_q;
-      or_580_s14_q <= or_580_s13_q;
-      less_583_s14_q <= less_583_s13_q;
-      not_584_s14_q <= not_584_s13_q;
+      so_s14_q <= so_s13_q;
+      not_580_s14_q <= not_580_s13_q;
+      equal_581_s14_q <= equal_581_s13_q;
+      or_582_s14_q <= or_582_s13_q;
+      not_586_s14_q <= not_586_s13_q;
       inside_v_s14_q <= inside_v_s13_q;
-      not_588_s14_q <= not_588_s13_q;
-      and_592_s14_q <= and_592;
-      and_601_s14_q <= and_601_s13_q;
+      not_590_s14_q <= not_590_s13_q;
+      and_594_s14_q <= and_594;
+      and_603_s14_q <= and_603_s13_q;
       x_s14_2_q <= x_s13_2_q;
       best_left_rdata_s14_q <= best_left_rdata_s13_q[32:0];
       right_s14_q <= right_s13_q;
       best_right_rdata_s14_q <= best_right_rdata_s13_q;
-      and_635_s14_q <= and_635;
-      and_640_s14_q <= and_640_s13_q;
+      and_639_s14_q <= not_586_s13_q & and_638;
+      not_641_s14_q <= not_641_s13_q;
       and_645_s14_q <= and_645_s13_q;
-      and_647_s14_q <= and_647_s13_q;
-      equal_680_s14_q <= equal_680_s13_q;
-      select_762_s14_q <= select_762_s13_q;
+      and_650_s14_q <= and_650_s13_q;
+      and_652_s14_q <= and_652_s13_q;
+      equal_685_s14_q <= equal_685_s13_q;
+      select_768_s14_q <= select_768_s13_q;
       of_best_s14_q <= of_best;
-      select_1522_s14_q <= select_1522;
+      select_1528_s14_q <= select_1528;
       of_near_s14_q <= of_near;
-      select_1552_s14_q <= less_1551 ? of_near : best_left_rdata_s13_q[39:33];
-      select_1554_s14_q <= less_1551 ? run_shift_s13_q : best_left_rdata_s13_q[45:40];
-      select_1557_s14_q <= select_1557_s13_q;
-      select_1560_s14_q <= select_1560_s13_q;
-      and_1562_s14_q <= and_1562_s13_q;
-      select_1564_s14_q <= select_1564_s13_q;
-      or_1570_s14_q <= select_1564_s13_q | (best_right_rdata_s13_q[21:15] < of_near);
-      and_1573_s14_q <= and_1573_s13_q;
-      and_1575_s14_q <= and_1575_s13_q;
+      select_1558_s14_q <= less_1557 ? of_near : best_left_rdata_s13_q[39:33];
+      select_1560_s14_q <= less_1557 ? run_shift_s13_q : best_left_rdata_s13_q[45:40];
+      select_1563_s14_q <= select_1563_s13_q;
+      select_1566_s14_q <= select_1566_s13_q;
+      and_1568_s14_q <= and_1568_s13_q;
+      select_1570_s14_q <= select_1570_s13_q;
+      or_1576_s14_q <= select_1570_s13_q | (best_right_rdata_s13_q[21:15] < of_near);
+      and_1579_s14_q <= and_1579_s13_q;
+      and_1581_s14_q <= and_1581_s13_q;
       shown_right_rdata_s14_q <= shown_right_rdata_q;
-      select_1579_s14_q <= select_1579_s13_q;
-      and_1584_s14_q <= and_635 & or_1583_s13_q;
-      left_turns_rdata_s14_q <= left_turns_rdata_q;
-      and_1601_s14_q <= and_1601_s13_q;
-      right_turns_rdata_s14_q <= right_turns_rdata_q;
-      equal_1608_s14_q <= equal_1608;
+      select_1585_s14_q <= select_1585_s13_q;
+      and_1590_s14_q <= and_638 & or_1589_s13_q;
+      and_1607_s14_q <= and_1607_s13_q;
+      equal_1614_s14_q <= equal_1614;
       all_s14_q <= all;
-      equal_1622_s14_q <= equal_1622;
-      equal_1624_s14_q <= equal_1624;
-      equal_1626_s14_q <= equal_1626;
       equal_1628_s14_q <= equal_1628;
       equal_1630_s14_q <= equal_1630;
-      and_1635_s14_q <= (~equal_1622) & and_1634;
+      equal_1632_s14_q <= equal_1632;
+      equal_1634_s14_q <= equal_1634;
+      equal_1636_s14_q <= equal_1636;
+      and_1641_s14_q <= (~equal_1628) & and_1640;
       right_2_s14_q <= right_2_s13_q;
-      select_1689_s14_q <= select_1689;
-      select_1690_s14_q <= select_1690[1];
-      equal_1691_s14_q <= equal_1691;
-      and_1699_s14_q <= and_1699_s13_q;
-      less_1700_s14_q <= less_1700_s13_q;
-      equal_1701_s14_q <= equal_1701_s13_q;
+      select_1695_s14_q <= select_1695;
+      select_1696_s14_q <= select_1696[1];
+      equal_1697_s14_q <= equal_1697;
+      and_1705_s14_q <= and_1705_s13_q;
+      less_1706_s14_q <= less_1706_s13_q;
+      equal_1707_s14_q <= equal_1707_s13_q;
       expected_s14_q <= expected[0];
-      sum_1716_s14_q <= {expected[10], expected[10:1]} + 11'h5;
-      and_1733_s14_q <= and_1733_s13_q;
-      select_1750_s14_q <= select_1750_s13_q;
-      select_1776_s14_q <= select_1776_s13_q;
-      and_1783_s14_q <= and_1783_s13_q;
-      and_1784_s14_q <= and_1784_s13_q;
-      equal_1785_s14_q <= equal_1785_s13_q;
-      not_1786_s14_q <= not_1786_s13_q;
-      equal_1787_s14_q <= equal_1787_s13_q;
-      not_1788_s14_q <= not_1788_s13_q;
-      equal_1790_s14_q <= equal_1790_s13_q;
-      or_1791_s14_q <= or_1791_s13_q;
+      sum_1722_s14_q <= {expected[10], expected[10:1]} + 11'h5;
+      and_1739_s14_q <= and_1739_s13_q;
+      select_1756_s14_q <= select_1756_s13_q;
+      select_1782_s14_q <= select_1782_s13_q;
+      and_1789_s14_q <= and_1789_s13_q;
+      and_1790_s14_q <= and_1790_s13_q;
+      equal_1791_s14_q <= equal_1791_s13_q;
       not_1792_s14_q <= not_1792_s13_q;
-      and_1800_s14_q <= and_1784_s13_q & equal_1799;
-      select_1815_s14_q <= select_1815_s13_q;
+      equal_1793_s14_q <= equal_1793_s13_q;
+      not_1794_s14_q <= not_1794_s13_q;
+      equal_1796_s14_q <= equal_1796_s13_q;
+      or_1797_s14_q <= or_1797_s13_q;
+      not_1798_s14_q <= not_1798_s13_q;
+      and_1806_s14_q <= and_1790_s13_q & equal_1805;
       select_1821_s14_q <= select_1821_s13_q;
-      select_1859_s14_q <= select_1859_s13_q;
+      select_1827_s14_q <= select_1827_s13_q;
+      select_1865_s14_q <= select_1865_s13_q;
       patches_columns_above_rdata_s14_q <= patches_columns_above_rdata_s13_q[8];
       pixel_2_s14_q <= pixel_2_s13_q;
-      less_1875_s14_q <= less_1875;
+      less_1881_s14_q <= less_1881;
       new_row_s14_q <= new_row;
-      select_1881_s14_q <= select_1881;
-      not_1882_s14_q <= ~or_1876;
       select_1887_s14_q <= select_1887;
-      or_1888_s14_q <= equal_1789_s13_q | equal_1787_s13_q;
+      not_1888_s14_q <= ~or_1882;
+      select_1893_s14_q <= select_1893;
+      or_1894_s14_q <= equal_1795_s13_q | equal_1793_s13_q;
       of_row_2_s14_q <= of_row_2;
       down_2_s14_q <= down_2;
-      sum_1918_s14_q <= sum_1918_s13_q[0];
-      sum_1919_s14_q <= sum_1919;
-      and_1946_s14_q <= or_1791_s13_q & (or_1938 & (equal_1790_s13_q & and_1943));
-      and_1957_s14_q <= and_1957;
-      and_1960_s14_q <= or_1791_s13_q & (and_1957 & (patches_column_s13_q == 5'hf));
-      less_1963_s14_q <= less_1963_s13_q;
-      equal_1964_s14_q <= equal_1964_s13_q;
-      or_1966_s14_q <= or_1966_s13_q;
+      sum_1924_s14_q <= sum_1924_s13_q[0];
+      sum_1925_s14_q <= sum_1925;
+      and_1952_s14_q <= or_1797_s13_q & (or_1944 & (equal_1796_s13_q & and_1949));
+      and_1963_s14_q <= and_1963;
+      and_1966_s14_q <= or_1797_s13_q & (and_1963 & (patches_column_s13_q == 5'hf));
+      less_1969_s14_q <= less_1969_s13_q;
+      equal_1970_s14_q <= equal_1970_s13_q;
+      or_1972_s14_q <= or_1972_s13_q;
       patches_rows_rdata_s14_q <= patches_rows_rdata_s13_q;
-      or_1980_s14_q <= or_1980;
-      or_1983_s14_q <= or_1983;
       or_1986_s14_q <= or_1986;
-      select_1987_s14_q <= select_1987;
-      not_1988_s14_q <= not_1988;
-      select_1996_s14_q <= equal_575_s13_q ? (x_s13_q[6] & not_1988) : and_1995;
+      or_1989_s14_q <= or_1989;
+      or_1992_s14_q <= or_1992;
+      select_1993_s14_q <= select_1993;
+      not_1994_s14_q <= not_1994;
+      select_2002_s14_q <= equal_577_s13_q ? (x_s13_q[6] & not_1994) : and_2001;
       textured_s14_q <= textured;
-      and_2011_s14_q <= and_2011_s13_q;
-      and_2020_s14_q <= not_576_s13_q & and_1995;
+      and_2019_s14_q <= or_582_s13_q & (not_586_s13_q & and_2017_s13_q);
+      and_2026_s14_q <= not_578_s13_q & and_2001;
       seen_columns_rdata_s14_q <= {seen_columns_rdata_s13_q[13:7], seen_columns_rdata_s13_q[5:0]};
-      and_2061_s14_q <= seen_columns_rdata_s13_q[14] & inside_v_s13_q;
-      and_2063_s14_q <= seen_columns_rdata_s13_q[5] & inside_v_s13_q;
-      or_2078_s14_q <= or_2078;
-      or_2081_s14_q <= select_2075[7] | (~({select_2075[6], select_2075[3:2]} == 3'h0));
-      or_2084_s14_q <= select_2075[7] | (~(select_2075[6:4] == 3'h0));
-      and_2095_s14_q <= seen_columns_rdata_s13_q[16] & inside_v_s13_q;
-      and_2111_s14_q <= seen_columns_rdata_s13_q[17] & inside_v_s13_q;
-      and_2134_s14_q <= and_2134_s13_q;
-      equal_2277_s14_q <= equal_2277_s13_q;
-      equal_2466_s14_q <= equal_2466_s13_q;
-      and_2593_s14_q <= and_2593_s13_q;
-      and_2617_s14_q <= seen_columns_rdata_s13_q[15] & inside_v_s13_q;
-      equal_2678_s14_q <= equal_2678_s13_q;
-      difference_2682_s14_q <= difference_2682[7:2];
-      sum_2684_s14_q <= sum_2684_s13_q;
-      select_2765_s14_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
-      and_2990_s14_q <= and_2990_s13_q;
-      less_3116_s14_q <= 4'he < patches_column_s13_q[4:1];
+      not_2054_s14_q <= not_2054_s13_q;
+      and_2068_s14_q <= seen_columns_rdata_s13_q[14] & inside_v_s13_q;
+      and_2070_s14_q <= seen_columns_rdata_s13_q[5] & inside_v_s13_q;
+      or_2085_s14_q <= or_2085;
+      or_2088_s14_q <= select_2082[7] | (~({select_2082[6], select_2082[3:2]} == 3'h0));
+      or_2091_s14_q <= select_2082[7] | (~(select_2082[6:4] == 3'h0));
+      and_2103_s14_q <= seen_columns_rdata_s13_q[16] & inside_v_s13_q;
+      and_2119_s14_q <= seen_columns_rdata_s13_q[17] & inside_v_s13_q;
+      and_2143_s14_q <= and_2143_s13_q;
+      equal_2286_s14_q <= equal_2286_s13_q;
+      equal_2475_s14_q <= equal_2475_s13_q;
+      and_2612_s14_q <= and_2612_s13_q;
+      and_2636_s14_q <= seen_columns_rdata_s13_q[15] & inside_v_s13_q;
+      and_2696_s14_q <= and_2017_s13_q & and_638;
+      equal_2697_s14_q <= equal_2697_s13_q;
+      difference_2701_s14_q <= difference_2701[7:2];
+      sum_2703_s14_q <= sum_2703_s13_q;
+      select_2719_s14_q <= select_2719[1];
+      select_2722_s14_q <= select_2722[1];
+      and_2723_s14_q <= select_2719[0] & select_2722[0];
+      select_2785_s14_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+      and_3009_s14_q <= and_3009_s13_q;
+      less_3135_s14_q <= 4'he < patches_column_s13_q[4:1];
       away_s14_q <= away;
-      select_3545_s14_q <= patches_peak_best_differing_q;
-      select_3546_s14_q <= patches_peak_best_column_q;
-      equal_3556_s14_q <= equal_3556_s13_q;
-      select_3855_s14_q <= sum_1990_s13_q ? (equal_1778_s13_q & or_1992) : or_1992;
-      equal_3866_s14_q <= equal_3866;
-      equal_3891_s14_q <= equal_3891;
-      select_3908_s14_q <= select_3908;
-      and_4021_s14_q <= seen_columns_rdata_s13_q[6] & inside_v_s13_q;
-      equal_4031_s14_q <= equal_4031_s13_q;
+      select_3564_s14_q <= patches_peak_best_differing_q;
+      select_3565_s14_q <= patches_peak_best_column_q;
+      equal_3575_s14_q <= equal_3575_s13_q;
+      select_3874_s14_q <= sum_1996_s13_q ? (equal_1784_s13_q & or_1998) : or_1998;
+      equal_3885_s14_q <= equal_3885;
+      equal_3902_s14_q <= equal_3902_s13_q;
+      equal_3910_s14_q <= equal_3910;
+      select_3927_s14_q <= select_3927;
+      and_4040_s14_q <= seen_columns_rdata_s13_q[6] & inside_v_s13_q;
+      or_4052_s14_q <= or_4052_s13_q;
+      and_4066_s14_q <= and_4066_s13_q;
+      and_4083_s14_q <= and_4083_s13_q;
+      not_4095_s14_q <= not_4095_s13_q;
     end
   end
 
@@ -5147,243 +5318,241 @@ module horopter_agreement (
   logic centres_values_1_of_skin_q;
   // hls/stages/census.hpp:218
   logic [8:0] grey;
-  assign grey = and_523_s14_q ? sum_531_s14_q[13:5] : 9'h0;
+  assign grey = and_525_s14_q ? sum_533_s14_q[13:5] : 9'h0;
   // hls/stages/census.hpp:219
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_553_s14_q ? 11'h0 : averager_total_0_q);
+  assign total = {2'h0, grey} + (equal_555_s14_q ? 11'h0 : averager_total_0_q);
   // hls/stages/census.hpp:218
   logic [8:0] grey_2;
-  assign grey_2 = and_523_s14_q ? sum_535_s14_q[13:5] : 9'h0;
+  assign grey_2 = and_525_s14_q ? sum_537_s14_q[13:5] : 9'h0;
   // hls/stages/census.hpp:219
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_553_s14_q ? 11'h0 : averager_total_1_q);
+  assign total_2 = {2'h0, grey_2} + (equal_555_s14_q ? 11'h0 : averager_total_1_q);
   // hls/stages/census.hpp:218
-  logic and_561;
-  assign and_561 = and_523_s14_q & and_539_s14_q;
+  logic and_563;
+  assign and_563 = and_525_s14_q & and_541_s14_q;
   // hls/stages/census.hpp:134
-  logic select_563;
-  assign select_563 = equal_553_s14_q ? and_561 : (averager_mask_q & and_561);
+  logic select_565;
+  assign select_565 = equal_555_s14_q ? and_563 : (averager_mask_q & and_563);
   // hls/stages/agreement.hpp:276
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s14_q & select_563;
+  assign whole_2 = sample_pair_whole_s14_q & select_565;
   // hls/stages/census.hpp:218
-  logic and_565;
-  assign and_565 = and_523_s14_q & and_543_s14_q;
+  logic and_567;
+  assign and_567 = and_525_s14_q & and_545_s14_q;
   // hls/stages/census.hpp:134
-  logic select_567;
-  assign select_567 = equal_553_s14_q ? and_565 : (averager_of_skin_q & and_565);
+  logic select_569;
+  assign select_569 = equal_555_s14_q ? and_567 : (averager_of_skin_q & and_567);
   // hls/stages/agreement.hpp:149
-  logic and_637;
-  assign and_637 = or_580_s14_q & (not_584_s14_q & and_635_s14_q);
+  logic and_640;
+  assign and_640 = or_582_s14_q & and_639_s14_q;
   // hls/stages/moments.hpp:77
-  logic and_638;
-  assign and_638 = and_601_s14_q & and_637;
-  // hls/stages/agreement.hpp:810
-  logic equal_1525;
-  assign equal_1525 = select_1522_s14_q == 3'h1;
-  logic or_1528;
-  assign or_1528 = equal_1525 | (~(select_1522_s14_q == 3'h2));
-  logic [7:0] select_1530;
-  assign select_1530 = or_1528 ? before_0_s14_q : before_1_s14_q;
-  logic [7:0] select_1531;
-  assign select_1531 = equal_1525 ? (or_1528 ? before_1_q : {7'h0, shift_not_right_s14_q}) : select_1530;
-  // hls/stages/agreement.hpp:811
-  logic [7:0] select_1534;
-  assign select_1534 = equal_1525 ? select_1530 : (or_1528 ? before_2_q : before_2_s14_q);
-  // hls/stages/agreement.hpp:824
-  logic or_1566;
-  assign or_1566 = select_1564_s14_q | (best_right_rdata_s14_q[7:0] < of_best_s14_q);
+  logic and_643;
+  assign and_643 = and_603_s14_q & (and_640 & not_641_s14_q);
+  // hls/stages/agreement.hpp:817
+  logic equal_1531;
+  assign equal_1531 = select_1528_s14_q == 3'h1;
+  logic or_1534;
+  assign or_1534 = equal_1531 | (~(select_1528_s14_q == 3'h2));
+  logic [7:0] select_1536;
+  assign select_1536 = or_1534 ? before_0_s14_q : before_1_s14_q;
+  logic [7:0] select_1537;
+  assign select_1537 = equal_1531 ? (or_1534 ? before_1_q : {7'h0, shift_not_right_s14_q}) : select_1536;
+  // hls/stages/agreement.hpp:818
+  logic [7:0] select_1540;
+  assign select_1540 = equal_1531 ? select_1536 : (or_1534 ? before_2_q : before_2_s14_q);
+  // hls/stages/agreement.hpp:831
+  logic or_1572;
+  assign or_1572 = select_1570_s14_q | (best_right_rdata_s14_q[7:0] < of_best_s14_q);
   // hls/stages/agreement.hpp:149
-  logic and_1586;
-  assign and_1586 = or_580_s14_q & (not_584_s14_q & and_1584_s14_q);
-  // hls/stages/agreement.hpp:788
-  logic and_1590;
-  assign and_1590 = not_576_s14_q & (so_s14_q ? and_1573_s14_q : (equal_579_s14_q & and_637));
-  // hls/stages/agreement.hpp:1178
+  logic and_1592;
+  assign and_1592 = or_582_s14_q & (not_586_s14_q & and_1590_s14_q);
+  // hls/stages/agreement.hpp:795
+  logic and_1596;
+  assign and_1596 = not_578_s14_q & (so_s14_q ? and_1579_s14_q : (equal_581_s14_q & and_640));
+  // hls/stages/agreement.hpp:1186
   logic [1:0] quarter;
   assign quarter = x_s14_q[1:0] + 2'h1;
-  // hls/stages/agreement.hpp:1129
-  logic [1:0] select_1611;
-  assign select_1611 = x_s14_q[4] ? {x_s14_q[3], x_s14_q[0]} : {x_s14_q[0], x_s14_q[3]};
-  // hls/stages/agreement.hpp:1142
-  logic [3:0] select_1613;
-  assign select_1613 = equal_1608_s14_q ? {2'h0, quarter} : (all_s14_q ? {1'b0, x_s14_q[2:0]} : {x_s14_q[2:1], select_1611});
+  // hls/stages/agreement.hpp:1137
+  logic [1:0] select_1617;
+  assign select_1617 = x_s14_q[4] ? {x_s14_q[3], x_s14_q[0]} : {x_s14_q[0], x_s14_q[3]};
+  // hls/stages/agreement.hpp:1150
+  logic [3:0] select_1619;
+  assign select_1619 = equal_1614_s14_q ? {2'h0, quarter} : (all_s14_q ? {1'b0, x_s14_q[2:0]} : {x_s14_q[2:1], select_1617});
   // hls/stages/registration.hpp:107
-  logic [1:0] sum_1614;
-  assign sum_1614 = slot_s14_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:788
-  logic [3:0] select_1615;
-  assign select_1615 = equal_575_s14_q ? select_1613 : {sum_1614, lower_half_s14_q, registration_of_right_q};
+  logic [1:0] sum_1620;
+  assign sum_1620 = slot_s14_q[1:0] + 2'h3;
+  // hls/stages/agreement.hpp:795
+  logic [3:0] select_1621;
+  assign select_1621 = equal_577_s14_q ? select_1619 : {sum_1620, lower_half_s14_q, registration_of_right_q};
   // hls/stages/patches.hpp:214
-  logic equal_1616;
-  assign equal_1616 = x_s14_q[5:0] == 6'h3f;
-  logic equal_1618;
-  assign equal_1618 = x_s14_q[5:0] == 6'h3e;
-  logic equal_1620;
-  assign equal_1620 = x_s14_q[5:0] == 6'h3d;
-  // hls/stages/agreement.hpp:1178
-  logic and_1638;
-  assign and_1638 = (~equal_1616) & ((~equal_1618) & ((~equal_1620) & and_1635_s14_q));
-  // hls/stages/agreement.hpp:1129
-  logic less_1639;
-  assign less_1639 = x_s14_q[5:0] < 6'h29;
+  logic equal_1622;
+  assign equal_1622 = x_s14_q[5:0] == 6'h3f;
+  logic equal_1624;
+  assign equal_1624 = x_s14_q[5:0] == 6'h3e;
+  logic equal_1626;
+  assign equal_1626 = x_s14_q[5:0] == 6'h3d;
+  // hls/stages/agreement.hpp:1186
+  logic and_1644;
+  assign and_1644 = (~equal_1622) & ((~equal_1624) & ((~equal_1626) & and_1641_s14_q));
+  // hls/stages/agreement.hpp:1137
+  logic less_1645;
+  assign less_1645 = x_s14_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
   logic [1:0] kind;
   assign kind = all_s14_q ? {1'b0, x_s14_q[2]} : x_s14_q[2:1];
   // hls/stages/registration.hpp:160
-  logic or_1643;
-  assign or_1643 = (kind == 2'h3) | (x_s14_q[5:3] == 3'h5);
+  logic or_1649;
+  assign or_1649 = (kind == 2'h3) | (x_s14_q[5:3] == 3'h5);
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = inside_v_s14_q ? (right_2_s14_q & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:107
-  logic [4:0] sum_1654;
-  assign sum_1654 = {2'h0, slot_s14_q} + 5'h1f;
+  logic [4:0] sum_1660;
+  assign sum_1660 = {2'h0, slot_s14_q} + 5'h1f;
   // hls/stages/registration.hpp:258
-  logic not_1660;
-  assign not_1660 = ~lower_half_s14_q;
-  logic [3:0] select_1661;
-  assign select_1661 = registration_of_right_q ? {lower_half_s14_q, 1'b0, not_1660, 1'b0} : {1'b0, lower_half_s14_q, 1'b0, not_1660};
+  logic not_1666;
+  assign not_1666 = ~lower_half_s14_q;
+  logic [3:0] select_1667;
+  assign select_1667 = registration_of_right_q ? {lower_half_s14_q, 1'b0, not_1666, 1'b0} : {1'b0, lower_half_s14_q, 1'b0, not_1666};
   // hls/stages/patches.hpp:98
-  logic less_1717;
-  assign less_1717 = {{4{sum_1716_s14_q[10]}}, sum_1716_s14_q, expected_s14_q} < 16'h15;
+  logic less_1723;
+  assign less_1723 = {{4{sum_1722_s14_q[10]}}, sum_1722_s14_q, expected_s14_q} < 16'h15;
   // hls/stages/patches.hpp:475
-  logic [11:0] sum_1900;
-  assign sum_1900 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_1901;
-  assign sum_1901 = {{4{down_2_s14_q[10]}}, down_2_s14_q[10:2]} + {sum_1900[11], sum_1900};
+  logic [11:0] sum_1906;
+  assign sum_1906 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_1907;
+  assign sum_1907 = {{4{down_2_s14_q[10]}}, down_2_s14_q[10:2]} + {sum_1906[11], sum_1906};
   // hls/stages/patches.hpp:472
   logic [11:0] smooth;
-  assign smooth = {sum_1919_s14_q, sum_1918_s14_q, patches_columns_above_rdata_s14_q} + {4'h0, pixel_2_s14_q};
-  // hls/stages/agreement.hpp:149
-  logic and_2013;
-  assign and_2013 = or_580_s14_q & (not_584_s14_q & and_2011_s14_q);
-  // hls/stages/agreement.hpp:1014
-  logic select_2023;
-  assign select_2023 = slot_s14_q[2] ? shown_shown_q : and_637;
+  assign smooth = {sum_1925_s14_q, sum_1924_s14_q, patches_columns_above_rdata_s14_q} + {4'h0, pixel_2_s14_q};
+  // hls/stages/agreement.hpp:262
+  logic explained;
+  assign explained = inside_v_s14_q & and_640;
+  // hls/stages/agreement.hpp:1021
+  logic select_2029;
+  assign select_2029 = slot_s14_q[2] ? shown_shown_q : and_640;
   // hls/stages/agreement.hpp:262
   logic shown;
-  assign shown = inside_v_s14_q & (shown_right_rdata_s14_q[0] | select_2023);
-  // hls/stages/agreement.hpp:1014
-  logic select_2026;
-  assign select_2026 = slot_s14_q[2] ? shown_nearer_q : and_1586;
+  assign shown = inside_v_s14_q & (shown_right_rdata_s14_q[0] | select_2029);
+  // hls/stages/agreement.hpp:1021
+  logic select_2032;
+  assign select_2032 = slot_s14_q[2] ? shown_nearer_q : and_1592;
   // hls/stages/agreement.hpp:262
   logic near;
-  assign near = inside_v_s14_q & (select_2023 ? select_2026 : shown_right_rdata_s14_q[1]);
+  assign near = inside_v_s14_q & (select_2029 ? select_2032 : shown_right_rdata_s14_q[1]);
   // hls/stages/agreement.hpp:276
-  logic [10:0] select_2168;
-  assign select_2168 = sample_pair_whole_s14_q ? (and_548_s14_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2170;
-  assign select_2170 = sample_pair_whole_s14_q ? (and_548_s14_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2192;
-  assign select_2192 = sample_pair_whole_s14_q ? (and_548_s14_q ? select_563 : averager_mask_q) : averager_mask_q;
-  logic select_2194;
-  assign select_2194 = sample_pair_whole_s14_q ? (and_548_s14_q ? select_567 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:788
-  logic and_2597;
-  assign and_2597 = not_576_s14_q & (so_s14_q & (ends_cell_s14_q & (inside_v_s14_q & and_2593_s14_q)));
-  // hls/stages/agreement.hpp:1105
-  logic not_2616;
-  assign not_2616 = ~(x_s14_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:788
-  logic and_2658;
-  assign and_2658 = so_s14_q & (ends_cell_s14_q & (inside_v_s14_q & (and_2593_s14_q & and_2013)));
-  // hls/stages/agreement.hpp:1110
-  logic and_2663;
-  assign and_2663 = not_2616 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
+  logic [10:0] select_2177;
+  assign select_2177 = sample_pair_whole_s14_q ? (and_550_s14_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2179;
+  assign select_2179 = sample_pair_whole_s14_q ? (and_550_s14_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2201;
+  assign select_2201 = sample_pair_whole_s14_q ? (and_550_s14_q ? select_565 : averager_mask_q) : averager_mask_q;
+  logic select_2203;
+  assign select_2203 = sample_pair_whole_s14_q ? (and_550_s14_q ? select_569 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/agreement.hpp:795
+  logic and_2616;
+  assign and_2616 = not_578_s14_q & (so_s14_q & (ends_cell_s14_q & (inside_v_s14_q & and_2612_s14_q)));
+  // hls/stages/agreement.hpp:1113
+  logic not_2635;
+  assign not_2635 = ~(x_s14_q[7:1] == 7'h0);
+  // hls/stages/agreement.hpp:1037
+  logic and_2638;
+  assign and_2638 = seen_columns_rdata_s14_q[6] & inside_v_s14_q;
+  logic and_2639;
+  assign and_2639 = seen_columns_rdata_s14_q[2] & inside_v_s14_q;
+  // hls/stages/agreement.hpp:795
+  logic and_2676;
+  assign and_2676 = ends_cell_s14_q & (inside_v_s14_q & (and_2612_s14_q & and_2019_s14_q));
+  // hls/stages/agreement.hpp:1118
+  logic and_2682;
+  assign and_2682 = not_2635 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:247
-  logic and_2687;
-  assign and_2687 = ((and_2011_s14_q & and_635_s14_q) & equal_2678_s14_q) & (~({2'h0, difference_2682_s14_q} < sum_2684_s14_q));
-  // hls/stages/agreement.hpp:149
-  logic and_2697;
-  assign and_2697 = not_584_s14_q & (slot_s14_q[2] & left_turns_rdata_s14_q[0]);
-  // hls/stages/agreement.hpp:247
-  logic and_2699;
-  assign and_2699 = not_584_s14_q & (slot_s14_q[2] & left_turns_rdata_s14_q[1]);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_2700;
-  assign select_2700 = or_580_s14_q ? {and_2699, and_2697} : 2'h0;
-  // hls/stages/agreement.hpp:247
-  logic [1:0] select_2702;
-  assign select_2702 = less_583_s14_q ? 2'h0 : (slot_s14_q[2] ? right_turns_rdata_s14_q : 2'h0);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_2703;
-  assign select_2703 = or_580_s14_q ? select_2702 : 2'h0;
+  logic and_2706;
+  assign and_2706 = (and_2696_s14_q & equal_2697_s14_q) & (~({2'h0, difference_2701_s14_q} < sum_2703_s14_q));
+  // hls/stages/agreement.hpp:1034
+  logic and_2725;
+  assign and_2725 = and_640 & (not_641_s14_q & and_2723_s14_q);
+  // hls/stages/agreement.hpp:795
+  logic and_2728;
+  assign and_2728 = ends_cell_s14_q & (inside_v_s14_q & (select_2719_s14_q & and_2725));
+  logic and_2735;
+  assign and_2735 = ends_cell_s14_q & (inside_v_s14_q & (select_2722_s14_q & and_2725));
   // hls/stages/registration.hpp:108
-  logic equal_2748;
-  assign equal_2748 = slot_s14_q == 3'h4;
+  logic equal_2768;
+  assign equal_2768 = slot_s14_q == 3'h4;
   // hls/stages/registration.hpp:218
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2765_s14_q[11:7])) ? 12'h7f : select_2765_s14_q;
-  // hls/stages/agreement.hpp:788
-  logic select_2809;
-  assign select_2809 = so_s14_q ? (equal_2748 ? right_2_s14_q : registration_of_right_q) : registration_of_right_q;
-  logic select_2812;
-  assign select_2812 = so_s14_q ? (equal_1701_s14_q ? inside_v_s14_q : registration_was_inside_q) : registration_was_inside_q;
-  // hls/stages/agreement.hpp:1129
+  assign residual = ($signed(5'h0) < $signed(select_2785_s14_q[11:7])) ? 12'h7f : select_2785_s14_q;
+  // hls/stages/agreement.hpp:795
+  logic select_2829;
+  assign select_2829 = so_s14_q ? (equal_2768 ? right_2_s14_q : registration_of_right_q) : registration_of_right_q;
+  logic select_2832;
+  assign select_2832 = so_s14_q ? (equal_1707_s14_q ? inside_v_s14_q : registration_was_inside_q) : registration_was_inside_q;
+  // hls/stages/agreement.hpp:1137
   logic [1:0] quarter_2;
-  assign quarter_2 = all_s14_q ? x_s14_q[1:0] : select_1611;
+  assign quarter_2 = all_s14_q ? x_s14_q[1:0] : select_1617;
   // hls/stages/agreement.hpp:275
-  logic [10:0] select_3094;
-  assign select_3094 = equal_1787_s14_q ? patches_down_values_0_q : (or_1791_s14_q ? down_2_s14_q : patches_down_values_0_q);
-  logic [10:0] select_3096;
-  assign select_3096 = or_1791_s14_q ? patches_down_values_0_q : patches_down_values_1_q;
-  logic [10:0] select_3098;
-  assign select_3098 = equal_1785_s14_q ? patches_down_values_1_q : (equal_1787_s14_q ? patches_down_values_1_q : select_3096);
+  logic [10:0] select_3113;
+  assign select_3113 = equal_1793_s14_q ? patches_down_values_0_q : (or_1797_s14_q ? down_2_s14_q : patches_down_values_0_q);
+  logic [10:0] select_3115;
+  assign select_3115 = or_1797_s14_q ? patches_down_values_0_q : patches_down_values_1_q;
+  logic [10:0] select_3117;
+  assign select_3117 = equal_1791_s14_q ? patches_down_values_1_q : (equal_1793_s14_q ? patches_down_values_1_q : select_3115);
   // hls/stages/patches.hpp:559
-  logic and_3530;
-  assign and_3530 = less_1963_s14_q & (or_1966_s14_q & (equal_1964_s14_q & (away_s14_q == 6'h3f)));
-  logic and_3535;
-  assign and_3535 = less_1963_s14_q & (or_1966_s14_q & (equal_1964_s14_q & (away_s14_q == 6'h1)));
+  logic and_3549;
+  assign and_3549 = less_1969_s14_q & (or_1972_s14_q & (equal_1970_s14_q & (away_s14_q == 6'h3f)));
+  logic and_3554;
+  assign and_3554 = less_1969_s14_q & (or_1972_s14_q & (equal_1970_s14_q & (away_s14_q == 6'h1)));
   // hls/stages/patches.hpp:556
-  logic [6:0] sum_3537;
-  assign sum_3537 = {away_s14_q[5], away_s14_q} + 7'h7d;
+  logic [6:0] sum_3556;
+  assign sum_3556 = {away_s14_q[5], away_s14_q} + 7'h7d;
   // hls/stages/patches.hpp:544
-  logic [9:0] select_3548;
-  assign select_3548 = patches_read_above_q ? patches_read_row_differing_s14_q : patches_peak_above_q;
+  logic [9:0] select_3567;
+  assign select_3567 = patches_read_above_q ? patches_read_row_differing_s14_q : patches_peak_above_q;
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3549;
-  assign select_3549 = equal_1785_s14_q ? select_3548 : patches_peak_above_q;
+  logic [9:0] select_3568;
+  assign select_3568 = equal_1791_s14_q ? select_3567 : patches_peak_above_q;
   // hls/stages/patches.hpp:545
-  logic [9:0] select_3550;
-  assign select_3550 = patches_read_below_q ? patches_read_row_differing_s14_q : patches_peak_below_q;
+  logic [9:0] select_3569;
+  assign select_3569 = patches_read_below_q ? patches_read_row_differing_s14_q : patches_peak_below_q;
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3551;
-  assign select_3551 = equal_1785_s14_q ? select_3550 : patches_peak_below_q;
-  // hls/stages/agreement.hpp:788
-  logic select_3809;
-  assign select_3809 = equal_575_s14_q ? shown_shown_q : (so_s14_q ? select_2023 : shown_shown_q);
-  logic select_3811;
-  assign select_3811 = equal_575_s14_q ? shown_nearer_q : (so_s14_q ? select_2026 : shown_nearer_q);
+  logic [9:0] select_3570;
+  assign select_3570 = equal_1791_s14_q ? select_3569 : patches_peak_below_q;
+  // hls/stages/agreement.hpp:795
+  logic select_3828;
+  assign select_3828 = equal_577_s14_q ? shown_shown_q : (so_s14_q ? select_2029 : shown_shown_q);
+  logic select_3830;
+  assign select_3830 = equal_577_s14_q ? shown_nearer_q : (so_s14_q ? select_2032 : shown_nearer_q);
   // hls/stages/agreement.hpp:205
-  logic or_3853;
-  assign or_3853 = segment_starts_q | not_578_s14_q;
-  // hls/stages/agreement.hpp:788
-  logic select_3857;
-  assign select_3857 = ends_cell_s14_q ? (inside_v_s14_q ? select_3855_s14_q : or_3853) : or_3853;
-  // hls/stages/agreement.hpp:1217
-  logic equal_3886;
-  assign equal_3886 = x_s14_q[6:3] == 4'ha;
-  logic equal_3889;
-  assign equal_3889 = x_s14_q[6:3] == 4'hb;
-  logic equal_3890;
-  assign equal_3890 = x_s14_q[6:3] == 4'h9;
-  // hls/stages/agreement.hpp:1125
-  logic [7:0] select_3910;
-  assign select_3910 = equal_3886 ? cfg_regions_limit_i : (equal_3890 ? cfg_hidden_limit_i : select_3908_s14_q);
-  // hls/stages/agreement.hpp:788
-  logic select_4019;
-  assign select_4019 = so_s14_q ? (ends_cell_s14_q ? and_2063_s14_q : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4023;
-  assign select_4023 = so_s14_q ? (ends_cell_s14_q ? and_4021_s14_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
-  logic select_4025;
-  assign select_4025 = ends_cell_s14_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_4027;
-  assign select_4027 = equal_575_s14_q ? centres_values_1_textured_q : (so_s14_q ? select_4025 : centres_values_1_textured_q);
-  logic select_4028;
-  assign select_4028 = ends_cell_s14_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_4030;
-  assign select_4030 = equal_575_s14_q ? centres_values_1_of_skin_q : (so_s14_q ? select_4028 : centres_values_1_of_skin_q);
+  logic or_3872;
+  assign or_3872 = segment_starts_q | not_580_s14_q;
+  // hls/stages/agreement.hpp:795
+  logic select_3876;
+  assign select_3876 = ends_cell_s14_q ? (inside_v_s14_q ? select_3874_s14_q : or_3872) : or_3872;
+  // hls/stages/agreement.hpp:1225
+  logic equal_3905;
+  assign equal_3905 = x_s14_q[6:3] == 4'ha;
+  logic equal_3908;
+  assign equal_3908 = x_s14_q[6:3] == 4'hb;
+  logic equal_3909;
+  assign equal_3909 = x_s14_q[6:3] == 4'h9;
+  // hls/stages/agreement.hpp:1133
+  logic [7:0] select_3929;
+  assign select_3929 = equal_3905 ? cfg_regions_limit_i : (equal_3909 ? cfg_hidden_limit_i : select_3927_s14_q);
+  // hls/stages/agreement.hpp:795
+  logic select_4038;
+  assign select_4038 = so_s14_q ? (ends_cell_s14_q ? and_2070_s14_q : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_4042;
+  assign select_4042 = so_s14_q ? (ends_cell_s14_q ? and_4040_s14_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
+  logic select_4044;
+  assign select_4044 = ends_cell_s14_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4046;
+  assign select_4046 = equal_577_s14_q ? centres_values_1_textured_q : (so_s14_q ? select_4044 : centres_values_1_textured_q);
+  logic select_4047;
+  assign select_4047 = ends_cell_s14_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4049;
+  assign select_4049 = equal_577_s14_q ? centres_values_1_of_skin_q : (so_s14_q ? select_4047 : centres_values_1_of_skin_q);
 
   // Memory patches_choices, 64 x 23, DISTANCE 24, hls/stages/patches.hpp:777; read in stage 14, written in stage 16: 14 < 16 < 14 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -5394,10 +5563,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 23'h0;
 `endif
   logic [5:0] patches_choices_raddr;
-  assign patches_choices_raddr = select_1689_s14_q;
+  assign patches_choices_raddr = select_1695_s14_q;
 `ifndef SYNTHESIS
   logic patches_choices_re;
-  assign patches_choices_re = s14_en & (sample_pair_whole_s14_q & (~equal_1691_s14_q));
+  assign patches_choices_re = s14_en & (sample_pair_whole_s14_q & (~equal_1697_s14_q));
 `endif
   logic [22:0] patches_choices_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -5412,10 +5581,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 28'h0;
 `endif
   logic [6:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = {select_1887_s14_q, not_1882_s14_q, select_1881_s14_q};
+  assign patches_right_codes_raddr = {select_1893_s14_q, not_1888_s14_q, select_1887_s14_q};
 `ifndef SYNTHESIS
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s14_en & or_1888_s14_q;
+  assign patches_right_codes_re = s14_en & or_1894_s14_q;
 `endif
   logic [27:0] patches_right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -5434,14 +5603,14 @@ module horopter_agreement (
   assign patches_left_codes_raddr = patches_match_row_s14_q;
 `ifndef SYNTHESIS
   logic patches_left_codes_re;
-  assign patches_left_codes_re = s14_en & (not_1786_s14_q & (new_row_s14_q & equal_1787_s14_q));
+  assign patches_left_codes_re = s14_en & (not_1792_s14_q & (new_row_s14_q & equal_1793_s14_q));
 `endif
   logic [47:0] patches_left_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_left_codes_rdata_q <= patches_left_codes_mem[patches_left_codes_raddr];
   end
 
-  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1398; read in stage 14, written in stage 17: 14 < 17 < 14 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1408; read in stage 14, written in stage 17: 14 < 17 < 14 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -5450,10 +5619,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 30'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1987_s14_q;
+  assign regions_raddr = select_1993_s14_q;
 `ifndef SYNTHESIS
   logic regions_re;
-  assign regions_re = s14_en & select_1996_s14_q;
+  assign regions_re = s14_en & select_2002_s14_q;
 `endif
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -5462,11 +5631,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_514_s14_q;
+  assign averager_memory_waddr = select_516_s14_q;
   logic averager_memory_we;
-  assign averager_memory_we = s14_en & and_524_s14_q;
+  assign averager_memory_we = s14_en & and_526_s14_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_543_s14_q, and_539_s14_q, sum_535_s14_q, sum_531_s14_q};
+    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_545_s14_q, and_541_s14_q, sum_537_s14_q, sum_533_s14_q};
   end
 `ifndef SYNTHESIS
   logic [8:0] averager_memory_raddr_s12_sim;
@@ -5503,11 +5672,11 @@ module horopter_agreement (
 
   // Memory moments_memory, write
   logic [12:0] moments_memory_waddr;
-  assign moments_memory_waddr = select_574_s14_q;
+  assign moments_memory_waddr = select_576_s14_q;
   logic moments_memory_we;
-  assign moments_memory_we = s14_en & and_592_s14_q;
+  assign moments_memory_we = s14_en & and_594_s14_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {and_647_s14_q, and_645_s14_q, and_640_s14_q, and_638};
+    if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {and_652_s14_q, and_650_s14_q, and_645_s14_q, and_643};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -5541,23 +5710,23 @@ module horopter_agreement (
       centres_values_1_textured_q <= 1'b0;
       centres_values_1_of_skin_q <= 1'b0;
     end else if (s14_en) begin
-      averager_mask_q <= select_2192;
-      averager_of_skin_q <= select_2194;
-      registration_of_right_q <= equal_575_s14_q ? registration_of_right_q : select_2809;
-      registration_was_inside_q <= equal_575_s14_q ? registration_was_inside_q : select_2812;
-      patches_down_values_0_q <= equal_1785_s14_q ? patches_down_values_0_q : select_3094;
-      patches_down_values_1_q <= select_3098;
-      patches_read_above_q <= equal_1785_s14_q ? and_3530 : patches_read_above_q;
-      patches_read_below_q <= equal_1785_s14_q ? and_3535 : patches_read_below_q;
-      patches_peak_above_q <= select_3549;
-      patches_peak_below_q <= select_3551;
-      shown_shown_q <= select_3809;
-      shown_nearer_q <= select_3811;
-      segment_starts_q <= equal_575_s14_q ? or_3853 : (so_s14_q ? select_3857 : or_3853);
-      centres_values_0_textured_q <= equal_575_s14_q ? centres_values_0_textured_q : select_4019;
-      centres_values_0_of_skin_q <= equal_575_s14_q ? centres_values_0_of_skin_q : select_4023;
-      centres_values_1_textured_q <= select_4027;
-      centres_values_1_of_skin_q <= select_4030;
+      averager_mask_q <= select_2201;
+      averager_of_skin_q <= select_2203;
+      registration_of_right_q <= equal_577_s14_q ? registration_of_right_q : select_2829;
+      registration_was_inside_q <= equal_577_s14_q ? registration_was_inside_q : select_2832;
+      patches_down_values_0_q <= equal_1791_s14_q ? patches_down_values_0_q : select_3113;
+      patches_down_values_1_q <= select_3117;
+      patches_read_above_q <= equal_1791_s14_q ? and_3549 : patches_read_above_q;
+      patches_read_below_q <= equal_1791_s14_q ? and_3554 : patches_read_below_q;
+      patches_peak_above_q <= select_3568;
+      patches_peak_below_q <= select_3570;
+      shown_shown_q <= select_3828;
+      shown_nearer_q <= select_3830;
+      segment_starts_q <= equal_577_s14_q ? or_3872 : (so_s14_q ? select_3876 : or_3872);
+      centres_values_0_textured_q <= equal_577_s14_q ? centres_values_0_textured_q : select_4038;
+      centres_values_0_of_skin_q <= equal_577_s14_q ? centres_values_0_of_skin_q : select_4042;
+      centres_values_1_textured_q <= select_4046;
+      centres_values_1_of_skin_q <= select_4049;
     end
   end
 
@@ -5570,8 +5739,8 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s14_en) begin
-      averager_total_0_q <= select_2168;
-      averager_total_1_q <= select_2170;
+      averager_total_0_q <= select_2177;
+      averager_total_1_q <= select_2179;
     end
   end
 
@@ -5592,6 +5761,7 @@ module horopter_agreement (
   logic [2:0] slot_s15_q;
   logic ends_cell_s15_q;
   logic lower_half_s15_q;
+  logic draws_late_s15_q;
   logic registration_of_right_s15_q;
   logic [4:0] patches_choosing_band_s15_q;
   logic patches_lower_s15_q;
@@ -5606,162 +5776,167 @@ module horopter_agreement (
   logic region_fresh_s15_q;
   logic centres_values_1_textured_s15_q;
   logic centres_values_1_of_skin_s15_q;
-  logic [3:0] select_509_s15_q;
+  logic done_s15_q;
+  logic [3:0] select_511_s15_q;
   logic row_starts_s15_q;
-  logic [6:0] select_544_s15_q;
+  logic [6:0] select_546_s15_q;
   logic [6:0] last_s15_q;
-  logic and_548_s15_q;
   logic and_550_s15_q;
+  logic and_552_s15_q;
   logic [77:0] census_memory_rdata_s15_q;
   logic [8:0] grey_s15_q;
-  logic equal_553_s15_q;
-  logic [8:0] select_556_s15_q;
+  logic equal_555_s15_q;
+  logic [8:0] select_558_s15_q;
   logic [8:0] grey_2_s15_q;
-  logic [8:0] select_560_s15_q;
+  logic [8:0] select_562_s15_q;
   logic whole_2_s15_q;
-  logic and_568_s15_q;
-  logic equal_570_s15_q;
-  logic equal_575_s15_q;
-  logic not_576_s15_q;
-  logic so_s15_q;
+  logic and_570_s15_q;
+  logic equal_572_s15_q;
+  logic equal_577_s15_q;
   logic not_578_s15_q;
-  logic equal_579_s15_q;
+  logic so_s15_q;
+  logic not_580_s15_q;
+  logic equal_581_s15_q;
   logic inside_v_s15_q;
-  logic not_588_s15_q;
+  logic not_590_s15_q;
   logic [3:0] moments_memory_rdata_s15_q;
   logic [6:0] x_s15_2_q;
   logic [32:0] best_left_rdata_s15_q;
   logic [6:0] right_s15_q;
   logic [14:0] best_right_rdata_s15_q;
-  logic and_637_s15_q;
-  logic and_640_s15_q;
-  logic and_647_s15_q;
-  logic equal_680_s15_q;
+  logic and_645_s15_q;
+  logic and_652_s15_q;
+  logic equal_685_s15_q;
   logic [7:0] of_best_s15_q;
-  logic or_1517_s15_q;
-  logic [2:0] select_1522_s15_q;
-  logic [7:0] select_1531_s15_q;
-  logic [7:0] select_1534_s15_q;
-  logic [6:0] select_1553_s15_q;
-  logic [5:0] select_1555_s15_q;
-  logic [7:0] select_1558_s15_q;
-  logic [7:0] select_1561_s15_q;
-  logic and_1562_s15_q;
-  logic or_1566_s15_q;
-  logic [6:0] select_1571_s15_q;
-  logic [6:0] select_1572_s15_q;
-  logic and_1575_s15_q;
-  logic [6:0] select_1579_s15_q;
-  logic and_1586_s15_q;
-  logic and_1590_s15_q;
-  logic and_1601_s15_q;
-  logic equal_1608_s15_q;
+  logic or_1523_s15_q;
+  logic [2:0] select_1528_s15_q;
+  logic [7:0] select_1537_s15_q;
+  logic [7:0] select_1540_s15_q;
+  logic [6:0] select_1559_s15_q;
+  logic [5:0] select_1561_s15_q;
+  logic [7:0] select_1564_s15_q;
+  logic [7:0] select_1567_s15_q;
+  logic and_1568_s15_q;
+  logic or_1572_s15_q;
+  logic [6:0] select_1577_s15_q;
+  logic [6:0] select_1578_s15_q;
+  logic and_1581_s15_q;
+  logic [6:0] select_1585_s15_q;
+  logic and_1592_s15_q;
+  logic and_1596_s15_q;
+  logic and_1607_s15_q;
+  logic equal_1614_s15_q;
   logic [1:0] quarter_s15_q;
   logic all_s15_q;
-  logic [1:0] sum_1614_s15_q;
-  logic [3:0] select_1615_s15_q;
-  logic equal_1616_s15_q;
-  logic equal_1618_s15_q;
-  logic equal_1620_s15_q;
+  logic [1:0] sum_1620_s15_q;
+  logic [3:0] select_1621_s15_q;
   logic equal_1622_s15_q;
   logic equal_1624_s15_q;
   logic equal_1626_s15_q;
   logic equal_1628_s15_q;
   logic equal_1630_s15_q;
-  logic less_1639_s15_q;
-  logic or_1643_s15_q;
-  logic select_1646_s15_q;
-  logic and_1656_s15_q;
-  logic [3:0] select_1661_s15_q;
-  logic select_1690_s15_q;
-  logic equal_1691_s15_q;
-  logic and_1699_s15_q;
-  logic equal_1701_s15_q;
-  logic and_1734_s15_q;
-  logic [5:0] select_1750_s15_q;
-  logic [7:0] select_1776_s15_q;
-  logic and_1783_s15_q;
-  logic and_1784_s15_q;
-  logic equal_1785_s15_q;
-  logic equal_1787_s15_q;
-  logic equal_1790_s15_q;
-  logic or_1791_s15_q;
-  logic not_1792_s15_q;
-  logic and_1800_s15_q;
-  logic [4:0] select_1815_s15_q;
-  logic select_1821_s15_q;
-  logic [3:0] select_1859_s15_q;
-  logic less_1875_s15_q;
+  logic equal_1632_s15_q;
+  logic equal_1634_s15_q;
+  logic equal_1636_s15_q;
+  logic less_1645_s15_q;
+  logic or_1649_s15_q;
+  logic select_1652_s15_q;
+  logic and_1662_s15_q;
+  logic [3:0] select_1667_s15_q;
+  logic select_1696_s15_q;
+  logic equal_1697_s15_q;
+  logic and_1705_s15_q;
+  logic equal_1707_s15_q;
+  logic and_1740_s15_q;
+  logic [5:0] select_1756_s15_q;
+  logic [7:0] select_1782_s15_q;
+  logic and_1789_s15_q;
+  logic and_1790_s15_q;
+  logic equal_1791_s15_q;
+  logic equal_1793_s15_q;
+  logic equal_1796_s15_q;
+  logic or_1797_s15_q;
+  logic not_1798_s15_q;
+  logic and_1806_s15_q;
+  logic [4:0] select_1821_s15_q;
+  logic select_1827_s15_q;
+  logic [3:0] select_1865_s15_q;
+  logic less_1881_s15_q;
   logic new_row_s15_q;
-  logic or_1888_s15_q;
+  logic or_1894_s15_q;
   logic [1:0] of_row_2_s15_q;
   logic [1:0] down_2_s15_q;
-  logic [12:0] sum_1901_s15_q;
+  logic [12:0] sum_1907_s15_q;
   logic [11:0] smooth_s15_q;
-  logic and_1948_s15_q;
-  logic and_1957_s15_q;
-  logic and_1962_s15_q;
-  logic less_1963_s15_q;
-  logic or_1966_s15_q;
+  logic and_1954_s15_q;
+  logic and_1963_s15_q;
+  logic and_1968_s15_q;
+  logic less_1969_s15_q;
+  logic or_1972_s15_q;
   logic [9:0] patches_rows_rdata_s15_q;
-  logic or_1980_s15_q;
-  logic or_1983_s15_q;
   logic or_1986_s15_q;
-  logic not_1988_s15_q;
+  logic or_1989_s15_q;
+  logic or_1992_s15_q;
+  logic not_1994_s15_q;
   logic textured_s15_q;
-  logic and_2013_s15_q;
-  logic and_2020_s15_q;
+  logic explained_s15_q;
+  logic and_2019_s15_q;
+  logic and_2026_s15_q;
   logic [12:0] seen_columns_rdata_s15_q;
   logic shown_s15_q;
   logic near_s15_q;
-  logic and_2061_s15_q;
-  logic and_2063_s15_q;
-  logic or_2078_s15_q;
-  logic or_2081_s15_q;
-  logic or_2084_s15_q;
-  logic and_2095_s15_q;
-  logic and_2097_s15_q;
-  logic and_2098_s15_q;
-  logic and_2111_s15_q;
-  logic and_2113_s15_q;
-  logic and_2114_s15_q;
-  logic and_2134_s15_q;
-  logic equal_2277_s15_q;
-  logic equal_2466_s15_q;
-  logic and_2597_s15_q;
-  logic not_2616_s15_q;
-  logic and_2617_s15_q;
-  logic and_2619_s15_q;
-  logic and_2620_s15_q;
-  logic and_2659_s15_q;
-  logic and_2666_s15_q;
-  logic and_2690_s15_q;
-  logic select_2700_s15_q;
-  logic select_2703_s15_q;
-  logic and_2704_s15_q;
-  logic and_2751_s15_q;
-  logic and_2752_s15_q;
+  logic not_2054_s15_q;
+  logic and_2068_s15_q;
+  logic and_2070_s15_q;
+  logic or_2085_s15_q;
+  logic or_2088_s15_q;
+  logic or_2091_s15_q;
+  logic and_2103_s15_q;
+  logic and_2105_s15_q;
+  logic and_2106_s15_q;
+  logic and_2119_s15_q;
+  logic and_2121_s15_q;
+  logic and_2122_s15_q;
+  logic and_2143_s15_q;
+  logic equal_2286_s15_q;
+  logic equal_2475_s15_q;
+  logic and_2616_s15_q;
+  logic not_2635_s15_q;
+  logic and_2636_s15_q;
+  logic and_2637_s15_q;
+  logic [1:0] sum_2641_s15_q;
+  logic and_2678_s15_q;
+  logic and_2685_s15_q;
+  logic and_2709_s15_q;
+  logic and_2730_s15_q;
+  logic and_2737_s15_q;
+  logic and_2771_s15_q;
+  logic and_2772_s15_q;
   logic [11:0] residual_s15_q;
-  logic equal_2814_s15_q;
-  logic [3:0] not_2815_s15_q;
+  logic equal_2834_s15_q;
+  logic [3:0] not_2835_s15_q;
   logic [1:0] quarter_2_s15_q;
-  logic and_2990_s15_q;
-  logic less_3116_s15_q;
-  logic equal_3459_s15_q;
-  logic and_3539_s15_q;
-  logic [9:0] select_3545_s15_q;
-  logic [4:0] select_3546_s15_q;
-  logic [4:0] select_3547_s15_q;
-  logic equal_3556_s15_q;
-  logic less_3584_s15_q;
-  logic less_3587_s15_q;
-  logic equal_3866_s15_q;
-  logic equal_3886_s15_q;
-  logic equal_3889_s15_q;
-  logic equal_3890_s15_q;
-  logic equal_3891_s15_q;
-  logic [7:0] select_3911_s15_q;
-  logic equal_4031_s15_q;
+  logic and_3009_s15_q;
+  logic less_3135_s15_q;
+  logic equal_3478_s15_q;
+  logic and_3558_s15_q;
+  logic [9:0] select_3564_s15_q;
+  logic [4:0] select_3565_s15_q;
+  logic [4:0] select_3566_s15_q;
+  logic equal_3575_s15_q;
+  logic less_3603_s15_q;
+  logic less_3606_s15_q;
+  logic equal_3885_s15_q;
+  logic equal_3902_s15_q;
+  logic equal_3905_s15_q;
+  logic equal_3908_s15_q;
+  logic equal_3909_s15_q;
+  logic equal_3910_s15_q;
+  logic [7:0] select_3930_s15_q;
+  logic or_4052_s15_q;
+  logic and_4066_s15_q;
+  logic and_4083_s15_q;
+  logic not_4095_s15_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s15_q <= pixel_0_s14_q;
@@ -5781,6 +5956,7 @@ module horopter_agreement (
       slot_s15_q <= slot_s14_q;
       ends_cell_s15_q <= ends_cell_s14_q;
       lower_half_s15_q <= lower_half_s14_q;
+      draws_late_s15_q <= draws_late_s14_q;
       registration_of_right_s15_q <= registration_of_right_q;
       patches_choosing_band_s15_q <= patches_choosing_band_s14_q;
       patches_lower_s15_q <= patches_lower_s14_q;
@@ -5795,162 +5971,167 @@ module horopter_agreement (
       region_fresh_s15_q <= region_fresh_s14_q;
       centres_values_1_textured_s15_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s15_q <= centres_values_1_of_skin_q;
-      select_509_s15_q <= select_509_s14_q;
+      done_s15_q <= done_s14_q;
+      select_511_s15_q <= select_511_s14_q;
       row_starts_s15_q <= row_starts_s14_q;
-      select_544_s15_q <= select_544_s14_q;
+      select_546_s15_q <= select_546_s14_q;
       last_s15_q <= last_s14_q;
-      and_548_s15_q <= and_548_s14_q;
       and_550_s15_q <= and_550_s14_q;
+      and_552_s15_q <= and_552_s14_q;
       census_memory_rdata_s15_q <= census_memory_rdata_q;
       grey_s15_q <= grey;
-      equal_553_s15_q <= equal_553_s14_q;
-      select_556_s15_q <= sample_pair_whole_s14_q ? total[10:2] : 9'h0;
+      equal_555_s15_q <= equal_555_s14_q;
+      select_558_s15_q <= sample_pair_whole_s14_q ? total[10:2] : 9'h0;
       grey_2_s15_q <= grey_2;
-      select_560_s15_q <= sample_pair_whole_s14_q ? total_2[10:2] : 9'h0;
+      select_562_s15_q <= sample_pair_whole_s14_q ? total_2[10:2] : 9'h0;
       whole_2_s15_q <= whole_2;
-      and_568_s15_q <= sample_pair_whole_s14_q & select_567;
-      equal_570_s15_q <= equal_570_s14_q;
-      equal_575_s15_q <= equal_575_s14_q;
-      not_576_s15_q <= not_576_s14_q;
-      so_s15_q <= so_s14_q;
+      and_570_s15_q <= sample_pair_whole_s14_q & select_569;
+      equal_572_s15_q <= equal_572_s14_q;
+      equal_577_s15_q <= equal_577_s14_q;
       not_578_s15_q <= not_578_s14_q;
-      equal_579_s15_q <= equal_579_s14_q;
+      so_s15_q <= so_s14_q;
+      not_580_s15_q <= not_580_s14_q;
+      equal_581_s15_q <= equal_581_s14_q;
       inside_v_s15_q <= inside_v_s14_q;
-      not_588_s15_q <= not_588_s14_q;
+      not_590_s15_q <= not_590_s14_q;
       moments_memory_rdata_s15_q <= moments_memory_rdata_q;
       x_s15_2_q <= x_s14_2_q;
       best_left_rdata_s15_q <= best_left_rdata_s14_q;
       right_s15_q <= right_s14_q;
       best_right_rdata_s15_q <= best_right_rdata_s14_q[14:0];
-      and_637_s15_q <= and_637;
-      and_640_s15_q <= and_640_s14_q;
-      and_647_s15_q <= and_647_s14_q;
-      equal_680_s15_q <= equal_680_s14_q;
+      and_645_s15_q <= and_645_s14_q;
+      and_652_s15_q <= and_652_s14_q;
+      equal_685_s15_q <= equal_685_s14_q;
       of_best_s15_q <= of_best_s14_q;
-      or_1517_s15_q <= select_762_s14_q | (best_left_rdata_s14_q[16:9] < of_best_s14_q);
-      select_1522_s15_q <= select_1522_s14_q;
-      select_1531_s15_q <= select_1531;
-      select_1534_s15_q <= select_1534;
-      select_1553_s15_q <= select_762_s14_q ? of_near_s14_q : select_1552_s14_q;
-      select_1555_s15_q <= select_762_s14_q ? run_shift_s14_q : select_1554_s14_q;
-      select_1558_s15_q <= (run_shift_s14_q == 6'h3f) ? of_best_s14_q : select_1557_s14_q;
-      select_1561_s15_q <= (run_shift_s14_q == 6'h1) ? of_best_s14_q : select_1560_s14_q;
-      and_1562_s15_q <= and_1562_s14_q;
-      or_1566_s15_q <= or_1566;
-      select_1571_s15_q <= or_1570_s14_q ? of_near_s14_q : best_right_rdata_s14_q[21:15];
-      select_1572_s15_q <= or_1570_s14_q ? x_s14_2_q : best_right_rdata_s14_q[28:22];
-      and_1575_s15_q <= and_1575_s14_q;
-      select_1579_s15_q <= select_1579_s14_q;
-      and_1586_s15_q <= and_1586;
-      and_1590_s15_q <= and_1590;
-      and_1601_s15_q <= and_1601_s14_q;
-      equal_1608_s15_q <= equal_1608_s14_q;
+      or_1523_s15_q <= select_768_s14_q | (best_left_rdata_s14_q[16:9] < of_best_s14_q);
+      select_1528_s15_q <= select_1528_s14_q;
+      select_1537_s15_q <= select_1537;
+      select_1540_s15_q <= select_1540;
+      select_1559_s15_q <= select_768_s14_q ? of_near_s14_q : select_1558_s14_q;
+      select_1561_s15_q <= select_768_s14_q ? run_shift_s14_q : select_1560_s14_q;
+      select_1564_s15_q <= (run_shift_s14_q == 6'h3f) ? of_best_s14_q : select_1563_s14_q;
+      select_1567_s15_q <= (run_shift_s14_q == 6'h1) ? of_best_s14_q : select_1566_s14_q;
+      and_1568_s15_q <= and_1568_s14_q;
+      or_1572_s15_q <= or_1572;
+      select_1577_s15_q <= or_1576_s14_q ? of_near_s14_q : best_right_rdata_s14_q[21:15];
+      select_1578_s15_q <= or_1576_s14_q ? x_s14_2_q : best_right_rdata_s14_q[28:22];
+      and_1581_s15_q <= and_1581_s14_q;
+      select_1585_s15_q <= select_1585_s14_q;
+      and_1592_s15_q <= and_1592;
+      and_1596_s15_q <= and_1596;
+      and_1607_s15_q <= and_1607_s14_q;
+      equal_1614_s15_q <= equal_1614_s14_q;
       quarter_s15_q <= quarter;
       all_s15_q <= all_s14_q;
-      sum_1614_s15_q <= sum_1614;
-      select_1615_s15_q <= select_1615;
-      equal_1616_s15_q <= equal_1616;
-      equal_1618_s15_q <= equal_1618;
-      equal_1620_s15_q <= equal_1620;
-      equal_1622_s15_q <= equal_1622_s14_q;
-      equal_1624_s15_q <= equal_1624_s14_q;
-      equal_1626_s15_q <= equal_1626_s14_q;
+      sum_1620_s15_q <= sum_1620;
+      select_1621_s15_q <= select_1621;
+      equal_1622_s15_q <= equal_1622;
+      equal_1624_s15_q <= equal_1624;
+      equal_1626_s15_q <= equal_1626;
       equal_1628_s15_q <= equal_1628_s14_q;
       equal_1630_s15_q <= equal_1630_s14_q;
-      less_1639_s15_q <= less_1639;
-      or_1643_s15_q <= or_1643;
-      select_1646_s15_q <= equal_1608_s14_q ? and_1638 : (less_1639 & (~or_1643));
-      and_1656_s15_q <= half_ends & ({{3{sum_1654[4]}}, sum_1654} < 8'h3);
-      select_1661_s15_q <= select_1661;
-      select_1690_s15_q <= select_1690_s14_q;
-      equal_1691_s15_q <= equal_1691_s14_q;
-      and_1699_s15_q <= and_1699_s14_q;
-      equal_1701_s15_q <= equal_1701_s14_q;
-      and_1734_s15_q <= (less_1700_s14_q & (and_637 & less_1717)) & and_1733_s14_q;
-      select_1750_s15_q <= select_1750_s14_q;
-      select_1776_s15_q <= select_1776_s14_q;
-      and_1783_s15_q <= and_1783_s14_q;
-      and_1784_s15_q <= and_1784_s14_q;
-      equal_1785_s15_q <= equal_1785_s14_q;
-      equal_1787_s15_q <= equal_1787_s14_q;
-      equal_1790_s15_q <= equal_1790_s14_q;
-      or_1791_s15_q <= or_1791_s14_q;
-      not_1792_s15_q <= not_1792_s14_q;
-      and_1800_s15_q <= and_1800_s14_q;
-      select_1815_s15_q <= select_1815_s14_q;
+      equal_1632_s15_q <= equal_1632_s14_q;
+      equal_1634_s15_q <= equal_1634_s14_q;
+      equal_1636_s15_q <= equal_1636_s14_q;
+      less_1645_s15_q <= less_1645;
+      or_1649_s15_q <= or_1649;
+      select_1652_s15_q <= equal_1614_s14_q ? and_1644 : (less_1645 & (~or_1649));
+      and_1662_s15_q <= half_ends & ({{3{sum_1660[4]}}, sum_1660} < 8'h3);
+      select_1667_s15_q <= select_1667;
+      select_1696_s15_q <= select_1696_s14_q;
+      equal_1697_s15_q <= equal_1697_s14_q;
+      and_1705_s15_q <= and_1705_s14_q;
+      equal_1707_s15_q <= equal_1707_s14_q;
+      and_1740_s15_q <= (less_1706_s14_q & (and_640 & less_1723)) & and_1739_s14_q;
+      select_1756_s15_q <= select_1756_s14_q;
+      select_1782_s15_q <= select_1782_s14_q;
+      and_1789_s15_q <= and_1789_s14_q;
+      and_1790_s15_q <= and_1790_s14_q;
+      equal_1791_s15_q <= equal_1791_s14_q;
+      equal_1793_s15_q <= equal_1793_s14_q;
+      equal_1796_s15_q <= equal_1796_s14_q;
+      or_1797_s15_q <= or_1797_s14_q;
+      not_1798_s15_q <= not_1798_s14_q;
+      and_1806_s15_q <= and_1806_s14_q;
       select_1821_s15_q <= select_1821_s14_q;
-      select_1859_s15_q <= select_1859_s14_q;
-      less_1875_s15_q <= less_1875_s14_q;
+      select_1827_s15_q <= select_1827_s14_q;
+      select_1865_s15_q <= select_1865_s14_q;
+      less_1881_s15_q <= less_1881_s14_q;
       new_row_s15_q <= new_row_s14_q;
-      or_1888_s15_q <= or_1888_s14_q;
+      or_1894_s15_q <= or_1894_s14_q;
       of_row_2_s15_q <= of_row_2_s14_q;
       down_2_s15_q <= down_2_s14_q[1:0];
-      sum_1901_s15_q <= sum_1901;
+      sum_1907_s15_q <= sum_1907;
       smooth_s15_q <= smooth;
-      and_1948_s15_q <= not_1786_s14_q & (not_1788_s14_q & and_1946_s14_q);
-      and_1957_s15_q <= and_1957_s14_q;
-      and_1962_s15_q <= not_1786_s14_q & (not_1788_s14_q & and_1960_s14_q);
-      less_1963_s15_q <= less_1963_s14_q;
-      or_1966_s15_q <= or_1966_s14_q;
+      and_1954_s15_q <= not_1792_s14_q & (not_1794_s14_q & and_1952_s14_q);
+      and_1963_s15_q <= and_1963_s14_q;
+      and_1968_s15_q <= not_1792_s14_q & (not_1794_s14_q & and_1966_s14_q);
+      less_1969_s15_q <= less_1969_s14_q;
+      or_1972_s15_q <= or_1972_s14_q;
       patches_rows_rdata_s15_q <= patches_rows_rdata_s14_q;
-      or_1980_s15_q <= or_1980_s14_q;
-      or_1983_s15_q <= or_1983_s14_q;
       or_1986_s15_q <= or_1986_s14_q;
-      not_1988_s15_q <= not_1988_s14_q;
+      or_1989_s15_q <= or_1989_s14_q;
+      or_1992_s15_q <= or_1992_s14_q;
+      not_1994_s15_q <= not_1994_s14_q;
       textured_s15_q <= textured_s14_q;
-      and_2013_s15_q <= and_2013;
-      and_2020_s15_q <= and_2020_s14_q;
+      explained_s15_q <= explained;
+      and_2019_s15_q <= and_2019_s14_q;
+      and_2026_s15_q <= and_2026_s14_q;
       seen_columns_rdata_s15_q <= seen_columns_rdata_s14_q;
       shown_s15_q <= shown;
       near_s15_q <= near;
-      and_2061_s15_q <= and_2061_s14_q;
-      and_2063_s15_q <= and_2063_s14_q;
-      or_2078_s15_q <= or_2078_s14_q;
-      or_2081_s15_q <= or_2081_s14_q;
-      or_2084_s15_q <= or_2084_s14_q;
-      and_2095_s15_q <= and_2095_s14_q;
-      and_2097_s15_q <= seen_columns_rdata_s14_q[7] & inside_v_s14_q;
-      and_2098_s15_q <= seen_columns_rdata_s14_q[3] & inside_v_s14_q;
-      and_2111_s15_q <= and_2111_s14_q;
-      and_2113_s15_q <= seen_columns_rdata_s14_q[8] & inside_v_s14_q;
-      and_2114_s15_q <= seen_columns_rdata_s14_q[4] & inside_v_s14_q;
-      and_2134_s15_q <= and_2134_s14_q;
-      equal_2277_s15_q <= equal_2277_s14_q;
-      equal_2466_s15_q <= equal_2466_s14_q;
-      and_2597_s15_q <= and_2597;
-      not_2616_s15_q <= not_2616;
-      and_2617_s15_q <= and_2617_s14_q;
-      and_2619_s15_q <= seen_columns_rdata_s14_q[6] & inside_v_s14_q;
-      and_2620_s15_q <= seen_columns_rdata_s14_q[2] & inside_v_s14_q;
-      and_2659_s15_q <= not_576_s14_q & and_2658;
-      and_2666_s15_q <= not_576_s14_q & (so_s14_q & (ends_cell_s14_q & and_2663));
-      and_2690_s15_q <= inside_v_s14_q & (or_580_s14_q & (not_584_s14_q & and_2687));
-      select_2700_s15_q <= select_2700[1];
-      select_2703_s15_q <= select_2703[1];
-      and_2704_s15_q <= select_2700[0] & select_2703[0];
-      and_2751_s15_q <= not_576_s14_q & (so_s14_q & (half_ends & equal_2748));
-      and_2752_s15_q <= and_637 & less_1700_s14_q;
+      not_2054_s15_q <= not_2054_s14_q;
+      and_2068_s15_q <= and_2068_s14_q;
+      and_2070_s15_q <= and_2070_s14_q;
+      or_2085_s15_q <= or_2085_s14_q;
+      or_2088_s15_q <= or_2088_s14_q;
+      or_2091_s15_q <= or_2091_s14_q;
+      and_2103_s15_q <= and_2103_s14_q;
+      and_2105_s15_q <= seen_columns_rdata_s14_q[7] & inside_v_s14_q;
+      and_2106_s15_q <= seen_columns_rdata_s14_q[3] & inside_v_s14_q;
+      and_2119_s15_q <= and_2119_s14_q;
+      and_2121_s15_q <= seen_columns_rdata_s14_q[8] & inside_v_s14_q;
+      and_2122_s15_q <= seen_columns_rdata_s14_q[4] & inside_v_s14_q;
+      and_2143_s15_q <= and_2143_s14_q;
+      equal_2286_s15_q <= equal_2286_s14_q;
+      equal_2475_s15_q <= equal_2475_s14_q;
+      and_2616_s15_q <= and_2616;
+      not_2635_s15_q <= not_2635;
+      and_2636_s15_q <= and_2636_s14_q;
+      and_2637_s15_q <= seen_columns_rdata_s14_q[10] & inside_v_s14_q;
+      sum_2641_s15_q <= {1'b0, and_2638} + ({1'b0, explained} + {1'b0, and_2639});
+      and_2678_s15_q <= not_578_s14_q & (so_s14_q & and_2676);
+      and_2685_s15_q <= not_578_s14_q & (so_s14_q & (ends_cell_s14_q & and_2682));
+      and_2709_s15_q <= inside_v_s14_q & (or_582_s14_q & (not_586_s14_q & and_2706));
+      and_2730_s15_q <= not_578_s14_q & (so_s14_q & and_2728);
+      and_2737_s15_q <= not_578_s14_q & (so_s14_q & and_2735);
+      and_2771_s15_q <= not_578_s14_q & (so_s14_q & (half_ends & equal_2768));
+      and_2772_s15_q <= and_640 & less_1706_s14_q;
       residual_s15_q <= residual;
-      equal_2814_s15_q <= sum_1614 == 2'h2;
-      not_2815_s15_q <= ~select_1661;
+      equal_2834_s15_q <= sum_1620 == 2'h2;
+      not_2835_s15_q <= ~select_1667;
       quarter_2_s15_q <= quarter_2;
-      and_2990_s15_q <= and_2990_s14_q;
-      less_3116_s15_q <= less_3116_s14_q;
-      equal_3459_s15_q <= patches_match_row_s14_q == 4'h0;
-      and_3539_s15_q <= equal_1964_s14_q & ({sum_3537[6], sum_3537} < 8'hfb);
-      select_3545_s15_q <= select_3545_s14_q;
-      select_3546_s15_q <= select_3546_s14_q;
-      select_3547_s15_q <= patches_peak_row_q;
-      equal_3556_s15_q <= equal_3556_s14_q;
-      less_3584_s15_q <= select_3549 < select_3551;
-      less_3587_s15_q <= select_3551 < select_3549;
-      equal_3866_s15_q <= equal_3866_s14_q;
-      equal_3886_s15_q <= equal_3886;
-      equal_3889_s15_q <= equal_3889;
-      equal_3890_s15_q <= equal_3890;
-      equal_3891_s15_q <= equal_3891_s14_q;
-      select_3911_s15_q <= equal_3889 ? {cfg_on_skin_limit_i, 3'h0} : select_3910;
-      equal_4031_s15_q <= equal_4031_s14_q;
+      and_3009_s15_q <= and_3009_s14_q;
+      less_3135_s15_q <= less_3135_s14_q;
+      equal_3478_s15_q <= patches_match_row_s14_q == 4'h0;
+      and_3558_s15_q <= equal_1970_s14_q & ({sum_3556[6], sum_3556} < 8'hfb);
+      select_3564_s15_q <= select_3564_s14_q;
+      select_3565_s15_q <= select_3565_s14_q;
+      select_3566_s15_q <= patches_peak_row_q;
+      equal_3575_s15_q <= equal_3575_s14_q;
+      less_3603_s15_q <= select_3568 < select_3570;
+      less_3606_s15_q <= select_3570 < select_3568;
+      equal_3885_s15_q <= equal_3885_s14_q;
+      equal_3902_s15_q <= equal_3902_s14_q;
+      equal_3905_s15_q <= equal_3905;
+      equal_3908_s15_q <= equal_3908;
+      equal_3909_s15_q <= equal_3909;
+      equal_3910_s15_q <= equal_3910_s14_q;
+      select_3930_s15_q <= equal_3908 ? {cfg_on_skin_limit_i, 3'h0} : select_3929;
+      or_4052_s15_q <= or_4052_s14_q;
+      and_4066_s15_q <= and_4066_s14_q;
+      and_4083_s15_q <= and_4083_s14_q;
+      not_4095_s15_q <= not_4095_s14_q;
     end
   end
 
@@ -6017,373 +6198,360 @@ module horopter_agreement (
   logic [9:0] patches_read_far_q;
   logic segment_started_q;
   // hls/stages/census.hpp:308
-  logic less_653;
-  assign less_653 = census_memory_rdata_s15_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_654;
-  assign less_654 = census_memory_rdata_s15_q[48:40] < census_columns_values_1_cell_2_left_q;
-  logic less_655;
-  assign less_655 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_656;
-  assign less_656 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_657;
-  assign less_657 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_658;
-  assign less_658 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_658 = census_memory_rdata_s15_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_659;
-  assign less_659 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_659 = census_memory_rdata_s15_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_660;
-  assign less_660 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_660 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_661;
-  assign less_661 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_661 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_662;
-  assign less_662 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_662 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_663;
-  assign less_663 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_663 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_664;
-  assign less_664 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:309
+  assign less_664 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_665;
-  assign less_665 = census_memory_rdata_s15_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_665 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_666;
-  assign less_666 = census_memory_rdata_s15_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_666 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_667;
-  assign less_667 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_667 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_668;
-  assign less_668 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_668 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_669;
-  assign less_669 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_669 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:309
   logic less_670;
-  assign less_670 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_670 = census_memory_rdata_s15_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_671;
-  assign less_671 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_671 = census_memory_rdata_s15_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_672;
-  assign less_672 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_672 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_673;
-  assign less_673 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_673 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_674;
-  assign less_674 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_674 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_675;
-  assign less_675 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_675 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_676;
-  assign less_676 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:455
-  logic equal_677;
-  assign equal_677 = last_s15_q == 7'h0;
-  logic [3:0] select_681;
-  assign select_681 = equal_680_s15_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:456
-  logic [4:0] select_682;
-  assign select_682 = equal_677 ? {select_681, 1'b1} : rows_passed_above_q;
+  assign less_676 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_677;
+  assign less_677 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_678;
+  assign less_678 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_679;
+  assign less_679 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_680;
+  assign less_680 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_681;
+  assign less_681 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  // hls/stages/agreement.hpp:459
+  logic equal_682;
+  assign equal_682 = last_s15_q == 7'h0;
+  logic [3:0] select_686;
+  assign select_686 = equal_685_s15_q ? 4'h0 : rows_passed_above_q[3:0];
+  // hls/stages/agreement.hpp:460
+  logic [4:0] select_687;
+  assign select_687 = equal_682 ? {select_686, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:290
-  logic [3:0] select_683;
-  assign select_683 = equal_677 ? 4'h0 : census_filled_q;
+  logic [3:0] select_688;
+  assign select_688 = equal_682 ? 4'h0 : census_filled_q;
   // hls/stages/census.hpp:300
-  logic and_686;
-  assign and_686 = census_memory_rdata_s15_q[38] & (census_memory_rdata_s15_q[18] & whole_2_s15_q);
-  logic and_688;
-  assign and_688 = census_memory_rdata_s15_q[77] & (census_memory_rdata_s15_q[58] & and_686);
+  logic and_691;
+  assign and_691 = census_memory_rdata_s15_q[38] & (census_memory_rdata_s15_q[18] & whole_2_s15_q);
+  logic and_693;
+  assign and_693 = census_memory_rdata_s15_q[77] & (census_memory_rdata_s15_q[58] & and_691);
   // hls/stages/census.hpp:284
-  logic [9:0] difference_711;
-  assign difference_711 = {1'b0, select_556_s15_q} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [9:0] difference_714;
-  assign difference_714 = {1'b0, census_memory_rdata_s15_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [9:0] difference_718;
-  assign difference_718 = {1'b0, census_memory_rdata_s15_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [9:0] difference_722;
-  assign difference_722 = {1'b0, census_memory_rdata_s15_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [9:0] difference_726;
-  assign difference_726 = {1'b0, census_memory_rdata_s15_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [9:0] difference_716;
+  assign difference_716 = {1'b0, select_558_s15_q} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [9:0] difference_719;
+  assign difference_719 = {1'b0, census_memory_rdata_s15_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [9:0] difference_723;
+  assign difference_723 = {1'b0, census_memory_rdata_s15_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [9:0] difference_727;
+  assign difference_727 = {1'b0, census_memory_rdata_s15_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [9:0] difference_731;
+  assign difference_731 = {1'b0, census_memory_rdata_s15_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
   // hls/stages/census.hpp:320
   logic [9:0] half_grey_levels;
   assign half_grey_levels = {1'b0, census_columns_values_0_cell_2_left_q} - {1'b0, census_columns_values_1_cell_2_left_q};
   // hls/stages/census.hpp:321
   logic [9:0] half_grey_levels_2;
   assign half_grey_levels_2 = {1'b0, census_columns_values_0_cell_2_right_q} - {1'b0, census_columns_values_1_cell_2_right_q};
-  // hls/stages/agreement.hpp:788
-  logic and_1587;
-  assign and_1587 = not_578_s15_q & and_1586_s15_q;
+  // hls/stages/agreement.hpp:795
+  logic and_1593;
+  assign and_1593 = not_580_s15_q & and_1592_s15_q;
   // hls/stages/moments.hpp:73
-  logic and_1594;
-  assign and_1594 = moments_has_before_q & moments_memory_rdata_s15_q[0];
-  // hls/stages/agreement.hpp:1003
-  logic and_1598;
-  assign and_1598 = not_588_s15_q & (and_1594 & (moments_memory_rdata_s15_q[1] ^ and_640_s15_q));
+  logic and_1600;
+  assign and_1600 = moments_has_before_q & moments_memory_rdata_s15_q[0];
+  // hls/stages/agreement.hpp:1010
+  logic and_1604;
+  assign and_1604 = not_590_s15_q & (and_1600 & (moments_memory_rdata_s15_q[1] ^ and_645_s15_q));
   // hls/stages/moments.hpp:73
-  logic and_1603;
-  assign and_1603 = moments_has_before_q & moments_memory_rdata_s15_q[2];
-  // hls/stages/agreement.hpp:1003
-  logic and_1607;
-  assign and_1607 = not_588_s15_q & (and_1603 & (moments_memory_rdata_s15_q[3] ^ and_647_s15_q));
-  // hls/stages/agreement.hpp:788
-  logic and_1657;
-  assign and_1657 = so_s15_q & and_1656_s15_q;
-  logic and_1738;
-  assign and_1738 = not_576_s15_q & (so_s15_q & (ends_cell_s15_q & (inside_v_s15_q & and_1734_s15_q)));
-  logic [7:0] select_1744;
-  assign select_1744 = so_s15_q ? (ends_cell_s15_q ? (inside_v_s15_q ? x_s15_q : 8'h0) : 8'h0) : 8'h0;
+  logic and_1609;
+  assign and_1609 = moments_has_before_q & moments_memory_rdata_s15_q[2];
+  // hls/stages/agreement.hpp:1010
+  logic and_1613;
+  assign and_1613 = not_590_s15_q & (and_1609 & (moments_memory_rdata_s15_q[3] ^ and_652_s15_q));
+  // hls/stages/agreement.hpp:795
+  logic and_1663;
+  assign and_1663 = so_s15_q & and_1662_s15_q;
+  logic and_1744;
+  assign and_1744 = not_578_s15_q & (so_s15_q & (ends_cell_s15_q & (inside_v_s15_q & and_1740_s15_q)));
+  logic [7:0] select_1750;
+  assign select_1750 = so_s15_q ? (ends_cell_s15_q ? (inside_v_s15_q ? x_s15_q : 8'h0) : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:475
-  logic [13:0] sum_1902;
-  assign sum_1902 = {{3{patches_down_values_1_s15_q[10]}}, patches_down_values_1_s15_q} + {sum_1901_s15_q, down_2_s15_q[1]};
-  logic [12:0] sum_1903;
-  assign sum_1903 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1902[13:1];
+  logic [13:0] sum_1908;
+  assign sum_1908 = {{3{patches_down_values_1_s15_q[10]}}, patches_down_values_1_s15_q} + {sum_1907_s15_q, down_2_s15_q[1]};
+  logic [12:0] sum_1909;
+  assign sum_1909 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1908[13:1];
   // hls/stages/patches.hpp:474
-  logic [12:0] sum_1921;
-  assign sum_1921 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth_s15_q[11:1]};
-  logic [12:0] sum_1922;
-  assign sum_1922 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_1923;
-  assign difference_1923 = {1'b0, sum_1921, smooth_s15_q[0]} - {1'b0, sum_1922, patches_smooth_values_3_q[0]};
+  logic [12:0] sum_1927;
+  assign sum_1927 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth_s15_q[11:1]};
+  logic [12:0] sum_1928;
+  assign sum_1928 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_1929;
+  assign difference_1929 = {1'b0, sum_1927, smooth_s15_q[0]} - {1'b0, sum_1928, patches_smooth_values_3_q[0]};
   // hls/stages/agreement.hpp:262
-  logic explained;
-  assign explained = inside_v_s15_q & and_637_s15_q;
-  logic and_2022;
-  assign and_2022 = inside_v_s15_q & and_2013_s15_q;
-  // hls/stages/agreement.hpp:1030
-  logic and_2064;
-  assign and_2064 = seen_columns_rdata_s15_q[0] & inside_v_s15_q;
-  // hls/stages/agreement.hpp:1087
-  logic [1:0] sum_2066;
-  assign sum_2066 = {1'b0, and_2063_s15_q} + ({1'b0, textured_s15_q} + {1'b0, and_2064});
-  // hls/stages/agreement.hpp:1030
-  logic and_2096;
-  assign and_2096 = seen_columns_rdata_s15_q[11] & inside_v_s15_q;
-  // hls/stages/agreement.hpp:1089
-  logic [1:0] sum_2100;
-  assign sum_2100 = {1'b0, and_2097_s15_q} + ({1'b0, shown_s15_q} + {1'b0, and_2098_s15_q});
-  // hls/stages/agreement.hpp:1030
-  logic and_2112;
-  assign and_2112 = seen_columns_rdata_s15_q[12] & inside_v_s15_q;
-  // hls/stages/agreement.hpp:1090
-  logic [1:0] sum_2116;
-  assign sum_2116 = {1'b0, and_2113_s15_q} + ({1'b0, near_s15_q} + {1'b0, and_2114_s15_q});
+  logic and_2028;
+  assign and_2028 = inside_v_s15_q & and_2019_s15_q;
+  // hls/stages/agreement.hpp:1037
+  logic and_2071;
+  assign and_2071 = seen_columns_rdata_s15_q[0] & inside_v_s15_q;
+  // hls/stages/agreement.hpp:1094
+  logic [1:0] sum_2073;
+  assign sum_2073 = {1'b0, and_2070_s15_q} + ({1'b0, textured_s15_q} + {1'b0, and_2071});
+  // hls/stages/agreement.hpp:1037
+  logic and_2104;
+  assign and_2104 = seen_columns_rdata_s15_q[11] & inside_v_s15_q;
+  // hls/stages/agreement.hpp:1096
+  logic [1:0] sum_2108;
+  assign sum_2108 = {1'b0, and_2105_s15_q} + ({1'b0, shown_s15_q} + {1'b0, and_2106_s15_q});
+  // hls/stages/agreement.hpp:1037
+  logic and_2120;
+  assign and_2120 = seen_columns_rdata_s15_q[12] & inside_v_s15_q;
+  // hls/stages/agreement.hpp:1097
+  logic [1:0] sum_2124;
+  assign sum_2124 = {1'b0, and_2121_s15_q} + ({1'b0, near_s15_q} + {1'b0, and_2122_s15_q});
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_2160;
-  assign select_2160 = sample_pair_whole_s15_q ? (and_548_s15_q ? grey_s15_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2162;
-  assign select_2162 = sample_pair_whole_s15_q ? (and_548_s15_q ? grey_2_s15_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2164;
-  assign select_2164 = sample_pair_whole_s15_q ? (and_548_s15_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2166;
-  assign select_2166 = sample_pair_whole_s15_q ? (and_548_s15_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  logic [8:0] select_2169;
+  assign select_2169 = sample_pair_whole_s15_q ? (and_550_s15_q ? grey_s15_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2171;
+  assign select_2171 = sample_pair_whole_s15_q ? (and_550_s15_q ? grey_2_s15_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2173;
+  assign select_2173 = sample_pair_whole_s15_q ? (and_550_s15_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2175;
+  assign select_2175 = sample_pair_whole_s15_q ? (and_550_s15_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2171;
-  assign sum_2171 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s15_q};
-  logic [9:0] sum_2179;
-  assign sum_2179 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s15_q};
-  // hls/stages/agreement.hpp:520
-  logic [8:0] select_2195;
-  assign select_2195 = and_550_s15_q ? select_556_s15_q : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2196;
-  assign select_2196 = and_550_s15_q ? select_560_s15_q : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2198;
-  assign select_2198 = and_550_s15_q ? census_memory_rdata_s15_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2199;
-  assign select_2199 = and_550_s15_q ? census_memory_rdata_s15_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2200;
-  assign select_2200 = and_550_s15_q ? census_memory_rdata_s15_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_2201;
-  assign select_2201 = and_550_s15_q ? census_memory_rdata_s15_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2202;
-  assign select_2202 = and_550_s15_q ? census_memory_rdata_s15_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2203;
-  assign select_2203 = and_550_s15_q ? census_memory_rdata_s15_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2204;
-  assign select_2204 = and_550_s15_q ? census_memory_rdata_s15_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  logic [9:0] sum_2180;
+  assign sum_2180 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s15_q};
+  logic [9:0] sum_2188;
+  assign sum_2188 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s15_q};
+  // hls/stages/agreement.hpp:527
+  logic [8:0] select_2204;
+  assign select_2204 = and_552_s15_q ? select_558_s15_q : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2205;
-  assign select_2205 = and_550_s15_q ? census_memory_rdata_s15_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2206;
-  assign select_2206 = and_550_s15_q ? census_memory_rdata_s15_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2207;
-  assign select_2207 = and_550_s15_q ? census_memory_rdata_s15_q[58] : census_columns_values_0_cell_3_mask_q;
+  assign select_2205 = and_552_s15_q ? select_562_s15_q : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2207;
+  assign select_2207 = and_552_s15_q ? census_memory_rdata_s15_q[8:0] : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_2208;
-  assign select_2208 = and_550_s15_q ? census_memory_rdata_s15_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2209;
-  assign select_2209 = and_550_s15_q ? census_memory_rdata_s15_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2210;
-  assign select_2210 = and_550_s15_q ? census_memory_rdata_s15_q[77] : census_columns_values_0_cell_4_mask_q;
+  assign select_2208 = and_552_s15_q ? census_memory_rdata_s15_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2209;
+  assign select_2209 = and_552_s15_q ? census_memory_rdata_s15_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2210;
+  assign select_2210 = and_552_s15_q ? census_memory_rdata_s15_q[28:20] : census_columns_values_0_cell_2_left_q;
   logic [8:0] select_2211;
-  assign select_2211 = and_550_s15_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2212;
-  assign select_2212 = and_550_s15_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  assign select_2211 = and_552_s15_q ? census_memory_rdata_s15_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2212;
+  assign select_2212 = and_552_s15_q ? census_memory_rdata_s15_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2213;
+  assign select_2213 = and_552_s15_q ? census_memory_rdata_s15_q[39] : census_columns_values_0_cell_2_of_skin_q;
   logic [8:0] select_2214;
-  assign select_2214 = and_550_s15_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  assign select_2214 = and_552_s15_q ? census_memory_rdata_s15_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_2215;
-  assign select_2215 = and_550_s15_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  assign select_2215 = and_552_s15_q ? census_memory_rdata_s15_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2216;
+  assign select_2216 = and_552_s15_q ? census_memory_rdata_s15_q[58] : census_columns_values_0_cell_3_mask_q;
   logic [8:0] select_2217;
-  assign select_2217 = and_550_s15_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  assign select_2217 = and_552_s15_q ? census_memory_rdata_s15_q[67:59] : census_columns_values_0_cell_4_left_q;
   logic [8:0] select_2218;
-  assign select_2218 = and_550_s15_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2220;
-  assign select_2220 = and_550_s15_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  assign select_2218 = and_552_s15_q ? census_memory_rdata_s15_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2219;
+  assign select_2219 = and_552_s15_q ? census_memory_rdata_s15_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2220;
+  assign select_2220 = and_552_s15_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
   logic [8:0] select_2221;
-  assign select_2221 = and_550_s15_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2222;
-  assign select_2222 = and_550_s15_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
+  assign select_2221 = and_552_s15_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic [8:0] select_2223;
+  assign select_2223 = and_552_s15_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
   logic [8:0] select_2224;
-  assign select_2224 = and_550_s15_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2225;
-  assign select_2225 = and_550_s15_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
+  assign select_2224 = and_552_s15_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic [8:0] select_2226;
+  assign select_2226 = and_552_s15_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
   logic [8:0] select_2227;
-  assign select_2227 = and_550_s15_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2228;
-  assign select_2228 = and_550_s15_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  assign select_2227 = and_552_s15_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2229;
+  assign select_2229 = and_552_s15_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
   logic [8:0] select_2230;
-  assign select_2230 = and_550_s15_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  assign select_2230 = and_552_s15_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_2231;
-  assign select_2231 = and_550_s15_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  assign select_2231 = and_552_s15_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
   logic [8:0] select_2233;
-  assign select_2233 = and_550_s15_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  assign select_2233 = and_552_s15_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
   logic [8:0] select_2234;
-  assign select_2234 = and_550_s15_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  assign select_2234 = and_552_s15_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
   logic [8:0] select_2236;
-  assign select_2236 = and_550_s15_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  assign select_2236 = and_552_s15_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
   logic [8:0] select_2237;
-  assign select_2237 = and_550_s15_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  assign select_2237 = and_552_s15_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
   logic [8:0] select_2239;
-  assign select_2239 = and_550_s15_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  assign select_2239 = and_552_s15_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
   logic [8:0] select_2240;
-  assign select_2240 = and_550_s15_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  assign select_2240 = and_552_s15_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  logic [8:0] select_2242;
+  assign select_2242 = and_552_s15_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
   logic [8:0] select_2243;
-  assign select_2243 = and_550_s15_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2244;
-  assign select_2244 = and_550_s15_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic [8:0] select_2247;
-  assign select_2247 = and_550_s15_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  assign select_2243 = and_552_s15_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic [8:0] select_2245;
+  assign select_2245 = and_552_s15_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2246;
+  assign select_2246 = and_552_s15_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
   logic [8:0] select_2248;
-  assign select_2248 = and_550_s15_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  assign select_2248 = and_552_s15_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2249;
+  assign select_2249 = and_552_s15_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  logic [8:0] select_2252;
+  assign select_2252 = and_552_s15_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2253;
+  assign select_2253 = and_552_s15_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic [8:0] select_2256;
+  assign select_2256 = and_552_s15_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2257;
+  assign select_2257 = and_552_s15_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
   // hls/stages/census.hpp:286
-  logic [9:0] difference_2252;
-  assign difference_2252 = {1'b0, select_560_s15_q} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [9:0] difference_2255;
-  assign difference_2255 = {1'b0, census_memory_rdata_s15_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [9:0] difference_2259;
-  assign difference_2259 = {1'b0, census_memory_rdata_s15_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [9:0] difference_2263;
-  assign difference_2263 = {1'b0, census_memory_rdata_s15_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [9:0] difference_2267;
-  assign difference_2267 = {1'b0, census_memory_rdata_s15_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  // hls/stages/agreement.hpp:1142
-  logic equal_2292;
-  assign equal_2292 = x_s15_q[6:0] == 7'h70;
-  // hls/stages/agreement.hpp:788
-  logic select_2298;
-  assign select_2298 = equal_575_s15_q ? (moments_has_before_q | equal_2292) : moments_has_before_q;
+  logic [9:0] difference_2261;
+  assign difference_2261 = {1'b0, select_562_s15_q} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [9:0] difference_2264;
+  assign difference_2264 = {1'b0, census_memory_rdata_s15_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [9:0] difference_2268;
+  assign difference_2268 = {1'b0, census_memory_rdata_s15_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [9:0] difference_2272;
+  assign difference_2272 = {1'b0, census_memory_rdata_s15_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [9:0] difference_2276;
+  assign difference_2276 = {1'b0, census_memory_rdata_s15_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  // hls/stages/agreement.hpp:1150
+  logic equal_2301;
+  assign equal_2301 = x_s15_q[6:0] == 7'h70;
+  // hls/stages/agreement.hpp:795
+  logic select_2307;
+  assign select_2307 = equal_577_s15_q ? (moments_has_before_q | equal_2301) : moments_has_before_q;
   // hls/stages/census.hpp:371
-  logic [9:0] difference_2363;
-  assign difference_2363 = {1'b0, select_556_s15_q} - {1'b0, sharpness_last_mean_0_q};
-  logic [9:0] difference_2375;
-  assign difference_2375 = {1'b0, select_560_s15_q} - {1'b0, sharpness_last_mean_1_q};
-  // hls/stages/agreement.hpp:520
-  logic and_2591;
-  assign and_2591 = and_550_s15_q & (equal_680_s15_q & equal_2466_s15_q);
-  // hls/stages/agreement.hpp:788
-  logic and_2602;
-  assign and_2602 = not_576_s15_q & (so_s15_q & (ends_cell_s15_q & textured_s15_q));
-  // hls/stages/agreement.hpp:1030
-  logic and_2618;
-  assign and_2618 = seen_columns_rdata_s15_q[10] & inside_v_s15_q;
-  // hls/stages/agreement.hpp:1088
-  logic [1:0] sum_2622;
-  assign sum_2622 = {1'b0, and_2619_s15_q} + ({1'b0, explained} + {1'b0, and_2620_s15_q});
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_2661;
-  assign select_2661 = and_2591 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2659_s15_q});
-  logic [13:0] select_2668;
-  assign select_2668 = and_2591 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2666_s15_q});
-  // hls/stages/agreement.hpp:1027
-  logic and_2705;
-  assign and_2705 = and_637_s15_q & and_2704_s15_q;
-  // hls/stages/agreement.hpp:788
-  logic and_2708;
-  assign and_2708 = ends_cell_s15_q & (inside_v_s15_q & (select_2700_s15_q & and_2705));
-  logic and_2715;
-  assign and_2715 = ends_cell_s15_q & (inside_v_s15_q & (select_2703_s15_q & and_2705));
+  logic [9:0] difference_2372;
+  assign difference_2372 = {1'b0, select_558_s15_q} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2384;
+  assign difference_2384 = {1'b0, select_562_s15_q} - {1'b0, sharpness_last_mean_1_q};
+  // hls/stages/agreement.hpp:527
+  logic and_2610;
+  assign and_2610 = and_552_s15_q & (equal_685_s15_q & equal_2475_s15_q);
+  // hls/stages/agreement.hpp:795
+  logic and_2621;
+  assign and_2621 = not_578_s15_q & (so_s15_q & (ends_cell_s15_q & textured_s15_q));
+  // hls/stages/agreement.hpp:1095
+  logic [2:0] explained_2;
+  assign explained_2 = {2'h0, and_2636_s15_q} + ({2'h0, and_2637_s15_q} + {1'b0, sum_2641_s15_q});
+  // hls/stages/agreement.hpp:933
+  logic [13:0] select_2680;
+  assign select_2680 = and_2610 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2678_s15_q});
+  logic [13:0] select_2687;
+  assign select_2687 = and_2610 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2685_s15_q});
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_2786;
-  assign difference_2786 = 13'h0 - {residual_s15_q[11], residual_s15_q};
-  logic less_2801;
-  assign less_2801 = $signed(difference_2786) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic [12:0] difference_2806;
+  assign difference_2806 = 13'h0 - {residual_s15_q[11], residual_s15_q};
+  logic less_2821;
+  assign less_2821 = $signed(difference_2806) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/registration.hpp:269
-  logic [3:0] select_2817;
-  assign select_2817 = equal_2814_s15_q ? (registration_fresh_q & not_2815_s15_q) : registration_fresh_q;
-  // hls/stages/agreement.hpp:788
-  logic [3:0] select_2819;
-  assign select_2819 = so_s15_q ? (and_1656_s15_q ? select_2817 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_2837;
+  assign select_2837 = equal_2834_s15_q ? (registration_fresh_q & not_2835_s15_q) : registration_fresh_q;
+  // hls/stages/agreement.hpp:795
+  logic [3:0] select_2839;
+  assign select_2839 = so_s15_q ? (and_1662_s15_q ? select_2837 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_2821;
-  assign select_2821 = and_2591 ? 4'hf : (equal_575_s15_q ? registration_fresh_q : select_2819);
+  logic [3:0] select_2841;
+  assign select_2841 = and_2610 ? 4'hf : (equal_577_s15_q ? registration_fresh_q : select_2839);
   // hls/stages/registration.hpp:258
-  logic not_2842;
-  assign not_2842 = ~quarter_2_s15_q[1];
-  logic [3:0] select_2843;
-  assign select_2843 = quarter_2_s15_q[0] ? {quarter_2_s15_q[1], 1'b0, not_2842, 1'b0} : {1'b0, quarter_2_s15_q[1], 1'b0, not_2842};
+  logic not_2861;
+  assign not_2861 = ~quarter_2_s15_q[1];
+  logic [3:0] select_2862;
+  assign select_2862 = quarter_2_s15_q[0] ? {quarter_2_s15_q[1], 1'b0, not_2861, 1'b0} : {1'b0, quarter_2_s15_q[1], 1'b0, not_2861};
   // hls/stages/agreement.hpp:275
-  logic [11:0] select_3082;
-  assign select_3082 = equal_1787_s15_q ? patches_smooth_values_0_q : (or_1791_s15_q ? smooth_s15_q : patches_smooth_values_0_q);
-  logic [11:0] select_3084;
-  assign select_3084 = or_1791_s15_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
-  logic [11:0] select_3086;
-  assign select_3086 = equal_1785_s15_q ? patches_smooth_values_1_q : (equal_1787_s15_q ? patches_smooth_values_1_q : select_3084);
-  logic [11:0] select_3087;
-  assign select_3087 = or_1791_s15_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
-  logic [11:0] select_3089;
-  assign select_3089 = equal_1785_s15_q ? patches_smooth_values_2_q : (equal_1787_s15_q ? patches_smooth_values_2_q : select_3087);
-  logic [11:0] select_3090;
-  assign select_3090 = or_1791_s15_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
-  logic [11:0] select_3092;
-  assign select_3092 = equal_1785_s15_q ? patches_smooth_values_3_q : (equal_1787_s15_q ? patches_smooth_values_3_q : select_3090);
-  logic [10:0] select_3099;
-  assign select_3099 = or_1791_s15_q ? patches_down_values_1_s15_q : patches_down_values_2_q;
-  logic [10:0] select_3101;
-  assign select_3101 = equal_1785_s15_q ? patches_down_values_2_q : (equal_1787_s15_q ? patches_down_values_2_q : select_3099);
-  logic [10:0] select_3102;
-  assign select_3102 = or_1791_s15_q ? patches_down_values_2_q : patches_down_values_3_q;
-  logic [10:0] select_3104;
-  assign select_3104 = equal_1785_s15_q ? patches_down_values_3_q : (equal_1787_s15_q ? patches_down_values_3_q : select_3102);
+  logic [11:0] select_3101;
+  assign select_3101 = equal_1793_s15_q ? patches_smooth_values_0_q : (or_1797_s15_q ? smooth_s15_q : patches_smooth_values_0_q);
+  logic [11:0] select_3103;
+  assign select_3103 = or_1797_s15_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3105;
+  assign select_3105 = equal_1791_s15_q ? patches_smooth_values_1_q : (equal_1793_s15_q ? patches_smooth_values_1_q : select_3103);
+  logic [11:0] select_3106;
+  assign select_3106 = or_1797_s15_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3108;
+  assign select_3108 = equal_1791_s15_q ? patches_smooth_values_2_q : (equal_1793_s15_q ? patches_smooth_values_2_q : select_3106);
+  logic [11:0] select_3109;
+  assign select_3109 = or_1797_s15_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3111;
+  assign select_3111 = equal_1791_s15_q ? patches_smooth_values_3_q : (equal_1793_s15_q ? patches_smooth_values_3_q : select_3109);
+  logic [10:0] select_3118;
+  assign select_3118 = or_1797_s15_q ? patches_down_values_1_s15_q : patches_down_values_2_q;
+  logic [10:0] select_3120;
+  assign select_3120 = equal_1791_s15_q ? patches_down_values_2_q : (equal_1793_s15_q ? patches_down_values_2_q : select_3118);
+  logic [10:0] select_3121;
+  assign select_3121 = or_1797_s15_q ? patches_down_values_2_q : patches_down_values_3_q;
+  logic [10:0] select_3123;
+  assign select_3123 = equal_1791_s15_q ? patches_down_values_3_q : (equal_1793_s15_q ? patches_down_values_3_q : select_3121);
   // hls/stages/patches.hpp:559
-  logic [9:0] select_3541;
-  assign select_3541 = or_1966_s15_q ? (and_3539_s15_q ? patches_rows_rdata_s15_q : 10'h3ff) : 10'h3ff;
+  logic [9:0] select_3560;
+  assign select_3560 = or_1972_s15_q ? (and_3558_s15_q ? patches_rows_rdata_s15_q : 10'h3ff) : 10'h3ff;
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3543;
-  assign select_3543 = equal_1785_s15_q ? (less_1963_s15_q ? select_3541 : 10'h3ff) : patches_read_far_q;
+  logic [9:0] select_3562;
+  assign select_3562 = equal_1791_s15_q ? (less_1969_s15_q ? select_3560 : 10'h3ff) : patches_read_far_q;
   // hls/stages/patches.hpp:581
   logic [9:0] high;
-  assign high = less_3584_s15_q ? patches_peak_below_q : patches_peak_above_q;
+  assign high = less_3603_s15_q ? patches_peak_below_q : patches_peak_above_q;
   logic [9:0] low;
-  assign low = less_3587_s15_q ? patches_peak_below_q : patches_peak_above_q;
+  assign low = less_3606_s15_q ? patches_peak_below_q : patches_peak_above_q;
   // hls/stages/patches.hpp:582
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall_2;
-  assign fall_2 = high - select_3545_s15_q;
-  // hls/stages/agreement.hpp:1223
-  logic equal_3652;
-  assign equal_3652 = x_s15_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1217
-  logic equal_3888;
-  assign equal_3888 = x_s15_q[6:3] == 4'hc;
-  // hls/stages/agreement.hpp:1125
-  logic [7:0] limit;
-  assign limit = equal_3888 ? cfg_regions_limit_i : select_3911_s15_q;
+  assign fall_2 = high - select_3564_s15_q;
   // hls/stages/agreement.hpp:1231
-  logic not_3913;
-  assign not_3913 = ~x_s15_q[2];
-  logic [3:0] select_3914;
-  assign select_3914 = x_s15_q[1] ? {x_s15_q[2], 1'b0, not_3913, 1'b0} : {1'b0, x_s15_q[2], 1'b0, not_3913};
-  logic [7:0] select_3915;
-  assign select_3915 = x_s15_q[0] ? {select_3914[3], 1'b0, select_3914[2], 1'b0, select_3914[1], 1'b0, select_3914[0], 1'b0} : {1'b0, select_3914[3], 1'b0, select_3914[2], 1'b0, select_3914[1], 1'b0, select_3914[0]};
-  // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3919;
-  assign select_3919 = equal_3890_s15_q ? counts_skin_supervised_q : (equal_3891_s15_q ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] select_3921;
-  assign select_3921 = equal_3889_s15_q ? counts_skin_textured_q : (equal_3886_s15_q ? counts_textured_q : select_3919);
+  logic equal_3671;
+  assign equal_3671 = x_s15_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:1225
+  logic equal_3907;
+  assign equal_3907 = x_s15_q[6:3] == 4'hc;
+  // hls/stages/agreement.hpp:1133
+  logic [7:0] limit;
+  assign limit = equal_3907 ? cfg_regions_limit_i : select_3930_s15_q;
+  // hls/stages/agreement.hpp:1239
+  logic not_3932;
+  assign not_3932 = ~x_s15_q[2];
+  logic [3:0] select_3933;
+  assign select_3933 = x_s15_q[1] ? {x_s15_q[2], 1'b0, not_3932, 1'b0} : {1'b0, x_s15_q[2], 1'b0, not_3932};
+  logic [7:0] select_3934;
+  assign select_3934 = x_s15_q[0] ? {select_3933[3], 1'b0, select_3933[2], 1'b0, select_3933[1], 1'b0, select_3933[0], 1'b0} : {1'b0, select_3933[3], 1'b0, select_3933[2], 1'b0, select_3933[1], 1'b0, select_3933[0]};
+  // hls/stages/agreement.hpp:1133
+  logic [13:0] select_3938;
+  assign select_3938 = equal_3909_s15_q ? counts_skin_supervised_q : (equal_3910_s15_q ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_3940;
+  assign select_3940 = equal_3908_s15_q ? counts_skin_textured_q : (equal_3905_s15_q ? counts_textured_q : select_3938);
   logic [13:0] of;
-  assign of = equal_3888 ? counts_textured_q : select_3921;
+  assign of = equal_3907 ? counts_textured_q : select_3940;
   // hls/stages/registration.hpp:258
-  logic not_4124;
-  assign not_4124 = ~quarter_s15_q[1];
-  logic [3:0] select_4125;
-  assign select_4125 = quarter_s15_q[0] ? {quarter_s15_q[1], 1'b0, not_4124, 1'b0} : {1'b0, quarter_s15_q[1], 1'b0, not_4124};
+  logic not_4145;
+  assign not_4145 = ~quarter_s15_q[1];
+  logic [3:0] select_4146;
+  assign select_4146 = quarter_s15_q[0] ? {quarter_s15_q[1], 1'b0, not_4145, 1'b0} : {1'b0, quarter_s15_q[1], 1'b0, not_4145};
 
   // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:277; read in stage 15, written in stage 19: 15 < 19 < 15 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -6394,10 +6562,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1615_s15_q;
+  assign registration_sums_raddr = select_1621_s15_q;
 `ifndef SYNTHESIS
   logic registration_sums_re;
-  assign registration_sums_re = s15_en & (equal_575_s15_q ? (x_s15_q[6] & select_1646_s15_q) : and_1657);
+  assign registration_sums_re = s15_en & (equal_577_s15_q ? (x_s15_q[6] & select_1652_s15_q) : and_1663);
 `endif
   logic [31:0] registration_sums_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -6408,9 +6576,9 @@ module horopter_agreement (
   logic [6:0] census_memory_waddr;
   assign census_memory_waddr = last_s15_q;
   logic census_memory_we;
-  assign census_memory_we = s15_en & and_550_s15_q;
+  assign census_memory_we = s15_en & and_552_s15_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_s15_q[58:40], census_memory_rdata_s15_q[38:0], and_568_s15_q, whole_2_s15_q, select_560_s15_q, select_556_s15_q};
+    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_s15_q[58:40], census_memory_rdata_s15_q[38:0], and_570_s15_q, whole_2_s15_q, select_562_s15_q, select_558_s15_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] census_memory_raddr_s14_sim;
@@ -6439,11 +6607,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_1579_s15_q;
+  assign shown_right_waddr = select_1585_s15_q;
   logic shown_right_we;
-  assign shown_right_we = s15_en & and_1590_s15_q;
+  assign shown_right_we = s15_en & and_1596_s15_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1587, not_578_s15_q};
+    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1593, not_580_s15_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] shown_right_raddr_s13_sim;
@@ -6482,9 +6650,9 @@ module horopter_agreement (
   logic [6:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s15_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s15_en & and_1575_s15_q;
+  assign seen_columns_we = s15_en & and_1581_s15_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s15_q, near_s15_q, shown_s15_q, explained, and_2022, textured_s15_q};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s15_q, near_s15_q, shown_s15_q, explained_s15_q, and_2028, textured_s15_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] seen_columns_raddr_s12_sim;
@@ -6545,20 +6713,20 @@ module horopter_agreement (
       patches_read_far_q <= 10'h3ff;
       segment_started_q <= 1'b0;
     end else if (s15_en) begin
-      census_filled_q <= and_550_s15_q ? {select_683[2:0], 1'b1} : census_filled_q;
-      moments_has_before_q <= select_2298;
-      rows_passed_above_q <= and_550_s15_q ? select_682 : rows_passed_above_q;
-      counts_textured_q <= and_2591 ? 14'h0 : (counts_textured_q + {13'h0, and_2602});
-      counts_skin_supervised_q <= select_2661;
-      counts_skin_textured_q <= select_2668;
-      registration_fresh_q <= select_2821;
-      patches_smooth_values_0_q <= equal_1785_s15_q ? patches_smooth_values_0_q : select_3082;
-      patches_smooth_values_1_q <= select_3086;
-      patches_smooth_values_2_q <= select_3089;
-      patches_smooth_values_3_q <= select_3092;
-      patches_down_values_2_q <= select_3101;
-      patches_down_values_3_q <= select_3104;
-      patches_read_far_q <= select_3543;
+      census_filled_q <= and_552_s15_q ? {select_688[2:0], 1'b1} : census_filled_q;
+      moments_has_before_q <= select_2307;
+      rows_passed_above_q <= and_552_s15_q ? select_687 : rows_passed_above_q;
+      counts_textured_q <= and_2610 ? 14'h0 : (counts_textured_q + {13'h0, and_2621});
+      counts_skin_supervised_q <= select_2680;
+      counts_skin_textured_q <= select_2687;
+      registration_fresh_q <= select_2841;
+      patches_smooth_values_0_q <= equal_1791_s15_q ? patches_smooth_values_0_q : select_3101;
+      patches_smooth_values_1_q <= select_3105;
+      patches_smooth_values_2_q <= select_3108;
+      patches_smooth_values_3_q <= select_3111;
+      patches_down_values_2_q <= select_3120;
+      patches_down_values_3_q <= select_3123;
+      patches_read_far_q <= select_3562;
       segment_started_q <= ~segment_starts_q;
     end
   end
@@ -6616,52 +6784,52 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s15_en) begin
-      averager_quarter_1_0_q <= select_2160;
-      averager_quarter_1_1_q <= select_2162;
-      averager_quarter_2_0_q <= select_2164;
-      averager_quarter_2_1_q <= select_2166;
-      census_columns_values_0_cell_0_left_q <= select_2195;
-      census_columns_values_0_cell_0_right_q <= select_2196;
-      census_columns_values_0_cell_1_left_q <= select_2198;
-      census_columns_values_0_cell_1_right_q <= select_2199;
-      census_columns_values_0_cell_1_mask_q <= select_2200;
-      census_columns_values_0_cell_2_left_q <= select_2201;
-      census_columns_values_0_cell_2_right_q <= select_2202;
-      census_columns_values_0_cell_2_mask_q <= select_2203;
-      census_columns_values_0_cell_2_of_skin_q <= select_2204;
-      census_columns_values_0_cell_3_left_q <= select_2205;
-      census_columns_values_0_cell_3_right_q <= select_2206;
-      census_columns_values_0_cell_3_mask_q <= select_2207;
-      census_columns_values_0_cell_4_left_q <= select_2208;
-      census_columns_values_0_cell_4_right_q <= select_2209;
-      census_columns_values_0_cell_4_mask_q <= select_2210;
-      census_columns_values_1_cell_0_left_q <= select_2211;
-      census_columns_values_1_cell_0_right_q <= select_2212;
-      census_columns_values_1_cell_1_left_q <= select_2214;
-      census_columns_values_1_cell_1_right_q <= select_2215;
-      census_columns_values_1_cell_2_left_q <= select_2217;
-      census_columns_values_1_cell_2_right_q <= select_2218;
-      census_columns_values_1_cell_2_of_skin_q <= select_2220;
-      census_columns_values_1_cell_3_left_q <= select_2221;
-      census_columns_values_1_cell_3_right_q <= select_2222;
-      census_columns_values_1_cell_4_left_q <= select_2224;
-      census_columns_values_1_cell_4_right_q <= select_2225;
-      census_columns_values_2_cell_0_left_q <= select_2227;
-      census_columns_values_2_cell_0_right_q <= select_2228;
-      census_columns_values_2_cell_1_left_q <= select_2230;
-      census_columns_values_2_cell_1_right_q <= select_2231;
-      census_columns_values_2_cell_2_left_q <= select_2233;
-      census_columns_values_2_cell_2_right_q <= select_2234;
-      census_columns_values_2_cell_3_left_q <= select_2236;
-      census_columns_values_2_cell_3_right_q <= select_2237;
-      census_columns_values_2_cell_4_left_q <= select_2239;
-      census_columns_values_2_cell_4_right_q <= select_2240;
-      census_columns_values_3_cell_1_left_q <= select_2243;
-      census_columns_values_3_cell_1_right_q <= select_2244;
-      census_columns_values_3_cell_3_left_q <= select_2247;
-      census_columns_values_3_cell_3_right_q <= select_2248;
-      sharpness_last_mean_0_q <= and_550_s15_q ? select_556_s15_q : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_550_s15_q ? select_560_s15_q : sharpness_last_mean_1_q;
+      averager_quarter_1_0_q <= select_2169;
+      averager_quarter_1_1_q <= select_2171;
+      averager_quarter_2_0_q <= select_2173;
+      averager_quarter_2_1_q <= select_2175;
+      census_columns_values_0_cell_0_left_q <= select_2204;
+      census_columns_values_0_cell_0_right_q <= select_2205;
+      census_columns_values_0_cell_1_left_q <= select_2207;
+      census_columns_values_0_cell_1_right_q <= select_2208;
+      census_columns_values_0_cell_1_mask_q <= select_2209;
+      census_columns_values_0_cell_2_left_q <= select_2210;
+      census_columns_values_0_cell_2_right_q <= select_2211;
+      census_columns_values_0_cell_2_mask_q <= select_2212;
+      census_columns_values_0_cell_2_of_skin_q <= select_2213;
+      census_columns_values_0_cell_3_left_q <= select_2214;
+      census_columns_values_0_cell_3_right_q <= select_2215;
+      census_columns_values_0_cell_3_mask_q <= select_2216;
+      census_columns_values_0_cell_4_left_q <= select_2217;
+      census_columns_values_0_cell_4_right_q <= select_2218;
+      census_columns_values_0_cell_4_mask_q <= select_2219;
+      census_columns_values_1_cell_0_left_q <= select_2220;
+      census_columns_values_1_cell_0_right_q <= select_2221;
+      census_columns_values_1_cell_1_left_q <= select_2223;
+      census_columns_values_1_cell_1_right_q <= select_2224;
+      census_columns_values_1_cell_2_left_q <= select_2226;
+      census_columns_values_1_cell_2_right_q <= select_2227;
+      census_columns_values_1_cell_2_of_skin_q <= select_2229;
+      census_columns_values_1_cell_3_left_q <= select_2230;
+      census_columns_values_1_cell_3_right_q <= select_2231;
+      census_columns_values_1_cell_4_left_q <= select_2233;
+      census_columns_values_1_cell_4_right_q <= select_2234;
+      census_columns_values_2_cell_0_left_q <= select_2236;
+      census_columns_values_2_cell_0_right_q <= select_2237;
+      census_columns_values_2_cell_1_left_q <= select_2239;
+      census_columns_values_2_cell_1_right_q <= select_2240;
+      census_columns_values_2_cell_2_left_q <= select_2242;
+      census_columns_values_2_cell_2_right_q <= select_2243;
+      census_columns_values_2_cell_3_left_q <= select_2245;
+      census_columns_values_2_cell_3_right_q <= select_2246;
+      census_columns_values_2_cell_4_left_q <= select_2248;
+      census_columns_values_2_cell_4_right_q <= select_2249;
+      census_columns_values_3_cell_1_left_q <= select_2252;
+      census_columns_values_3_cell_1_right_q <= select_2253;
+      census_columns_values_3_cell_3_left_q <= select_2256;
+      census_columns_values_3_cell_3_right_q <= select_2257;
+      sharpness_last_mean_0_q <= and_552_s15_q ? select_558_s15_q : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_552_s15_q ? select_562_s15_q : sharpness_last_mean_1_q;
     end
   end
 
@@ -6686,6 +6854,7 @@ module horopter_agreement (
   logic [2:0] slot_s16_q;
   logic ends_cell_s16_q;
   logic lower_half_s16_q;
+  logic draws_late_s16_q;
   logic [13:0] counts_textured_s16_q;
   logic registration_of_right_s16_q;
   logic [4:0] patches_choosing_band_s16_q;
@@ -6703,28 +6872,24 @@ module horopter_agreement (
   logic segment_started_s16_q;
   logic centres_values_1_textured_s16_q;
   logic centres_values_1_of_skin_s16_q;
-  logic [3:0] select_509_s16_q;
+  logic done_s16_q;
+  logic [3:0] select_511_s16_q;
   logic row_starts_s16_q;
-  logic [6:0] select_544_s16_q;
+  logic [6:0] select_546_s16_q;
   logic [6:0] last_s16_q;
-  logic and_548_s16_q;
   logic and_550_s16_q;
-  logic equal_553_s16_q;
+  logic and_552_s16_q;
+  logic equal_555_s16_q;
   logic whole_2_s16_q;
-  logic equal_570_s16_q;
-  logic equal_575_s16_q;
-  logic not_576_s16_q;
-  logic so_s16_q;
+  logic equal_572_s16_q;
+  logic equal_577_s16_q;
   logic not_578_s16_q;
-  logic equal_579_s16_q;
+  logic so_s16_q;
+  logic not_580_s16_q;
+  logic equal_581_s16_q;
   logic inside_v_s16_q;
   logic [6:0] x_s16_2_q;
   logic [6:0] right_s16_q;
-  logic less_653_s16_q;
-  logic less_654_s16_q;
-  logic less_655_s16_q;
-  logic less_656_s16_q;
-  logic less_657_s16_q;
   logic less_658_s16_q;
   logic less_659_s16_q;
   logic less_660_s16_q;
@@ -6744,164 +6909,173 @@ module horopter_agreement (
   logic less_674_s16_q;
   logic less_675_s16_q;
   logic less_676_s16_q;
-  logic and_684_s16_q;
-  logic and_688_s16_q;
-  logic difference_711_s16_q;
-  logic [8:0] xor_712_s16_q;
-  logic difference_714_s16_q;
-  logic [8:0] xor_715_s16_q;
-  logic difference_718_s16_q;
-  logic [8:0] xor_719_s16_q;
-  logic difference_722_s16_q;
-  logic [8:0] xor_723_s16_q;
-  logic difference_726_s16_q;
-  logic [8:0] xor_727_s16_q;
+  logic less_677_s16_q;
+  logic less_678_s16_q;
+  logic less_679_s16_q;
+  logic less_680_s16_q;
+  logic less_681_s16_q;
+  logic and_689_s16_q;
+  logic and_693_s16_q;
+  logic difference_716_s16_q;
+  logic [8:0] xor_717_s16_q;
+  logic difference_719_s16_q;
+  logic [8:0] xor_720_s16_q;
+  logic difference_723_s16_q;
+  logic [8:0] xor_724_s16_q;
+  logic difference_727_s16_q;
+  logic [8:0] xor_728_s16_q;
+  logic difference_731_s16_q;
+  logic [8:0] xor_732_s16_q;
   logic [9:0] half_grey_levels_s16_q;
   logic [9:0] half_grey_levels_2_s16_q;
-  logic [5:0] select_1518_s16_q;
-  logic [2:0] select_1523_s16_q;
-  logic [7:0] select_1524_s16_q;
-  logic [7:0] select_1532_s16_q;
-  logic [7:0] select_1535_s16_q;
-  logic [6:0] select_1553_s16_q;
-  logic [5:0] select_1555_s16_q;
-  logic [7:0] select_1558_s16_q;
-  logic [7:0] select_1561_s16_q;
-  logic and_1562_s16_q;
+  logic [5:0] select_1524_s16_q;
+  logic [2:0] select_1529_s16_q;
+  logic [7:0] select_1530_s16_q;
+  logic [7:0] select_1538_s16_q;
+  logic [7:0] select_1541_s16_q;
+  logic [6:0] select_1559_s16_q;
+  logic [5:0] select_1561_s16_q;
+  logic [7:0] select_1564_s16_q;
   logic [7:0] select_1567_s16_q;
-  logic [6:0] select_1568_s16_q;
-  logic [6:0] select_1571_s16_q;
-  logic [6:0] select_1572_s16_q;
-  logic and_1595_s16_q;
-  logic and_1598_s16_q;
+  logic and_1568_s16_q;
+  logic [7:0] select_1573_s16_q;
+  logic [6:0] select_1574_s16_q;
+  logic [6:0] select_1577_s16_q;
+  logic [6:0] select_1578_s16_q;
   logic and_1601_s16_q;
   logic and_1604_s16_q;
   logic and_1607_s16_q;
-  logic equal_1608_s16_q;
+  logic and_1610_s16_q;
+  logic and_1613_s16_q;
+  logic equal_1614_s16_q;
   logic all_s16_q;
-  logic [1:0] sum_1614_s16_q;
-  logic equal_1616_s16_q;
-  logic equal_1618_s16_q;
-  logic equal_1620_s16_q;
+  logic [1:0] sum_1620_s16_q;
   logic equal_1622_s16_q;
   logic equal_1624_s16_q;
   logic equal_1626_s16_q;
   logic equal_1628_s16_q;
   logic equal_1630_s16_q;
-  logic less_1639_s16_q;
-  logic or_1643_s16_q;
-  logic equal_1663_s16_q;
-  logic and_1673_s16_q;
-  logic select_1690_s16_q;
-  logic equal_1691_s16_q;
+  logic equal_1632_s16_q;
+  logic equal_1634_s16_q;
+  logic equal_1636_s16_q;
+  logic less_1645_s16_q;
+  logic or_1649_s16_q;
+  logic equal_1669_s16_q;
+  logic and_1679_s16_q;
+  logic select_1696_s16_q;
+  logic equal_1697_s16_q;
   logic [22:0] patches_choices_rdata_s16_q;
-  logic and_1699_s16_q;
-  logic equal_1701_s16_q;
-  logic and_1738_s16_q;
-  logic [7:0] select_1745_s16_q;
-  logic [5:0] select_1750_s16_q;
-  logic [7:0] select_1776_s16_q;
-  logic and_1783_s16_q;
-  logic and_1784_s16_q;
-  logic equal_1785_s16_q;
-  logic equal_1787_s16_q;
-  logic equal_1790_s16_q;
-  logic or_1791_s16_q;
-  logic not_1792_s16_q;
-  logic and_1800_s16_q;
-  logic [4:0] select_1815_s16_q;
-  logic select_1821_s16_q;
-  logic [3:0] select_1859_s16_q;
-  logic less_1875_s16_q;
+  logic and_1705_s16_q;
+  logic equal_1707_s16_q;
+  logic and_1744_s16_q;
+  logic [7:0] select_1751_s16_q;
+  logic [5:0] select_1756_s16_q;
+  logic [7:0] select_1782_s16_q;
+  logic and_1789_s16_q;
+  logic and_1790_s16_q;
+  logic equal_1791_s16_q;
+  logic equal_1793_s16_q;
+  logic equal_1796_s16_q;
+  logic or_1797_s16_q;
+  logic not_1798_s16_q;
+  logic and_1806_s16_q;
+  logic [4:0] select_1821_s16_q;
+  logic select_1827_s16_q;
+  logic [3:0] select_1865_s16_q;
+  logic less_1881_s16_q;
   logic new_row_s16_q;
-  logic or_1888_s16_q;
+  logic or_1894_s16_q;
   logic [27:0] patches_right_codes_rdata_s16_q;
   logic [1:0] of_row_2_s16_q;
   logic down_2_s16_q;
-  logic sum_1902_s16_q;
-  logic [12:0] sum_1903_s16_q;
-  logic [14:0] difference_1923_s16_q;
-  logic and_1948_s16_q;
+  logic sum_1908_s16_q;
+  logic [12:0] sum_1909_s16_q;
+  logic [14:0] difference_1929_s16_q;
+  logic and_1954_s16_q;
   logic [47:0] patches_left_codes_rdata_s16_q;
-  logic and_1957_s16_q;
-  logic and_1962_s16_q;
-  logic or_1980_s16_q;
-  logic or_1983_s16_q;
+  logic and_1963_s16_q;
+  logic and_1968_s16_q;
   logic or_1986_s16_q;
-  logic not_1988_s16_q;
+  logic or_1989_s16_q;
+  logic or_1992_s16_q;
+  logic not_1994_s16_q;
   logic [29:0] regions_rdata_s16_q;
   logic textured_s16_q;
   logic explained_s16_q;
-  logic and_2015_s16_q;
-  logic and_2020_s16_q;
-  logic and_2061_s16_q;
-  logic and_2062_s16_q;
-  logic [1:0] sum_2066_s16_q;
-  logic or_2078_s16_q;
-  logic or_2081_s16_q;
-  logic or_2084_s16_q;
-  logic and_2095_s16_q;
-  logic [2:0] sum_2101_s16_q;
-  logic and_2111_s16_q;
-  logic [2:0] sum_2117_s16_q;
-  logic and_2134_s16_q;
-  logic sum_2171_s16_q;
-  logic [9:0] difference_2172_s16_q;
-  logic sum_2179_s16_q;
-  logic [9:0] difference_2180_s16_q;
-  logic difference_2252_s16_q;
-  logic [8:0] xor_2253_s16_q;
-  logic difference_2255_s16_q;
-  logic [8:0] xor_2256_s16_q;
-  logic difference_2259_s16_q;
-  logic [8:0] xor_2260_s16_q;
-  logic difference_2263_s16_q;
-  logic [8:0] xor_2264_s16_q;
-  logic difference_2267_s16_q;
-  logic [8:0] xor_2268_s16_q;
-  logic equal_2277_s16_q;
-  logic equal_2292_s16_q;
-  logic difference_2363_s16_q;
-  logic [8:0] xor_2364_s16_q;
-  logic difference_2375_s16_q;
-  logic [8:0] xor_2376_s16_q;
-  logic equal_2466_s16_q;
-  logic and_2591_s16_q;
-  logic and_2597_s16_q;
-  logic and_2602_s16_q;
-  logic not_2616_s16_q;
-  logic and_2617_s16_q;
-  logic [2:0] sum_2623_s16_q;
-  logic and_2693_s16_q;
-  logic and_2710_s16_q;
-  logic and_2717_s16_q;
-  logic and_2751_s16_q;
-  logic and_2752_s16_q;
+  logic and_2021_s16_q;
+  logic and_2026_s16_q;
+  logic not_2054_s16_q;
+  logic and_2068_s16_q;
+  logic and_2069_s16_q;
+  logic [1:0] sum_2073_s16_q;
+  logic or_2085_s16_q;
+  logic or_2088_s16_q;
+  logic or_2091_s16_q;
+  logic and_2103_s16_q;
+  logic [2:0] sum_2109_s16_q;
+  logic and_2119_s16_q;
+  logic [2:0] sum_2125_s16_q;
+  logic and_2143_s16_q;
+  logic sum_2180_s16_q;
+  logic [9:0] difference_2181_s16_q;
+  logic sum_2188_s16_q;
+  logic [9:0] difference_2189_s16_q;
+  logic difference_2261_s16_q;
+  logic [8:0] xor_2262_s16_q;
+  logic difference_2264_s16_q;
+  logic [8:0] xor_2265_s16_q;
+  logic difference_2268_s16_q;
+  logic [8:0] xor_2269_s16_q;
+  logic difference_2272_s16_q;
+  logic [8:0] xor_2273_s16_q;
+  logic difference_2276_s16_q;
+  logic [8:0] xor_2277_s16_q;
+  logic equal_2286_s16_q;
+  logic equal_2301_s16_q;
+  logic difference_2372_s16_q;
+  logic [8:0] xor_2373_s16_q;
+  logic difference_2384_s16_q;
+  logic [8:0] xor_2385_s16_q;
+  logic equal_2475_s16_q;
+  logic and_2610_s16_q;
+  logic and_2616_s16_q;
+  logic and_2621_s16_q;
+  logic not_2635_s16_q;
+  logic [2:0] explained_2_s16_q;
+  logic and_2712_s16_q;
+  logic and_2730_s16_q;
+  logic and_2737_s16_q;
+  logic and_2771_s16_q;
+  logic and_2772_s16_q;
   logic [7:0] residual_s16_q;
-  logic less_2787_s16_q;
-  logic less_2801_s16_q;
-  logic equal_2845_s16_q;
-  logic and_2990_s16_q;
-  logic less_3116_s16_q;
-  logic equal_3459_s16_q;
-  logic [9:0] select_3545_s16_q;
-  logic [4:0] select_3546_s16_q;
-  logic [4:0] select_3547_s16_q;
-  logic equal_3556_s16_q;
-  logic less_3584_s16_q;
+  logic less_2807_s16_q;
+  logic less_2821_s16_q;
+  logic equal_2864_s16_q;
+  logic and_3009_s16_q;
+  logic less_3135_s16_q;
+  logic equal_3478_s16_q;
+  logic [9:0] select_3564_s16_q;
+  logic [4:0] select_3565_s16_q;
+  logic [4:0] select_3566_s16_q;
+  logic equal_3575_s16_q;
+  logic less_3603_s16_q;
   logic [9:0] eight_s16_q;
   logic [9:0] fall_2_s16_q;
-  logic equal_3652_s16_q;
-  logic and_3867_s16_q;
-  logic equal_3886_s16_q;
-  logic equal_3888_s16_q;
-  logic equal_3889_s16_q;
-  logic equal_3890_s16_q;
-  logic equal_3891_s16_q;
-  logic equal_3917_s16_q;
+  logic equal_3671_s16_q;
+  logic and_3886_s16_q;
+  logic equal_3902_s16_q;
+  logic equal_3905_s16_q;
+  logic equal_3907_s16_q;
+  logic equal_3908_s16_q;
+  logic equal_3909_s16_q;
+  logic equal_3910_s16_q;
+  logic equal_3936_s16_q;
   logic [13:0] of_s16_q;
-  logic equal_4031_s16_q;
-  logic equal_4127_s16_q;
+  logic or_4052_s16_q;
+  logic and_4066_s16_q;
+  logic and_4083_s16_q;
+  logic not_4095_s16_q;
+  logic equal_4148_s16_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s16_q <= pixel_0_s15_q;
@@ -6925,6 +7099,7 @@ module horopter_agreement (
       slot_s16_q <= slot_s15_q;
       ends_cell_s16_q <= ends_cell_s15_q;
       lower_half_s16_q <= lower_half_s15_q;
+      draws_late_s16_q <= draws_late_s15_q;
       counts_textured_s16_q <= counts_textured_q;
       registration_of_right_s16_q <= registration_of_right_s15_q;
       patches_choosing_band_s16_q <= patches_choosing_band_s15_q;
@@ -6942,28 +7117,24 @@ module horopter_agreement (
       segment_started_s16_q <= segment_started_q;
       centres_values_1_textured_s16_q <= centres_values_1_textured_s15_q;
       centres_values_1_of_skin_s16_q <= centres_values_1_of_skin_s15_q;
-      select_509_s16_q <= select_509_s15_q;
+      done_s16_q <= done_s15_q;
+      select_511_s16_q <= select_511_s15_q;
       row_starts_s16_q <= row_starts_s15_q;
-      select_544_s16_q <= select_544_s15_q;
+      select_546_s16_q <= select_546_s15_q;
       last_s16_q <= last_s15_q;
-      and_548_s16_q <= and_548_s15_q;
       and_550_s16_q <= and_550_s15_q;
-      equal_553_s16_q <= equal_553_s15_q;
+      and_552_s16_q <= and_552_s15_q;
+      equal_555_s16_q <= equal_555_s15_q;
       whole_2_s16_q <= whole_2_s15_q;
-      equal_570_s16_q <= equal_570_s15_q;
-      equal_575_s16_q <= equal_575_s15_q;
-      not_576_s16_q <= not_576_s15_q;
-      so_s16_q <= so_s15_q;
+      equal_572_s16_q <= equal_572_s15_q;
+      equal_577_s16_q <= equal_577_s15_q;
       not_578_s16_q <= not_578_s15_q;
-      equal_579_s16_q <= equal_579_s15_q;
+      so_s16_q <= so_s15_q;
+      not_580_s16_q <= not_580_s15_q;
+      equal_581_s16_q <= equal_581_s15_q;
       inside_v_s16_q <= inside_v_s15_q;
       x_s16_2_q <= x_s15_2_q;
       right_s16_q <= right_s15_q;
-      less_653_s16_q <= less_653;
-      less_654_s16_q <= less_654;
-      less_655_s16_q <= less_655;
-      less_656_s16_q <= less_656;
-      less_657_s16_q <= less_657;
       less_658_s16_q <= less_658;
       less_659_s16_q <= less_659;
       less_660_s16_q <= less_660;
@@ -6983,164 +7154,173 @@ module horopter_agreement (
       less_674_s16_q <= less_674;
       less_675_s16_q <= less_675;
       less_676_s16_q <= less_676;
-      and_684_s16_q <= select_682[4] & select_683[3];
-      and_688_s16_q <= and_688;
-      difference_711_s16_q <= difference_711[9];
-      xor_712_s16_q <= difference_711[8:0] ^ {9{difference_711[9]}};
-      difference_714_s16_q <= difference_714[9];
-      xor_715_s16_q <= difference_714[8:0] ^ {9{difference_714[9]}};
-      difference_718_s16_q <= difference_718[9];
-      xor_719_s16_q <= difference_718[8:0] ^ {9{difference_718[9]}};
-      difference_722_s16_q <= difference_722[9];
-      xor_723_s16_q <= difference_722[8:0] ^ {9{difference_722[9]}};
-      difference_726_s16_q <= difference_726[9];
-      xor_727_s16_q <= difference_726[8:0] ^ {9{difference_726[9]}};
+      less_677_s16_q <= less_677;
+      less_678_s16_q <= less_678;
+      less_679_s16_q <= less_679;
+      less_680_s16_q <= less_680;
+      less_681_s16_q <= less_681;
+      and_689_s16_q <= select_687[4] & select_688[3];
+      and_693_s16_q <= and_693;
+      difference_716_s16_q <= difference_716[9];
+      xor_717_s16_q <= difference_716[8:0] ^ {9{difference_716[9]}};
+      difference_719_s16_q <= difference_719[9];
+      xor_720_s16_q <= difference_719[8:0] ^ {9{difference_719[9]}};
+      difference_723_s16_q <= difference_723[9];
+      xor_724_s16_q <= difference_723[8:0] ^ {9{difference_723[9]}};
+      difference_727_s16_q <= difference_727[9];
+      xor_728_s16_q <= difference_727[8:0] ^ {9{difference_727[9]}};
+      difference_731_s16_q <= difference_731[9];
+      xor_732_s16_q <= difference_731[8:0] ^ {9{difference_731[9]}};
       half_grey_levels_s16_q <= half_grey_levels;
       half_grey_levels_2_s16_q <= half_grey_levels_2;
-      select_1518_s16_q <= or_1517_s15_q ? run_shift_s15_q : best_left_rdata_s15_q[5:0];
-      select_1523_s16_q <= or_1517_s15_q ? select_1522_s15_q : best_left_rdata_s15_q[8:6];
-      select_1524_s16_q <= or_1517_s15_q ? of_best_s15_q : best_left_rdata_s15_q[16:9];
-      select_1532_s16_q <= or_1517_s15_q ? select_1531_s15_q : best_left_rdata_s15_q[24:17];
-      select_1535_s16_q <= or_1517_s15_q ? select_1534_s15_q : best_left_rdata_s15_q[32:25];
-      select_1553_s16_q <= select_1553_s15_q;
-      select_1555_s16_q <= select_1555_s15_q;
-      select_1558_s16_q <= select_1558_s15_q;
+      select_1524_s16_q <= or_1523_s15_q ? run_shift_s15_q : best_left_rdata_s15_q[5:0];
+      select_1529_s16_q <= or_1523_s15_q ? select_1528_s15_q : best_left_rdata_s15_q[8:6];
+      select_1530_s16_q <= or_1523_s15_q ? of_best_s15_q : best_left_rdata_s15_q[16:9];
+      select_1538_s16_q <= or_1523_s15_q ? select_1537_s15_q : best_left_rdata_s15_q[24:17];
+      select_1541_s16_q <= or_1523_s15_q ? select_1540_s15_q : best_left_rdata_s15_q[32:25];
+      select_1559_s16_q <= select_1559_s15_q;
       select_1561_s16_q <= select_1561_s15_q;
-      and_1562_s16_q <= and_1562_s15_q;
-      select_1567_s16_q <= or_1566_s15_q ? of_best_s15_q : best_right_rdata_s15_q[7:0];
-      select_1568_s16_q <= or_1566_s15_q ? x_s15_2_q : best_right_rdata_s15_q[14:8];
-      select_1571_s16_q <= select_1571_s15_q;
-      select_1572_s16_q <= select_1572_s15_q;
-      and_1595_s16_q <= not_588_s15_q & and_1594;
-      and_1598_s16_q <= and_1598;
-      and_1601_s16_q <= and_1601_s15_q;
-      and_1604_s16_q <= not_588_s15_q & and_1603;
-      and_1607_s16_q <= and_1607;
-      equal_1608_s16_q <= equal_1608_s15_q;
+      select_1564_s16_q <= select_1564_s15_q;
+      select_1567_s16_q <= select_1567_s15_q;
+      and_1568_s16_q <= and_1568_s15_q;
+      select_1573_s16_q <= or_1572_s15_q ? of_best_s15_q : best_right_rdata_s15_q[7:0];
+      select_1574_s16_q <= or_1572_s15_q ? x_s15_2_q : best_right_rdata_s15_q[14:8];
+      select_1577_s16_q <= select_1577_s15_q;
+      select_1578_s16_q <= select_1578_s15_q;
+      and_1601_s16_q <= not_590_s15_q & and_1600;
+      and_1604_s16_q <= and_1604;
+      and_1607_s16_q <= and_1607_s15_q;
+      and_1610_s16_q <= not_590_s15_q & and_1609;
+      and_1613_s16_q <= and_1613;
+      equal_1614_s16_q <= equal_1614_s15_q;
       all_s16_q <= all_s15_q;
-      sum_1614_s16_q <= sum_1614_s15_q;
-      equal_1616_s16_q <= equal_1616_s15_q;
-      equal_1618_s16_q <= equal_1618_s15_q;
-      equal_1620_s16_q <= equal_1620_s15_q;
+      sum_1620_s16_q <= sum_1620_s15_q;
       equal_1622_s16_q <= equal_1622_s15_q;
       equal_1624_s16_q <= equal_1624_s15_q;
       equal_1626_s16_q <= equal_1626_s15_q;
       equal_1628_s16_q <= equal_1628_s15_q;
       equal_1630_s16_q <= equal_1630_s15_q;
-      less_1639_s16_q <= less_1639_s15_q;
-      or_1643_s16_q <= or_1643_s15_q;
-      equal_1663_s16_q <= (registration_fresh_q & select_1661_s15_q) == 4'h0;
-      and_1673_s16_q <= not_576_s15_q & and_1657;
-      select_1690_s16_q <= select_1690_s15_q;
-      equal_1691_s16_q <= equal_1691_s15_q;
+      equal_1632_s16_q <= equal_1632_s15_q;
+      equal_1634_s16_q <= equal_1634_s15_q;
+      equal_1636_s16_q <= equal_1636_s15_q;
+      less_1645_s16_q <= less_1645_s15_q;
+      or_1649_s16_q <= or_1649_s15_q;
+      equal_1669_s16_q <= (registration_fresh_q & select_1667_s15_q) == 4'h0;
+      and_1679_s16_q <= not_578_s15_q & and_1663;
+      select_1696_s16_q <= select_1696_s15_q;
+      equal_1697_s16_q <= equal_1697_s15_q;
       patches_choices_rdata_s16_q <= patches_choices_rdata_q;
-      and_1699_s16_q <= and_1699_s15_q;
-      equal_1701_s16_q <= equal_1701_s15_q;
-      and_1738_s16_q <= and_1738;
-      select_1745_s16_q <= equal_575_s15_q ? 8'h0 : select_1744;
-      select_1750_s16_q <= select_1750_s15_q;
-      select_1776_s16_q <= select_1776_s15_q;
-      and_1783_s16_q <= and_1783_s15_q;
-      and_1784_s16_q <= and_1784_s15_q;
-      equal_1785_s16_q <= equal_1785_s15_q;
-      equal_1787_s16_q <= equal_1787_s15_q;
-      equal_1790_s16_q <= equal_1790_s15_q;
-      or_1791_s16_q <= or_1791_s15_q;
-      not_1792_s16_q <= not_1792_s15_q;
-      and_1800_s16_q <= and_1800_s15_q;
-      select_1815_s16_q <= select_1815_s15_q;
+      and_1705_s16_q <= and_1705_s15_q;
+      equal_1707_s16_q <= equal_1707_s15_q;
+      and_1744_s16_q <= and_1744;
+      select_1751_s16_q <= equal_577_s15_q ? 8'h0 : select_1750;
+      select_1756_s16_q <= select_1756_s15_q;
+      select_1782_s16_q <= select_1782_s15_q;
+      and_1789_s16_q <= and_1789_s15_q;
+      and_1790_s16_q <= and_1790_s15_q;
+      equal_1791_s16_q <= equal_1791_s15_q;
+      equal_1793_s16_q <= equal_1793_s15_q;
+      equal_1796_s16_q <= equal_1796_s15_q;
+      or_1797_s16_q <= or_1797_s15_q;
+      not_1798_s16_q <= not_1798_s15_q;
+      and_1806_s16_q <= and_1806_s15_q;
       select_1821_s16_q <= select_1821_s15_q;
-      select_1859_s16_q <= select_1859_s15_q;
-      less_1875_s16_q <= less_1875_s15_q;
+      select_1827_s16_q <= select_1827_s15_q;
+      select_1865_s16_q <= select_1865_s15_q;
+      less_1881_s16_q <= less_1881_s15_q;
       new_row_s16_q <= new_row_s15_q;
-      or_1888_s16_q <= or_1888_s15_q;
+      or_1894_s16_q <= or_1894_s15_q;
       patches_right_codes_rdata_s16_q <= patches_right_codes_rdata_q;
       of_row_2_s16_q <= of_row_2_s15_q;
       down_2_s16_q <= down_2_s15_q[0];
-      sum_1902_s16_q <= sum_1902[0];
-      sum_1903_s16_q <= sum_1903;
-      difference_1923_s16_q <= difference_1923;
-      and_1948_s16_q <= and_1948_s15_q;
+      sum_1908_s16_q <= sum_1908[0];
+      sum_1909_s16_q <= sum_1909;
+      difference_1929_s16_q <= difference_1929;
+      and_1954_s16_q <= and_1954_s15_q;
       patches_left_codes_rdata_s16_q <= patches_left_codes_rdata_q;
-      and_1957_s16_q <= and_1957_s15_q;
-      and_1962_s16_q <= and_1962_s15_q;
-      or_1980_s16_q <= or_1980_s15_q;
-      or_1983_s16_q <= or_1983_s15_q;
+      and_1963_s16_q <= and_1963_s15_q;
+      and_1968_s16_q <= and_1968_s15_q;
       or_1986_s16_q <= or_1986_s15_q;
-      not_1988_s16_q <= not_1988_s15_q;
+      or_1989_s16_q <= or_1989_s15_q;
+      or_1992_s16_q <= or_1992_s15_q;
+      not_1994_s16_q <= not_1994_s15_q;
       regions_rdata_s16_q <= regions_rdata_q;
       textured_s16_q <= textured_s15_q;
-      explained_s16_q <= explained;
-      and_2015_s16_q <= inside_v_s15_q & (and_2013_s15_q & and_1586_s15_q);
-      and_2020_s16_q <= and_2020_s15_q;
-      and_2061_s16_q <= and_2061_s15_q;
-      and_2062_s16_q <= seen_columns_rdata_s15_q[9] & inside_v_s15_q;
-      sum_2066_s16_q <= sum_2066;
-      or_2078_s16_q <= or_2078_s15_q;
-      or_2081_s16_q <= or_2081_s15_q;
-      or_2084_s16_q <= or_2084_s15_q;
-      and_2095_s16_q <= and_2095_s15_q;
-      sum_2101_s16_q <= {2'h0, and_2096} + {1'b0, sum_2100};
-      and_2111_s16_q <= and_2111_s15_q;
-      sum_2117_s16_q <= {2'h0, and_2112} + {1'b0, sum_2116};
-      and_2134_s16_q <= and_2134_s15_q;
-      sum_2171_s16_q <= sum_2171[0];
-      difference_2172_s16_q <= {1'b0, sum_2171[9:1]} - {1'b0, averager_quarter_1_0_q};
-      sum_2179_s16_q <= sum_2179[0];
-      difference_2180_s16_q <= {1'b0, sum_2179[9:1]} - {1'b0, averager_quarter_1_1_q};
-      difference_2252_s16_q <= difference_2252[9];
-      xor_2253_s16_q <= difference_2252[8:0] ^ {9{difference_2252[9]}};
-      difference_2255_s16_q <= difference_2255[9];
-      xor_2256_s16_q <= difference_2255[8:0] ^ {9{difference_2255[9]}};
-      difference_2259_s16_q <= difference_2259[9];
-      xor_2260_s16_q <= difference_2259[8:0] ^ {9{difference_2259[9]}};
-      difference_2263_s16_q <= difference_2263[9];
-      xor_2264_s16_q <= difference_2263[8:0] ^ {9{difference_2263[9]}};
-      difference_2267_s16_q <= difference_2267[9];
-      xor_2268_s16_q <= difference_2267[8:0] ^ {9{difference_2267[9]}};
-      equal_2277_s16_q <= equal_2277_s15_q;
-      equal_2292_s16_q <= equal_2292;
-      difference_2363_s16_q <= difference_2363[9];
-      xor_2364_s16_q <= difference_2363[8:0] ^ {9{difference_2363[9]}};
-      difference_2375_s16_q <= difference_2375[9];
-      xor_2376_s16_q <= difference_2375[8:0] ^ {9{difference_2375[9]}};
-      equal_2466_s16_q <= equal_2466_s15_q;
-      and_2591_s16_q <= and_2591;
-      and_2597_s16_q <= and_2597_s15_q;
-      and_2602_s16_q <= and_2602;
-      not_2616_s16_q <= not_2616_s15_q;
-      and_2617_s16_q <= and_2617_s15_q;
-      sum_2623_s16_q <= {2'h0, and_2618} + {1'b0, sum_2622};
-      and_2693_s16_q <= not_576_s15_q & (so_s15_q & (ends_cell_s15_q & and_2690_s15_q));
-      and_2710_s16_q <= not_576_s15_q & (so_s15_q & and_2708);
-      and_2717_s16_q <= not_576_s15_q & (so_s15_q & and_2715);
-      and_2751_s16_q <= and_2751_s15_q;
-      and_2752_s16_q <= and_2752_s15_q;
+      explained_s16_q <= explained_s15_q;
+      and_2021_s16_q <= inside_v_s15_q & (and_2019_s15_q & and_1592_s15_q);
+      and_2026_s16_q <= and_2026_s15_q;
+      not_2054_s16_q <= not_2054_s15_q;
+      and_2068_s16_q <= and_2068_s15_q;
+      and_2069_s16_q <= seen_columns_rdata_s15_q[9] & inside_v_s15_q;
+      sum_2073_s16_q <= sum_2073;
+      or_2085_s16_q <= or_2085_s15_q;
+      or_2088_s16_q <= or_2088_s15_q;
+      or_2091_s16_q <= or_2091_s15_q;
+      and_2103_s16_q <= and_2103_s15_q;
+      sum_2109_s16_q <= {2'h0, and_2104} + {1'b0, sum_2108};
+      and_2119_s16_q <= and_2119_s15_q;
+      sum_2125_s16_q <= {2'h0, and_2120} + {1'b0, sum_2124};
+      and_2143_s16_q <= and_2143_s15_q;
+      sum_2180_s16_q <= sum_2180[0];
+      difference_2181_s16_q <= {1'b0, sum_2180[9:1]} - {1'b0, averager_quarter_1_0_q};
+      sum_2188_s16_q <= sum_2188[0];
+      difference_2189_s16_q <= {1'b0, sum_2188[9:1]} - {1'b0, averager_quarter_1_1_q};
+      difference_2261_s16_q <= difference_2261[9];
+      xor_2262_s16_q <= difference_2261[8:0] ^ {9{difference_2261[9]}};
+      difference_2264_s16_q <= difference_2264[9];
+      xor_2265_s16_q <= difference_2264[8:0] ^ {9{difference_2264[9]}};
+      difference_2268_s16_q <= difference_2268[9];
+      xor_2269_s16_q <= difference_2268[8:0] ^ {9{difference_2268[9]}};
+      difference_2272_s16_q <= difference_2272[9];
+      xor_2273_s16_q <= difference_2272[8:0] ^ {9{difference_2272[9]}};
+      difference_2276_s16_q <= difference_2276[9];
+      xor_2277_s16_q <= difference_2276[8:0] ^ {9{difference_2276[9]}};
+      equal_2286_s16_q <= equal_2286_s15_q;
+      equal_2301_s16_q <= equal_2301;
+      difference_2372_s16_q <= difference_2372[9];
+      xor_2373_s16_q <= difference_2372[8:0] ^ {9{difference_2372[9]}};
+      difference_2384_s16_q <= difference_2384[9];
+      xor_2385_s16_q <= difference_2384[8:0] ^ {9{difference_2384[9]}};
+      equal_2475_s16_q <= equal_2475_s15_q;
+      and_2610_s16_q <= and_2610;
+      and_2616_s16_q <= and_2616_s15_q;
+      and_2621_s16_q <= and_2621;
+      not_2635_s16_q <= not_2635_s15_q;
+      explained_2_s16_q <= explained_2;
+      and_2712_s16_q <= not_578_s15_q & (so_s15_q & (ends_cell_s15_q & and_2709_s15_q));
+      and_2730_s16_q <= and_2730_s15_q;
+      and_2737_s16_q <= and_2737_s15_q;
+      and_2771_s16_q <= and_2771_s15_q;
+      and_2772_s16_q <= and_2772_s15_q;
       residual_s16_q <= residual_s15_q[7:0];
-      less_2787_s16_q <= $signed(difference_2786) < $signed({7'h0, cfg_moved_limit_i});
-      less_2801_s16_q <= less_2801;
-      equal_2845_s16_q <= (registration_fresh_q & select_2843) == 4'h0;
-      and_2990_s16_q <= and_2990_s15_q;
-      less_3116_s16_q <= less_3116_s15_q;
-      equal_3459_s16_q <= equal_3459_s15_q;
-      select_3545_s16_q <= select_3545_s15_q;
-      select_3546_s16_q <= select_3546_s15_q;
-      select_3547_s16_q <= select_3547_s15_q;
-      equal_3556_s16_q <= equal_3556_s15_q;
-      less_3584_s16_q <= less_3584_s15_q;
+      less_2807_s16_q <= $signed(difference_2806) < $signed({7'h0, cfg_moved_limit_i});
+      less_2821_s16_q <= less_2821;
+      equal_2864_s16_q <= (registration_fresh_q & select_2862) == 4'h0;
+      and_3009_s16_q <= and_3009_s15_q;
+      less_3135_s16_q <= less_3135_s15_q;
+      equal_3478_s16_q <= equal_3478_s15_q;
+      select_3564_s16_q <= select_3564_s15_q;
+      select_3565_s16_q <= select_3565_s15_q;
+      select_3566_s16_q <= select_3566_s15_q;
+      equal_3575_s16_q <= equal_3575_s15_q;
+      less_3603_s16_q <= less_3603_s15_q;
       eight_s16_q <= eight;
       fall_2_s16_q <= fall_2;
-      equal_3652_s16_q <= equal_3652;
-      and_3867_s16_q <= equal_3866_s15_q & equal_3652;
-      equal_3886_s16_q <= equal_3886_s15_q;
-      equal_3888_s16_q <= equal_3888;
-      equal_3889_s16_q <= equal_3889_s15_q;
-      equal_3890_s16_q <= equal_3890_s15_q;
-      equal_3891_s16_q <= equal_3891_s15_q;
-      equal_3917_s16_q <= (limit & select_3915) == 8'h0;
+      equal_3671_s16_q <= equal_3671;
+      and_3886_s16_q <= equal_3885_s15_q & equal_3671;
+      equal_3902_s16_q <= equal_3902_s15_q;
+      equal_3905_s16_q <= equal_3905_s15_q;
+      equal_3907_s16_q <= equal_3907;
+      equal_3908_s16_q <= equal_3908_s15_q;
+      equal_3909_s16_q <= equal_3909_s15_q;
+      equal_3910_s16_q <= equal_3910_s15_q;
+      equal_3936_s16_q <= (limit & select_3934) == 8'h0;
       of_s16_q <= of;
-      equal_4031_s16_q <= equal_4031_s15_q;
-      equal_4127_s16_q <= (registration_fresh_q & select_4125) == 4'h0;
+      or_4052_s16_q <= or_4052_s15_q;
+      and_4066_s16_q <= and_4066_s15_q;
+      and_4083_s16_q <= and_4083_s15_q;
+      not_4095_s16_q <= not_4095_s15_q;
+      equal_4148_s16_q <= (registration_fresh_q & select_4146) == 4'h0;
     end
   end
 
@@ -7187,9 +7367,9 @@ module horopter_agreement (
   logic [12:0] rows_passed_q;
   logic [8:0] columns_passed_q;
   logic line_ended_q;
-  // hls/stages/agreement.hpp:456
+  // hls/stages/agreement.hpp:460
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_688_s16_q;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_693_s16_q;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_s16_q & whole_3;
   logic whole_5;
@@ -7203,260 +7383,259 @@ module horopter_agreement (
   logic whole_9;
   assign whole_9 = census_columns_values_1_cell_1_mask_q & whole_8;
   // hls/stages/census.hpp:284
-  logic [9:0] sum_713;
-  assign sum_713 = {9'h0, difference_711_s16_q} + {1'b0, xor_712_s16_q};
-  logic [9:0] sum_716;
-  assign sum_716 = {9'h0, difference_714_s16_q} + {1'b0, xor_715_s16_q};
+  logic [9:0] sum_718;
+  assign sum_718 = {9'h0, difference_716_s16_q} + {1'b0, xor_717_s16_q};
+  logic [9:0] sum_721;
+  assign sum_721 = {9'h0, difference_719_s16_q} + {1'b0, xor_720_s16_q};
   // hls/stages/moments.hpp:30
-  logic [6:0] sum_738;
-  assign sum_738 = {half_grey_levels_s16_q[9], half_grey_levels_s16_q[9:4]} + 7'h7f;
-  logic less_739;
-  assign less_739 = {{5{sum_738[6]}}, sum_738, half_grey_levels_s16_q[3:0]} < 16'hffe1;
-  logic [6:0] sum_744;
-  assign sum_744 = {half_grey_levels_2_s16_q[9], half_grey_levels_2_s16_q[9:4]} + 7'h7f;
-  logic less_745;
-  assign less_745 = {{5{sum_744[6]}}, sum_744, half_grey_levels_2_s16_q[3:0]} < 16'hffe1;
+  logic [6:0] sum_743;
+  assign sum_743 = {half_grey_levels_s16_q[9], half_grey_levels_s16_q[9:4]} + 7'h7f;
+  logic less_744;
+  assign less_744 = {{5{sum_743[6]}}, sum_743, half_grey_levels_s16_q[3:0]} < 16'hffe1;
+  logic [6:0] sum_749;
+  assign sum_749 = {half_grey_levels_2_s16_q[9], half_grey_levels_2_s16_q[9:4]} + 7'h7f;
+  logic less_750;
+  assign less_750 = {{5{sum_749[6]}}, sum_749, half_grey_levels_2_s16_q[3:0]} < 16'hffe1;
   // hls/stages/patches.hpp:157
-  logic and_1740;
-  assign and_1740 = and_1738_s16_q & (~patches_fixed_q);
+  logic and_1746;
+  assign and_1746 = and_1744_s16_q & (~patches_fixed_q);
   // hls/stages/patches.hpp:348
-  logic select_1741;
-  assign select_1741 = and_1740 ? and_1738_s16_q : patches_choice_valid_q;
-  logic [7:0] select_1746;
-  assign select_1746 = and_1740 ? select_1745_s16_q : patches_choice_column_q;
-  logic [5:0] select_1751;
-  assign select_1751 = and_1740 ? select_1750_s16_q : patches_choice_shift_q;
-  logic [7:0] select_1777;
-  assign select_1777 = and_1740 ? select_1776_s16_q : patches_choice_slope_q;
+  logic select_1747;
+  assign select_1747 = and_1746 ? and_1744_s16_q : patches_choice_valid_q;
+  logic [7:0] select_1752;
+  assign select_1752 = and_1746 ? select_1751_s16_q : patches_choice_column_q;
+  logic [5:0] select_1757;
+  assign select_1757 = and_1746 ? select_1756_s16_q : patches_choice_shift_q;
+  logic [7:0] select_1783;
+  assign select_1783 = and_1746 ? select_1782_s16_q : patches_choice_slope_q;
   // hls/stages/patches.hpp:357
-  logic [22:0] select_1801;
-  assign select_1801 = and_1800_s16_q ? {select_1777, select_1751, select_1746, select_1741} : patches_choices_rdata_s16_q;
+  logic [22:0] select_1807;
+  assign select_1807 = and_1806_s16_q ? {select_1783, select_1757, select_1752, select_1747} : patches_choices_rdata_s16_q;
   // hls/stages/patches.hpp:475
-  logic [14:0] sum_1904;
-  assign sum_1904 = {{4{patches_down_values_3_s16_q[10]}}, patches_down_values_3_s16_q} + {sum_1903_s16_q, sum_1902_s16_q, down_2_s16_q};
+  logic [14:0] sum_1910;
+  assign sum_1910 = {{4{patches_down_values_3_s16_q[10]}}, patches_down_values_3_s16_q} + {sum_1909_s16_q, sum_1908_s16_q, down_2_s16_q};
   // hls/stages/patches.hpp:454
-  logic and_1927;
-  assign and_1927 = difference_1923_s16_q[8] & (~(difference_1923_s16_q[7:0] == 8'h0));
+  logic and_1933;
+  assign and_1933 = difference_1929_s16_q[8] & (~(difference_1929_s16_q[7:0] == 8'h0));
   // hls/stages/patches.hpp:457
-  logic and_1931;
-  assign and_1931 = (~difference_1923_s16_q[14]) & (and_1927 | (~(difference_1923_s16_q[13:9] == 5'h0)));
+  logic and_1937;
+  assign and_1937 = (~difference_1929_s16_q[14]) & (and_1933 | (~(difference_1929_s16_q[13:9] == 5'h0)));
   // hls/stages/patches.hpp:453
-  logic and_1934;
-  assign and_1934 = difference_1923_s16_q[14] & (~(difference_1923_s16_q[13:8] == 6'h3f));
-  // hls/stages/agreement.hpp:900
-  logic [6:0] select_2001;
-  assign select_2001 = segment_started_s16_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:901
-  logic [6:0] sum_2002;
-  assign sum_2002 = {6'h0, textured_s16_q} + select_2001;
-  // hls/stages/agreement.hpp:1061
-  logic [9:0] sum_2004;
-  assign sum_2004 = {3'h0, sum_2002} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[9:0]);
-  // hls/stages/agreement.hpp:900
-  logic [6:0] select_2006;
-  assign select_2006 = segment_started_s16_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:901
-  logic [6:0] sum_2007;
-  assign sum_2007 = {6'h0, explained_s16_q} + select_2006;
-  // hls/stages/agreement.hpp:1062
-  logic [9:0] sum_2009;
-  assign sum_2009 = {3'h0, sum_2007} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[19:10]);
-  // hls/stages/agreement.hpp:900
-  logic [6:0] select_2016;
-  assign select_2016 = segment_started_s16_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:902
-  logic [6:0] sum_2017;
-  assign sum_2017 = {6'h0, and_2015_s16_q} + select_2016;
-  // hls/stages/agreement.hpp:1063
-  logic [9:0] sum_2019;
-  assign sum_2019 = {3'h0, sum_2017} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[29:20]);
-  // hls/stages/agreement.hpp:1275
-  logic or_2029;
-  assign or_2029 = marks_first_s16_q | line_ended_q;
-  // hls/stages/agreement.hpp:1277
-  logic [12:0] select_2031;
-  assign select_2031 = marks_first_s16_q ? 13'h1 : (or_2029 ? {rows_passed_q[11:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1276
-  logic [8:0] select_2033;
-  assign select_2033 = or_2029 ? 9'h0 : columns_passed_q;
+  logic and_1940;
+  assign and_1940 = difference_1929_s16_q[14] & (~(difference_1929_s16_q[13:8] == 6'h3f));
+  // hls/stages/agreement.hpp:907
+  logic [6:0] select_2007;
+  assign select_2007 = segment_started_s16_q ? segment_textured_q : 7'h0;
+  // hls/stages/agreement.hpp:908
+  logic [6:0] sum_2008;
+  assign sum_2008 = {6'h0, textured_s16_q} + select_2007;
+  // hls/stages/agreement.hpp:1068
+  logic [9:0] sum_2010;
+  assign sum_2010 = {3'h0, sum_2008} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[9:0]);
+  // hls/stages/agreement.hpp:907
+  logic [6:0] select_2012;
+  assign select_2012 = segment_started_s16_q ? segment_explained_q : 7'h0;
+  // hls/stages/agreement.hpp:908
+  logic [6:0] sum_2013;
+  assign sum_2013 = {6'h0, explained_s16_q} + select_2012;
+  // hls/stages/agreement.hpp:1069
+  logic [9:0] sum_2015;
+  assign sum_2015 = {3'h0, sum_2013} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[19:10]);
+  // hls/stages/agreement.hpp:907
+  logic [6:0] select_2022;
+  assign select_2022 = segment_started_s16_q ? segment_nearer_q : 7'h0;
+  // hls/stages/agreement.hpp:909
+  logic [6:0] sum_2023;
+  assign sum_2023 = {6'h0, and_2021_s16_q} + select_2022;
+  // hls/stages/agreement.hpp:1070
+  logic [9:0] sum_2025;
+  assign sum_2025 = {3'h0, sum_2023} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[29:20]);
+  // hls/stages/agreement.hpp:1283
+  logic or_2035;
+  assign or_2035 = marks_first_s16_q | line_ended_q;
+  // hls/stages/agreement.hpp:1285
+  logic [12:0] select_2037;
+  assign select_2037 = marks_first_s16_q ? 13'h1 : (or_2035 ? {rows_passed_q[11:0], 1'b1} : rows_passed_q);
   // hls/stages/agreement.hpp:1284
-  logic select_2035;
-  assign select_2035 = cfg_compete_i ? (or_2029 & select_2031[12]) : (select_2033[8] & select_2031[9]);
-  // hls/stages/agreement.hpp:1087
+  logic [8:0] select_2039;
+  assign select_2039 = or_2035 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:1292
+  logic select_2041;
+  assign select_2041 = cfg_compete_i ? (or_2035 & select_2037[12]) : (select_2039[8] & select_2037[9]);
+  // hls/stages/agreement.hpp:1094
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2061_s16_q} + ({2'h0, and_2062_s16_q} + {1'b0, sum_2066_s16_q});
-  // hls/stages/agreement.hpp:1089
-  logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2095_s16_q} + sum_2101_s16_q;
+  assign textured_2 = {2'h0, and_2068_s16_q} + ({2'h0, and_2069_s16_q} + {1'b0, sum_2073_s16_q});
   // hls/stages/agreement.hpp:1096
-  logic [2:0] select_2103;
-  assign select_2103 = age_s16_q ? box_shown_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:1090
-  logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2111_s16_q} + sum_2117_s16_q;
+  logic [2:0] shown_2;
+  assign shown_2 = {2'h0, and_2103_s16_q} + sum_2109_s16_q;
+  // hls/stages/agreement.hpp:1103
+  logic [2:0] select_2111;
+  assign select_2111 = age_s16_q ? box_shown_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:1097
-  logic [2:0] select_2119;
-  assign select_2119 = age_s16_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [2:0] near_2;
+  assign near_2 = {2'h0, and_2119_s16_q} + sum_2125_s16_q;
+  // hls/stages/agreement.hpp:1104
+  logic [2:0] select_2127;
+  assign select_2127 = age_s16_q ? box_nearer_columns_values_4_q : 3'h0;
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2173;
-  assign xor_2173 = {difference_2172_s16_q[8:0], sum_2171_s16_q} ^ {10{difference_2172_s16_q[9]}};
+  logic [9:0] xor_2182;
+  assign xor_2182 = {difference_2181_s16_q[8:0], sum_2180_s16_q} ^ {10{difference_2181_s16_q[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2172_s16_q[9]} + {1'b0, xor_2173};
-  logic [9:0] xor_2181;
-  assign xor_2181 = {difference_2180_s16_q[8:0], sum_2179_s16_q} ^ {10{difference_2180_s16_q[9]}};
+  assign size = {10'h0, difference_2181_s16_q[9]} + {1'b0, xor_2182};
+  logic [9:0] xor_2190;
+  assign xor_2190 = {difference_2189_s16_q[8:0], sum_2188_s16_q} ^ {10{difference_2189_s16_q[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2180_s16_q[9]} + {1'b0, xor_2181};
-  // hls/stages/agreement.hpp:520
-  logic select_2197;
-  assign select_2197 = and_550_s16_q ? whole_2_s16_q : census_columns_values_0_cell_0_mask_q;
-  logic select_2213;
-  assign select_2213 = and_550_s16_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic select_2216;
-  assign select_2216 = and_550_s16_q ? census_columns_values_0_cell_1_mask_s16_q : census_columns_values_1_cell_1_mask_q;
-  logic select_2223;
-  assign select_2223 = and_550_s16_q ? census_columns_values_0_cell_3_mask_s16_q : census_columns_values_1_cell_3_mask_q;
-  logic select_2226;
-  assign select_2226 = and_550_s16_q ? census_columns_values_0_cell_4_mask_s16_q : census_columns_values_1_cell_4_mask_q;
-  logic select_2229;
-  assign select_2229 = and_550_s16_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  assign size_2 = {10'h0, difference_2189_s16_q[9]} + {1'b0, xor_2190};
+  // hls/stages/agreement.hpp:527
+  logic select_2206;
+  assign select_2206 = and_552_s16_q ? whole_2_s16_q : census_columns_values_0_cell_0_mask_q;
+  logic select_2222;
+  assign select_2222 = and_552_s16_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic select_2225;
+  assign select_2225 = and_552_s16_q ? census_columns_values_0_cell_1_mask_s16_q : census_columns_values_1_cell_1_mask_q;
   logic select_2232;
-  assign select_2232 = and_550_s16_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  assign select_2232 = and_552_s16_q ? census_columns_values_0_cell_3_mask_s16_q : census_columns_values_1_cell_3_mask_q;
+  logic select_2235;
+  assign select_2235 = and_552_s16_q ? census_columns_values_0_cell_4_mask_s16_q : census_columns_values_1_cell_4_mask_q;
+  logic select_2238;
+  assign select_2238 = and_552_s16_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic select_2241;
+  assign select_2241 = and_552_s16_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
   // hls/stages/census.hpp:286
-  logic [9:0] sum_2254;
-  assign sum_2254 = {9'h0, difference_2252_s16_q} + {1'b0, xor_2253_s16_q};
-  logic [9:0] sum_2257;
-  assign sum_2257 = {9'h0, difference_2255_s16_q} + {1'b0, xor_2256_s16_q};
+  logic [9:0] sum_2263;
+  assign sum_2263 = {9'h0, difference_2261_s16_q} + {1'b0, xor_2262_s16_q};
+  logic [9:0] sum_2266;
+  assign sum_2266 = {9'h0, difference_2264_s16_q} + {1'b0, xor_2265_s16_q};
   // hls/stages/moments.hpp:54
-  logic [13:0] sum_2289;
-  assign sum_2289 = {13'h0, moments_turns_0_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_0_q);
-  logic [13:0] sum_2291;
-  assign sum_2291 = {13'h0, moments_turns_1_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_1_q);
-  // hls/stages/agreement.hpp:788
-  logic and_2332;
-  assign and_2332 = not_578_s16_q & (equal_579_s16_q & (inside_v_s16_q & and_1598_s16_q));
-  logic and_2336;
-  assign and_2336 = not_578_s16_q & (equal_579_s16_q & (inside_v_s16_q & and_1607_s16_q));
+  logic [13:0] sum_2298;
+  assign sum_2298 = {13'h0, moments_turns_0_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2300;
+  assign sum_2300 = {13'h0, moments_turns_1_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_1_q);
+  // hls/stages/agreement.hpp:795
+  logic and_2341;
+  assign and_2341 = not_580_s16_q & (equal_581_s16_q & (inside_v_s16_q & and_1604_s16_q));
+  logic and_2345;
+  assign and_2345 = not_580_s16_q & (equal_581_s16_q & (inside_v_s16_q & and_1613_s16_q));
   // hls/stages/census.hpp:371
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2363_s16_q} + xor_2364_s16_q;
+  assign contrast = {8'h0, difference_2372_s16_q} + xor_2373_s16_q;
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2375_s16_q} + xor_2376_s16_q;
-  // hls/stages/agreement.hpp:788
-  logic and_2607;
-  assign and_2607 = not_576_s16_q & (so_s16_q & (ends_cell_s16_q & explained_s16_q));
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_2609;
-  assign select_2609 = and_2591_s16_q ? 14'h0 : (counts_explained_q + {13'h0, and_2607});
-  // hls/stages/agreement.hpp:788
-  logic and_2612;
-  assign and_2612 = not_576_s16_q & (so_s16_q & (ends_cell_s16_q & and_2015_s16_q));
-  // hls/stages/agreement.hpp:1088
-  logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2617_s16_q} + sum_2623_s16_q;
-  // hls/stages/agreement.hpp:1095
-  logic [2:0] select_2625;
-  assign select_2625 = age_s16_q ? box_explained_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:1132
-  logic less_2641;
-  assign less_2641 = region_row_s16_q < x_s16_q[5:3];
+  assign contrast_2 = {8'h0, difference_2384_s16_q} + xor_2385_s16_q;
+  // hls/stages/agreement.hpp:795
+  logic and_2626;
+  assign and_2626 = not_578_s16_q & (so_s16_q & (ends_cell_s16_q & explained_s16_q));
+  // hls/stages/agreement.hpp:933
+  logic [13:0] select_2628;
+  assign select_2628 = and_2610_s16_q ? 14'h0 : (counts_explained_q + {13'h0, and_2626});
+  // hls/stages/agreement.hpp:795
+  logic and_2631;
+  assign and_2631 = not_578_s16_q & (so_s16_q & (ends_cell_s16_q & and_2021_s16_q));
+  // hls/stages/agreement.hpp:1102
+  logic [2:0] select_2644;
+  assign select_2644 = age_s16_q ? box_explained_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:1140
+  logic less_2660;
+  assign less_2660 = region_row_s16_q < x_s16_q[5:3];
   // hls/stages/patches.hpp:349
-  logic not_2980;
-  assign not_2980 = ~and_1783_s16_q;
+  logic not_2999;
+  assign not_2999 = ~and_1789_s16_q;
   // hls/stages/patches.hpp:509
   logic [27:0] word;
-  assign word = or_1888_s16_q ? patches_right_codes_rdata_s16_q : 28'h0;
+  assign word = or_1894_s16_q ? patches_right_codes_rdata_s16_q : 28'h0;
   // hls/stages/patches.hpp:526
-  logic [47:0] select_3149;
-  assign select_3149 = new_row_s16_q ? patches_left_codes_rdata_s16_q : patches_left_row_q;
+  logic [47:0] select_3168;
+  assign select_3168 = new_row_s16_q ? patches_left_codes_rdata_s16_q : patches_left_row_q;
   // hls/stages/agreement.hpp:275
-  logic [47:0] select_3151;
-  assign select_3151 = equal_1785_s16_q ? patches_left_row_q : (equal_1787_s16_q ? select_3149 : patches_left_row_q);
-  logic [4:0] select_3496;
-  assign select_3496 = equal_1787_s16_q ? patches_along_s16_q : patches_summed_row_column_q;
+  logic [47:0] select_3170;
+  assign select_3170 = equal_1791_s16_q ? patches_left_row_q : (equal_1793_s16_q ? select_3168 : patches_left_row_q);
+  logic [4:0] select_3515;
+  assign select_3515 = equal_1793_s16_q ? patches_along_s16_q : patches_summed_row_column_q;
   // hls/stages/patches.hpp:546
-  logic [9:0] select_3553;
-  assign select_3553 = (patches_read_far_s16_q < patches_peak_far_q) ? patches_read_far_s16_q : patches_peak_far_q;
+  logic [9:0] select_3572;
+  assign select_3572 = (patches_read_far_s16_q < patches_peak_far_q) ? patches_read_far_s16_q : patches_peak_far_q;
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3555;
-  assign select_3555 = equal_1785_s16_q ? (patches_read_first_s16_q ? patches_read_far_s16_q : select_3553) : patches_peak_far_q;
+  logic [9:0] select_3574;
+  assign select_3574 = equal_1791_s16_q ? (patches_read_first_s16_q ? patches_read_far_s16_q : select_3572) : patches_peak_far_q;
   // hls/stages/patches.hpp:584
-  logic [10:0] sum_3593;
-  assign sum_3593 = {1'b0, fall_2_s16_q} + {2'h0, fall_2_s16_q[9:1]};
+  logic [10:0] sum_3612;
+  assign sum_3612 = {1'b0, fall_2_s16_q} + {2'h0, fall_2_s16_q[9:1]};
   // hls/stages/patches.hpp:585
-  logic [10:0] sum_3597;
-  assign sum_3597 = {1'b0, fall_2_s16_q} + {3'h0, fall_2_s16_q[9:2]};
-  logic less_3601;
-  assign less_3601 = {eight_s16_q, 3'h0} < ({fall_2_s16_q, 3'h0} - {3'h0, fall_2_s16_q});
-  // hls/stages/agreement.hpp:1231
-  logic [13:0] select_3904;
-  assign select_3904 = equal_3652_s16_q ? 14'h0 : product_q;
+  logic [10:0] sum_3616;
+  assign sum_3616 = {1'b0, fall_2_s16_q} + {3'h0, fall_2_s16_q[9:2]};
+  logic less_3620;
+  assign less_3620 = {eight_s16_q, 3'h0} < ({fall_2_s16_q, 3'h0} - {3'h0, fall_2_s16_q});
+  // hls/stages/agreement.hpp:1239
   logic [13:0] select_3923;
-  assign select_3923 = equal_3917_s16_q ? 14'h0 : of_s16_q;
+  assign select_3923 = equal_3671_s16_q ? 14'h0 : product_q;
+  logic [13:0] select_3942;
+  assign select_3942 = equal_3936_s16_q ? 14'h0 : of_s16_q;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_3904} + {1'b0, select_3923};
-  // hls/stages/agreement.hpp:788
-  logic [2:0] select_3965;
-  assign select_3965 = so_s16_q ? (ends_cell_s16_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
-  logic [2:0] select_3967;
-  assign select_3967 = ends_cell_s16_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [2:0] select_3969;
-  assign select_3969 = equal_575_s16_q ? box_explained_columns_values_1_q : (so_s16_q ? select_3967 : box_explained_columns_values_1_q);
-  logic [2:0] select_3970;
-  assign select_3970 = ends_cell_s16_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
-  logic [2:0] select_3972;
-  assign select_3972 = equal_575_s16_q ? box_explained_columns_values_2_q : (so_s16_q ? select_3970 : box_explained_columns_values_2_q);
-  logic [2:0] select_3973;
-  assign select_3973 = ends_cell_s16_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [2:0] select_3975;
-  assign select_3975 = equal_575_s16_q ? box_explained_columns_values_3_q : (so_s16_q ? select_3973 : box_explained_columns_values_3_q);
-  logic [2:0] select_3976;
-  assign select_3976 = ends_cell_s16_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [2:0] select_3978;
-  assign select_3978 = equal_575_s16_q ? box_explained_columns_values_4_q : (so_s16_q ? select_3976 : box_explained_columns_values_4_q);
+  assign sum_4 = {1'b0, select_3923} + {1'b0, select_3942};
+  // hls/stages/agreement.hpp:795
   logic [2:0] select_3983;
-  assign select_3983 = so_s16_q ? (ends_cell_s16_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  assign select_3983 = ends_cell_s16_q ? explained_2_s16_q : box_explained_columns_values_0_q;
   logic [2:0] select_3985;
-  assign select_3985 = ends_cell_s16_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
-  logic [2:0] select_3987;
-  assign select_3987 = equal_575_s16_q ? box_shown_columns_values_1_q : (so_s16_q ? select_3985 : box_shown_columns_values_1_q);
+  assign select_3985 = equal_577_s16_q ? box_explained_columns_values_0_q : (so_s16_q ? select_3983 : box_explained_columns_values_0_q);
+  logic [2:0] select_3986;
+  assign select_3986 = ends_cell_s16_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
   logic [2:0] select_3988;
-  assign select_3988 = ends_cell_s16_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
-  logic [2:0] select_3990;
-  assign select_3990 = equal_575_s16_q ? box_shown_columns_values_2_q : (so_s16_q ? select_3988 : box_shown_columns_values_2_q);
+  assign select_3988 = equal_577_s16_q ? box_explained_columns_values_1_q : (so_s16_q ? select_3986 : box_explained_columns_values_1_q);
+  logic [2:0] select_3989;
+  assign select_3989 = ends_cell_s16_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
   logic [2:0] select_3991;
-  assign select_3991 = ends_cell_s16_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [2:0] select_3993;
-  assign select_3993 = equal_575_s16_q ? box_shown_columns_values_3_q : (so_s16_q ? select_3991 : box_shown_columns_values_3_q);
+  assign select_3991 = equal_577_s16_q ? box_explained_columns_values_2_q : (so_s16_q ? select_3989 : box_explained_columns_values_2_q);
+  logic [2:0] select_3992;
+  assign select_3992 = ends_cell_s16_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
   logic [2:0] select_3994;
-  assign select_3994 = ends_cell_s16_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_3996;
-  assign select_3996 = equal_575_s16_q ? box_shown_columns_values_4_q : (so_s16_q ? select_3994 : box_shown_columns_values_4_q);
-  logic [2:0] select_4001;
-  assign select_4001 = so_s16_q ? (ends_cell_s16_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_4003;
-  assign select_4003 = ends_cell_s16_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [2:0] select_4005;
-  assign select_4005 = equal_575_s16_q ? box_nearer_columns_values_1_q : (so_s16_q ? select_4003 : box_nearer_columns_values_1_q);
+  assign select_3994 = equal_577_s16_q ? box_explained_columns_values_3_q : (so_s16_q ? select_3992 : box_explained_columns_values_3_q);
+  logic [2:0] select_3995;
+  assign select_3995 = ends_cell_s16_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_3997;
+  assign select_3997 = equal_577_s16_q ? box_explained_columns_values_4_q : (so_s16_q ? select_3995 : box_explained_columns_values_4_q);
+  logic [2:0] select_4002;
+  assign select_4002 = so_s16_q ? (ends_cell_s16_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_4004;
+  assign select_4004 = ends_cell_s16_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
   logic [2:0] select_4006;
-  assign select_4006 = ends_cell_s16_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [2:0] select_4008;
-  assign select_4008 = equal_575_s16_q ? box_nearer_columns_values_2_q : (so_s16_q ? select_4006 : box_nearer_columns_values_2_q);
+  assign select_4006 = equal_577_s16_q ? box_shown_columns_values_1_q : (so_s16_q ? select_4004 : box_shown_columns_values_1_q);
+  logic [2:0] select_4007;
+  assign select_4007 = ends_cell_s16_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
   logic [2:0] select_4009;
-  assign select_4009 = ends_cell_s16_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [2:0] select_4011;
-  assign select_4011 = equal_575_s16_q ? box_nearer_columns_values_3_q : (so_s16_q ? select_4009 : box_nearer_columns_values_3_q);
+  assign select_4009 = equal_577_s16_q ? box_shown_columns_values_2_q : (so_s16_q ? select_4007 : box_shown_columns_values_2_q);
+  logic [2:0] select_4010;
+  assign select_4010 = ends_cell_s16_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
   logic [2:0] select_4012;
-  assign select_4012 = ends_cell_s16_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_4014;
-  assign select_4014 = equal_575_s16_q ? box_nearer_columns_values_4_q : (so_s16_q ? select_4012 : box_nearer_columns_values_4_q);
+  assign select_4012 = equal_577_s16_q ? box_shown_columns_values_3_q : (so_s16_q ? select_4010 : box_shown_columns_values_3_q);
+  logic [2:0] select_4013;
+  assign select_4013 = ends_cell_s16_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4015;
+  assign select_4015 = equal_577_s16_q ? box_shown_columns_values_4_q : (so_s16_q ? select_4013 : box_shown_columns_values_4_q);
+  logic [2:0] select_4020;
+  assign select_4020 = so_s16_q ? (ends_cell_s16_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_4022;
+  assign select_4022 = ends_cell_s16_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4024;
+  assign select_4024 = equal_577_s16_q ? box_nearer_columns_values_1_q : (so_s16_q ? select_4022 : box_nearer_columns_values_1_q);
+  logic [2:0] select_4025;
+  assign select_4025 = ends_cell_s16_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4027;
+  assign select_4027 = equal_577_s16_q ? box_nearer_columns_values_2_q : (so_s16_q ? select_4025 : box_nearer_columns_values_2_q);
+  logic [2:0] select_4028;
+  assign select_4028 = ends_cell_s16_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4030;
+  assign select_4030 = equal_577_s16_q ? box_nearer_columns_values_3_q : (so_s16_q ? select_4028 : box_nearer_columns_values_3_q);
+  logic [2:0] select_4031;
+  assign select_4031 = ends_cell_s16_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4033;
+  assign select_4033 = equal_577_s16_q ? box_nearer_columns_values_4_q : (so_s16_q ? select_4031 : box_nearer_columns_values_4_q);
 
   // Memory best_left, write
   logic [6:0] best_left_waddr;
   assign best_left_waddr = x_s16_2_q;
   logic best_left_we;
-  assign best_left_we = s16_en & and_1562_s16_q;
+  assign best_left_we = s16_en & and_1568_s16_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1561_s16_q, select_1558_s16_q, select_1555_s16_q, select_1553_s16_q, select_1535_s16_q, select_1532_s16_q, select_1524_s16_q, select_1523_s16_q, select_1518_s16_q};
+    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1567_s16_q, select_1564_s16_q, select_1561_s16_q, select_1559_s16_q, select_1541_s16_q, select_1538_s16_q, select_1530_s16_q, select_1529_s16_q, select_1524_s16_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] best_left_raddr_s6_sim;
@@ -7559,9 +7738,9 @@ module horopter_agreement (
   logic [6:0] best_right_waddr;
   assign best_right_waddr = right_s16_q;
   logic best_right_we;
-  assign best_right_we = s16_en & and_1562_s16_q;
+  assign best_right_we = s16_en & and_1568_s16_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1572_s16_q, select_1571_s16_q, select_1568_s16_q, select_1567_s16_q};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1578_s16_q, select_1577_s16_q, select_1574_s16_q, select_1573_s16_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] best_right_raddr_s10_sim;
@@ -7632,11 +7811,13 @@ module horopter_agreement (
   logic [6:0] left_turns_waddr;
   assign left_turns_waddr = x_s16_q[6:0];
   logic left_turns_we;
-  assign left_turns_we = s16_en & and_1601_s16_q;
+  assign left_turns_we = s16_en & and_1607_s16_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_turns_we) left_turns_mem[left_turns_waddr] <= {and_1598_s16_q, and_1595_s16_q};
+    if (left_turns_we) left_turns_mem[left_turns_waddr] <= {and_1604_s16_q, and_1601_s16_q};
   end
 `ifndef SYNTHESIS
+  logic [6:0] left_turns_raddr_s12_sim;
+  logic left_turns_re_s12_sim;
   logic [6:0] left_turns_raddr_s13_sim;
   logic left_turns_re_s13_sim;
   logic [6:0] left_turns_raddr_s14_sim;
@@ -7645,12 +7826,15 @@ module horopter_agreement (
   logic left_turns_re_s15_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      left_turns_re_s12_sim <= 1'b0;
       left_turns_re_s13_sim <= 1'b0;
       left_turns_re_s14_sim <= 1'b0;
       left_turns_re_s15_sim <= 1'b0;
     end else if (en_i) begin
-      left_turns_re_s13_sim <= left_turns_re;
-      left_turns_raddr_s13_sim <= left_turns_raddr;
+      left_turns_re_s12_sim <= left_turns_re;
+      left_turns_raddr_s12_sim <= left_turns_raddr;
+      left_turns_re_s13_sim <= left_turns_re_s12_sim;
+      left_turns_raddr_s13_sim <= left_turns_raddr_s12_sim;
       left_turns_re_s14_sim <= left_turns_re_s13_sim;
       left_turns_raddr_s14_sim <= left_turns_raddr_s13_sim;
       left_turns_re_s15_sim <= left_turns_re_s14_sim;
@@ -7660,6 +7844,9 @@ module horopter_agreement (
   always_ff @(posedge clk_i) begin
     if (rst_ni && left_turns_we) begin
       if (left_turns_re && left_turns_raddr == left_turns_waddr) begin
+        $error("left_turns: address %0d is read less than DISTANCE steps after its write", left_turns_waddr);
+      end
+      if (left_turns_re_s12_sim && left_turns_raddr_s12_sim == left_turns_waddr) begin
         $error("left_turns: address %0d is read less than DISTANCE steps after its write", left_turns_waddr);
       end
       if (left_turns_re_s13_sim && left_turns_raddr_s13_sim == left_turns_waddr) begin
@@ -7681,11 +7868,13 @@ module horopter_agreement (
   logic [6:0] right_turns_waddr;
   assign right_turns_waddr = x_s16_q[6:0];
   logic right_turns_we;
-  assign right_turns_we = s16_en & and_1601_s16_q;
+  assign right_turns_we = s16_en & and_1607_s16_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_turns_we) right_turns_mem[right_turns_waddr] <= {and_1607_s16_q, and_1604_s16_q};
+    if (right_turns_we) right_turns_mem[right_turns_waddr] <= {and_1613_s16_q, and_1610_s16_q};
   end
 `ifndef SYNTHESIS
+  logic [6:0] right_turns_raddr_s12_sim;
+  logic right_turns_re_s12_sim;
   logic [6:0] right_turns_raddr_s13_sim;
   logic right_turns_re_s13_sim;
   logic [6:0] right_turns_raddr_s14_sim;
@@ -7694,12 +7883,15 @@ module horopter_agreement (
   logic right_turns_re_s15_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
+      right_turns_re_s12_sim <= 1'b0;
       right_turns_re_s13_sim <= 1'b0;
       right_turns_re_s14_sim <= 1'b0;
       right_turns_re_s15_sim <= 1'b0;
     end else if (en_i) begin
-      right_turns_re_s13_sim <= right_turns_re;
-      right_turns_raddr_s13_sim <= right_turns_raddr;
+      right_turns_re_s12_sim <= right_turns_re;
+      right_turns_raddr_s12_sim <= right_turns_raddr;
+      right_turns_re_s13_sim <= right_turns_re_s12_sim;
+      right_turns_raddr_s13_sim <= right_turns_raddr_s12_sim;
       right_turns_re_s14_sim <= right_turns_re_s13_sim;
       right_turns_raddr_s14_sim <= right_turns_raddr_s13_sim;
       right_turns_re_s15_sim <= right_turns_re_s14_sim;
@@ -7709,6 +7901,9 @@ module horopter_agreement (
   always_ff @(posedge clk_i) begin
     if (rst_ni && right_turns_we) begin
       if (right_turns_re && right_turns_raddr == right_turns_waddr) begin
+        $error("right_turns: address %0d is read less than DISTANCE steps after its write", right_turns_waddr);
+      end
+      if (right_turns_re_s12_sim && right_turns_raddr_s12_sim == right_turns_waddr) begin
         $error("right_turns: address %0d is read less than DISTANCE steps after its write", right_turns_waddr);
       end
       if (right_turns_re_s13_sim && right_turns_raddr_s13_sim == right_turns_waddr) begin
@@ -7728,11 +7923,11 @@ module horopter_agreement (
 
   // Memory patches_choices, write
   logic [5:0] patches_choices_waddr;
-  assign patches_choices_waddr = {patches_choosing_band_s16_q, and_1699_s16_q};
+  assign patches_choices_waddr = {patches_choosing_band_s16_q, and_1705_s16_q};
   logic patches_choices_we;
-  assign patches_choices_we = s16_en & and_1784_s16_q;
+  assign patches_choices_we = s16_en & and_1790_s16_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {select_1777, select_1751, select_1746, select_1741};
+    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {select_1783, select_1757, select_1752, select_1747};
   end
 `ifndef SYNTHESIS
   logic [5:0] patches_choices_raddr_s15_sim;
@@ -7780,25 +7975,25 @@ module horopter_agreement (
       columns_passed_q <= 9'h0;
       line_ended_q <= 1'b1;
     end else if (s16_en) begin
-      moments_turned_0_q <= sum_2289;
-      moments_turned_1_q <= sum_2291;
-      moments_turns_0_q <= not_576_s16_q & and_2332;
-      moments_turns_1_q <= not_576_s16_q & and_2336;
-      counts_explained_q <= select_2609;
-      patches_fixed_q <= not_2980 & (patches_fixed_q | (and_2990_s16_q & and_1740));
-      patches_choice_valid_q <= and_1783_s16_q ? (select_1741 & not_2980) : select_1741;
-      patches_choice_column_q <= select_1746;
-      patches_choice_shift_q <= select_1751;
-      patches_choice_slope_q <= select_1777;
-      patches_left_row_q <= select_3151;
-      patches_summed_row_column_q <= equal_1785_s16_q ? patches_summed_row_column_q : select_3496;
-      patches_peak_far_q <= select_3555;
-      segment_textured_q <= select_2001 + {6'h0, and_2602_s16_q};
-      segment_explained_q <= select_2006 + {6'h0, and_2607};
-      segment_nearer_q <= select_2016 + {6'h0, and_2612};
-      product_q <= equal_575_s16_q ? sum_4[14:1] : product_q;
-      rows_passed_q <= select_2031;
-      columns_passed_q <= {select_2033[7:0], or_2029};
+      moments_turned_0_q <= sum_2298;
+      moments_turned_1_q <= sum_2300;
+      moments_turns_0_q <= not_578_s16_q & and_2341;
+      moments_turns_1_q <= not_578_s16_q & and_2345;
+      counts_explained_q <= select_2628;
+      patches_fixed_q <= not_2999 & (patches_fixed_q | (and_3009_s16_q & and_1746));
+      patches_choice_valid_q <= and_1789_s16_q ? (select_1747 & not_2999) : select_1747;
+      patches_choice_column_q <= select_1752;
+      patches_choice_shift_q <= select_1757;
+      patches_choice_slope_q <= select_1783;
+      patches_left_row_q <= select_3170;
+      patches_summed_row_column_q <= equal_1791_s16_q ? patches_summed_row_column_q : select_3515;
+      patches_peak_far_q <= select_3574;
+      segment_textured_q <= select_2007 + {6'h0, and_2621_s16_q};
+      segment_explained_q <= select_2012 + {6'h0, and_2626};
+      segment_nearer_q <= select_2022 + {6'h0, and_2631};
+      product_q <= equal_577_s16_q ? sum_4[14:1] : product_q;
+      rows_passed_q <= select_2037;
+      columns_passed_q <= {select_2039[7:0], or_2035};
       line_ended_q <= marks_last_s16_q;
     end
   end
@@ -7832,28 +8027,28 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s16_en) begin
-      census_columns_values_0_cell_0_mask_q <= select_2197;
-      census_columns_values_1_cell_0_mask_q <= select_2213;
-      census_columns_values_1_cell_1_mask_q <= select_2216;
-      census_columns_values_1_cell_3_mask_q <= select_2223;
-      census_columns_values_1_cell_4_mask_q <= select_2226;
-      census_columns_values_2_cell_0_mask_q <= select_2229;
-      census_columns_values_2_cell_1_mask_q <= select_2232;
-      box_explained_columns_values_0_q <= equal_575_s16_q ? box_explained_columns_values_0_q : select_3965;
-      box_explained_columns_values_1_q <= select_3969;
-      box_explained_columns_values_2_q <= select_3972;
-      box_explained_columns_values_3_q <= select_3975;
-      box_explained_columns_values_4_q <= select_3978;
-      box_shown_columns_values_0_q <= equal_575_s16_q ? box_shown_columns_values_0_q : select_3983;
-      box_shown_columns_values_1_q <= select_3987;
-      box_shown_columns_values_2_q <= select_3990;
-      box_shown_columns_values_3_q <= select_3993;
-      box_shown_columns_values_4_q <= select_3996;
-      box_nearer_columns_values_0_q <= equal_575_s16_q ? box_nearer_columns_values_0_q : select_4001;
-      box_nearer_columns_values_1_q <= select_4005;
-      box_nearer_columns_values_2_q <= select_4008;
-      box_nearer_columns_values_3_q <= select_4011;
-      box_nearer_columns_values_4_q <= select_4014;
+      census_columns_values_0_cell_0_mask_q <= select_2206;
+      census_columns_values_1_cell_0_mask_q <= select_2222;
+      census_columns_values_1_cell_1_mask_q <= select_2225;
+      census_columns_values_1_cell_3_mask_q <= select_2232;
+      census_columns_values_1_cell_4_mask_q <= select_2235;
+      census_columns_values_2_cell_0_mask_q <= select_2238;
+      census_columns_values_2_cell_1_mask_q <= select_2241;
+      box_explained_columns_values_0_q <= select_3985;
+      box_explained_columns_values_1_q <= select_3988;
+      box_explained_columns_values_2_q <= select_3991;
+      box_explained_columns_values_3_q <= select_3994;
+      box_explained_columns_values_4_q <= select_3997;
+      box_shown_columns_values_0_q <= equal_577_s16_q ? box_shown_columns_values_0_q : select_4002;
+      box_shown_columns_values_1_q <= select_4006;
+      box_shown_columns_values_2_q <= select_4009;
+      box_shown_columns_values_3_q <= select_4012;
+      box_shown_columns_values_4_q <= select_4015;
+      box_nearer_columns_values_0_q <= equal_577_s16_q ? box_nearer_columns_values_0_q : select_4020;
+      box_nearer_columns_values_1_q <= select_4024;
+      box_nearer_columns_values_2_q <= select_4027;
+      box_nearer_columns_values_3_q <= select_4030;
+      box_nearer_columns_values_4_q <= select_4033;
     end
   end
 
@@ -7877,6 +8072,7 @@ module horopter_agreement (
   logic [2:0] slot_s17_q;
   logic ends_cell_s17_q;
   logic lower_half_s17_q;
+  logic draws_late_s17_q;
   logic [13:0] counts_textured_s17_q;
   logic [13:0] counts_explained_s17_q;
   logic registration_of_right_s17_q;
@@ -7890,23 +8086,19 @@ module horopter_agreement (
   logic [13:0] product_s17_q;
   logic centres_values_1_textured_s17_q;
   logic centres_values_1_of_skin_s17_q;
-  logic [3:0] select_509_s17_q;
+  logic done_s17_q;
+  logic [3:0] select_511_s17_q;
   logic row_starts_s17_q;
-  logic [6:0] select_544_s17_q;
+  logic [6:0] select_546_s17_q;
   logic [6:0] last_s17_q;
-  logic and_548_s17_q;
   logic and_550_s17_q;
-  logic equal_553_s17_q;
+  logic and_552_s17_q;
+  logic equal_555_s17_q;
   logic whole_2_s17_q;
-  logic equal_570_s17_q;
-  logic equal_575_s17_q;
-  logic not_576_s17_q;
+  logic equal_572_s17_q;
+  logic equal_577_s17_q;
+  logic not_578_s17_q;
   logic so_s17_q;
-  logic less_653_s17_q;
-  logic less_654_s17_q;
-  logic less_655_s17_q;
-  logic less_656_s17_q;
-  logic less_657_s17_q;
   logic less_658_s17_q;
   logic less_659_s17_q;
   logic less_660_s17_q;
@@ -7926,126 +8118,136 @@ module horopter_agreement (
   logic less_674_s17_q;
   logic less_675_s17_q;
   logic less_676_s17_q;
-  logic and_684_s17_q;
+  logic less_677_s17_q;
+  logic less_678_s17_q;
+  logic less_679_s17_q;
+  logic less_680_s17_q;
+  logic less_681_s17_q;
+  logic and_689_s17_q;
   logic whole_9_s17_q;
-  logic [10:0] sum_717_s17_q;
-  logic [9:0] sum_720_s17_q;
-  logic [9:0] sum_724_s17_q;
-  logic [9:0] sum_728_s17_q;
-  logic less_739_s17_q;
-  logic less_741_s17_q;
-  logic less_745_s17_q;
-  logic less_747_s17_q;
-  logic equal_1608_s17_q;
+  logic [10:0] sum_722_s17_q;
+  logic [9:0] sum_725_s17_q;
+  logic [9:0] sum_729_s17_q;
+  logic [9:0] sum_733_s17_q;
+  logic less_744_s17_q;
+  logic less_746_s17_q;
+  logic less_750_s17_q;
+  logic less_752_s17_q;
+  logic equal_1614_s17_q;
   logic all_s17_q;
-  logic [1:0] sum_1614_s17_q;
-  logic equal_1616_s17_q;
-  logic equal_1618_s17_q;
-  logic equal_1620_s17_q;
+  logic [1:0] sum_1620_s17_q;
   logic equal_1622_s17_q;
   logic equal_1624_s17_q;
   logic equal_1626_s17_q;
   logic equal_1628_s17_q;
   logic equal_1630_s17_q;
-  logic less_1639_s17_q;
-  logic or_1643_s17_q;
+  logic equal_1632_s17_q;
+  logic equal_1634_s17_q;
+  logic equal_1636_s17_q;
+  logic less_1645_s17_q;
+  logic or_1649_s17_q;
   logic [31:0] registration_sums_rdata_s17_q;
-  logic equal_1663_s17_q;
-  logic and_1673_s17_q;
-  logic select_1690_s17_q;
-  logic equal_1691_s17_q;
-  logic equal_1701_s17_q;
-  logic equal_1785_s17_q;
-  logic equal_1787_s17_q;
-  logic equal_1790_s17_q;
-  logic or_1791_s17_q;
-  logic not_1792_s17_q;
-  logic [22:0] select_1801_s17_q;
-  logic [4:0] select_1815_s17_q;
-  logic select_1821_s17_q;
-  logic [3:0] select_1859_s17_q;
-  logic less_1875_s17_q;
+  logic equal_1669_s17_q;
+  logic and_1679_s17_q;
+  logic select_1696_s17_q;
+  logic equal_1697_s17_q;
+  logic equal_1707_s17_q;
+  logic equal_1791_s17_q;
+  logic equal_1793_s17_q;
+  logic equal_1796_s17_q;
+  logic or_1797_s17_q;
+  logic not_1798_s17_q;
+  logic [22:0] select_1807_s17_q;
+  logic [4:0] select_1821_s17_q;
+  logic select_1827_s17_q;
+  logic [3:0] select_1865_s17_q;
+  logic less_1881_s17_q;
   logic new_row_s17_q;
   logic [1:0] of_row_2_s17_q;
-  logic not_1905_s17_q;
-  logic and_1908_s17_q;
-  logic not_1910_s17_q;
-  logic and_1915_s17_q;
-  logic and_1931_s17_q;
-  logic and_1934_s17_q;
-  logic and_1948_s17_q;
-  logic and_1957_s17_q;
-  logic and_1962_s17_q;
-  logic or_1980_s17_q;
-  logic or_1983_s17_q;
+  logic not_1911_s17_q;
+  logic and_1914_s17_q;
+  logic not_1916_s17_q;
+  logic and_1921_s17_q;
+  logic and_1937_s17_q;
+  logic and_1940_s17_q;
+  logic and_1954_s17_q;
+  logic and_1963_s17_q;
+  logic and_1968_s17_q;
   logic or_1986_s17_q;
-  logic not_1988_s17_q;
-  logic [9:0] sum_2004_s17_q;
-  logic [9:0] sum_2009_s17_q;
-  logic [9:0] sum_2019_s17_q;
-  logic and_2020_s17_q;
-  logic select_2035_s17_q;
+  logic or_1989_s17_q;
+  logic or_1992_s17_q;
+  logic not_1994_s17_q;
+  logic [9:0] sum_2010_s17_q;
+  logic [9:0] sum_2015_s17_q;
+  logic [9:0] sum_2025_s17_q;
+  logic and_2026_s17_q;
+  logic select_2041_s17_q;
+  logic not_2054_s17_q;
   logic [2:0] textured_2_s17_q;
-  logic or_2078_s17_q;
-  logic or_2081_s17_q;
-  logic or_2084_s17_q;
-  logic [3:0] difference_2104_s17_q;
-  logic [3:0] difference_2120_s17_q;
-  logic and_2134_s17_q;
+  logic or_2085_s17_q;
+  logic or_2088_s17_q;
+  logic or_2091_s17_q;
+  logic [3:0] difference_2112_s17_q;
+  logic [3:0] difference_2128_s17_q;
+  logic and_2143_s17_q;
   logic [10:0] size_s17_q;
   logic [10:0] size_2_s17_q;
-  logic [10:0] sum_2258_s17_q;
-  logic [9:0] sum_2261_s17_q;
-  logic [9:0] sum_2265_s17_q;
-  logic [9:0] sum_2269_s17_q;
-  logic equal_2277_s17_q;
-  logic equal_2292_s17_q;
+  logic [10:0] sum_2267_s17_q;
+  logic [9:0] sum_2270_s17_q;
+  logic [9:0] sum_2274_s17_q;
+  logic [9:0] sum_2278_s17_q;
+  logic equal_2286_s17_q;
+  logic equal_2301_s17_q;
   logic [8:0] contrast_s17_q;
   logic [8:0] contrast_2_s17_q;
-  logic equal_2466_s17_q;
-  logic and_2591_s17_q;
-  logic and_2597_s17_q;
-  logic and_2612_s17_q;
-  logic not_2616_s17_q;
-  logic [3:0] difference_2626_s17_q;
-  logic [9:0] select_2642_s17_q;
-  logic [9:0] select_2645_s17_q;
-  logic and_2693_s17_q;
-  logic and_2710_s17_q;
-  logic and_2717_s17_q;
-  logic and_2751_s17_q;
-  logic and_2752_s17_q;
+  logic equal_2475_s17_q;
+  logic and_2610_s17_q;
+  logic and_2616_s17_q;
+  logic and_2631_s17_q;
+  logic not_2635_s17_q;
+  logic [3:0] difference_2645_s17_q;
+  logic [9:0] select_2661_s17_q;
+  logic [9:0] select_2664_s17_q;
+  logic and_2712_s17_q;
+  logic and_2730_s17_q;
+  logic and_2737_s17_q;
+  logic and_2771_s17_q;
+  logic and_2772_s17_q;
   logic [7:0] residual_s17_q;
-  logic and_2788_s17_q;
-  logic and_2802_s17_q;
-  logic equal_2845_s17_q;
+  logic and_2808_s17_q;
+  logic and_2822_s17_q;
+  logic equal_2864_s17_q;
   logic [27:0] word_s17_q;
-  logic equal_3110_s17_q;
-  logic less_3116_s17_q;
-  logic [47:0] select_3149_s17_q;
-  logic equal_3459_s17_q;
-  logic [9:0] select_3545_s17_q;
-  logic [4:0] select_3546_s17_q;
-  logic [4:0] select_3547_s17_q;
-  logic equal_3556_s17_q;
-  logic less_3584_s17_q;
-  logic not_3592_s17_q;
-  logic not_3595_s17_q;
-  logic not_3599_s17_q;
-  logic not_3602_s17_q;
-  logic equal_3652_s17_q;
-  logic and_3867_s17_q;
-  logic less_3868_s17_q;
-  logic equal_3869_s17_q;
-  logic equal_3886_s17_q;
+  logic equal_3129_s17_q;
+  logic less_3135_s17_q;
+  logic [47:0] select_3168_s17_q;
+  logic equal_3478_s17_q;
+  logic [9:0] select_3564_s17_q;
+  logic [4:0] select_3565_s17_q;
+  logic [4:0] select_3566_s17_q;
+  logic equal_3575_s17_q;
+  logic less_3603_s17_q;
+  logic not_3611_s17_q;
+  logic not_3614_s17_q;
+  logic not_3618_s17_q;
+  logic not_3621_s17_q;
+  logic equal_3671_s17_q;
+  logic and_3886_s17_q;
+  logic less_3887_s17_q;
   logic equal_3888_s17_q;
-  logic equal_3889_s17_q;
-  logic equal_3890_s17_q;
-  logic equal_3891_s17_q;
+  logic equal_3902_s17_q;
+  logic equal_3905_s17_q;
+  logic equal_3907_s17_q;
+  logic equal_3908_s17_q;
+  logic equal_3909_s17_q;
+  logic equal_3910_s17_q;
   logic sum_4_s17_q;
-  logic equal_4031_s17_q;
-  logic equal_4127_s17_q;
-  logic [9:0] select_4137_s17_q;
+  logic or_4052_s17_q;
+  logic and_4066_s17_q;
+  logic and_4083_s17_q;
+  logic not_4095_s17_q;
+  logic equal_4148_s17_q;
+  logic [9:0] select_4158_s17_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s17_q <= pixel_0_s16_q;
@@ -8068,6 +8270,7 @@ module horopter_agreement (
       slot_s17_q <= slot_s16_q;
       ends_cell_s17_q <= ends_cell_s16_q;
       lower_half_s17_q <= lower_half_s16_q;
+      draws_late_s17_q <= draws_late_s16_q;
       counts_textured_s17_q <= counts_textured_s16_q;
       counts_explained_s17_q <= counts_explained_q;
       registration_of_right_s17_q <= registration_of_right_s16_q;
@@ -8081,23 +8284,19 @@ module horopter_agreement (
       product_s17_q <= product_q;
       centres_values_1_textured_s17_q <= centres_values_1_textured_s16_q;
       centres_values_1_of_skin_s17_q <= centres_values_1_of_skin_s16_q;
-      select_509_s17_q <= select_509_s16_q;
+      done_s17_q <= done_s16_q;
+      select_511_s17_q <= select_511_s16_q;
       row_starts_s17_q <= row_starts_s16_q;
-      select_544_s17_q <= select_544_s16_q;
+      select_546_s17_q <= select_546_s16_q;
       last_s17_q <= last_s16_q;
-      and_548_s17_q <= and_548_s16_q;
       and_550_s17_q <= and_550_s16_q;
-      equal_553_s17_q <= equal_553_s16_q;
+      and_552_s17_q <= and_552_s16_q;
+      equal_555_s17_q <= equal_555_s16_q;
       whole_2_s17_q <= whole_2_s16_q;
-      equal_570_s17_q <= equal_570_s16_q;
-      equal_575_s17_q <= equal_575_s16_q;
-      not_576_s17_q <= not_576_s16_q;
+      equal_572_s17_q <= equal_572_s16_q;
+      equal_577_s17_q <= equal_577_s16_q;
+      not_578_s17_q <= not_578_s16_q;
       so_s17_q <= so_s16_q;
-      less_653_s17_q <= less_653_s16_q;
-      less_654_s17_q <= less_654_s16_q;
-      less_655_s17_q <= less_655_s16_q;
-      less_656_s17_q <= less_656_s16_q;
-      less_657_s17_q <= less_657_s16_q;
       less_658_s17_q <= less_658_s16_q;
       less_659_s17_q <= less_659_s16_q;
       less_660_s17_q <= less_660_s16_q;
@@ -8117,126 +8316,136 @@ module horopter_agreement (
       less_674_s17_q <= less_674_s16_q;
       less_675_s17_q <= less_675_s16_q;
       less_676_s17_q <= less_676_s16_q;
-      and_684_s17_q <= and_684_s16_q;
+      less_677_s17_q <= less_677_s16_q;
+      less_678_s17_q <= less_678_s16_q;
+      less_679_s17_q <= less_679_s16_q;
+      less_680_s17_q <= less_680_s16_q;
+      less_681_s17_q <= less_681_s16_q;
+      and_689_s17_q <= and_689_s16_q;
       whole_9_s17_q <= whole_9;
-      sum_717_s17_q <= {1'b0, sum_713} + {1'b0, sum_716};
-      sum_720_s17_q <= {9'h0, difference_718_s16_q} + {1'b0, xor_719_s16_q};
-      sum_724_s17_q <= {9'h0, difference_722_s16_q} + {1'b0, xor_723_s16_q};
-      sum_728_s17_q <= {9'h0, difference_726_s16_q} + {1'b0, xor_727_s16_q};
-      less_739_s17_q <= less_739;
-      less_741_s17_q <= $signed(10'h0) < $signed(half_grey_levels_s16_q);
-      less_745_s17_q <= less_745;
-      less_747_s17_q <= $signed(10'h0) < $signed(half_grey_levels_2_s16_q);
-      equal_1608_s17_q <= equal_1608_s16_q;
+      sum_722_s17_q <= {1'b0, sum_718} + {1'b0, sum_721};
+      sum_725_s17_q <= {9'h0, difference_723_s16_q} + {1'b0, xor_724_s16_q};
+      sum_729_s17_q <= {9'h0, difference_727_s16_q} + {1'b0, xor_728_s16_q};
+      sum_733_s17_q <= {9'h0, difference_731_s16_q} + {1'b0, xor_732_s16_q};
+      less_744_s17_q <= less_744;
+      less_746_s17_q <= $signed(10'h0) < $signed(half_grey_levels_s16_q);
+      less_750_s17_q <= less_750;
+      less_752_s17_q <= $signed(10'h0) < $signed(half_grey_levels_2_s16_q);
+      equal_1614_s17_q <= equal_1614_s16_q;
       all_s17_q <= all_s16_q;
-      sum_1614_s17_q <= sum_1614_s16_q;
-      equal_1616_s17_q <= equal_1616_s16_q;
-      equal_1618_s17_q <= equal_1618_s16_q;
-      equal_1620_s17_q <= equal_1620_s16_q;
+      sum_1620_s17_q <= sum_1620_s16_q;
       equal_1622_s17_q <= equal_1622_s16_q;
       equal_1624_s17_q <= equal_1624_s16_q;
       equal_1626_s17_q <= equal_1626_s16_q;
       equal_1628_s17_q <= equal_1628_s16_q;
       equal_1630_s17_q <= equal_1630_s16_q;
-      less_1639_s17_q <= less_1639_s16_q;
-      or_1643_s17_q <= or_1643_s16_q;
+      equal_1632_s17_q <= equal_1632_s16_q;
+      equal_1634_s17_q <= equal_1634_s16_q;
+      equal_1636_s17_q <= equal_1636_s16_q;
+      less_1645_s17_q <= less_1645_s16_q;
+      or_1649_s17_q <= or_1649_s16_q;
       registration_sums_rdata_s17_q <= registration_sums_rdata_q;
-      equal_1663_s17_q <= equal_1663_s16_q;
-      and_1673_s17_q <= and_1673_s16_q;
-      select_1690_s17_q <= select_1690_s16_q;
-      equal_1691_s17_q <= equal_1691_s16_q;
-      equal_1701_s17_q <= equal_1701_s16_q;
-      equal_1785_s17_q <= equal_1785_s16_q;
-      equal_1787_s17_q <= equal_1787_s16_q;
-      equal_1790_s17_q <= equal_1790_s16_q;
-      or_1791_s17_q <= or_1791_s16_q;
-      not_1792_s17_q <= not_1792_s16_q;
-      select_1801_s17_q <= select_1801;
-      select_1815_s17_q <= select_1815_s16_q;
+      equal_1669_s17_q <= equal_1669_s16_q;
+      and_1679_s17_q <= and_1679_s16_q;
+      select_1696_s17_q <= select_1696_s16_q;
+      equal_1697_s17_q <= equal_1697_s16_q;
+      equal_1707_s17_q <= equal_1707_s16_q;
+      equal_1791_s17_q <= equal_1791_s16_q;
+      equal_1793_s17_q <= equal_1793_s16_q;
+      equal_1796_s17_q <= equal_1796_s16_q;
+      or_1797_s17_q <= or_1797_s16_q;
+      not_1798_s17_q <= not_1798_s16_q;
+      select_1807_s17_q <= select_1807;
       select_1821_s17_q <= select_1821_s16_q;
-      select_1859_s17_q <= select_1859_s16_q;
-      less_1875_s17_q <= less_1875_s16_q;
+      select_1827_s17_q <= select_1827_s16_q;
+      select_1865_s17_q <= select_1865_s16_q;
+      less_1881_s17_q <= less_1881_s16_q;
       new_row_s17_q <= new_row_s16_q;
       of_row_2_s17_q <= of_row_2_s16_q;
-      not_1905_s17_q <= ~sum_1904[14];
-      and_1908_s17_q <= sum_1904[8] & (~(sum_1904[7:0] == 8'h0));
-      not_1910_s17_q <= ~(sum_1904[13:9] == 5'h0);
-      and_1915_s17_q <= sum_1904[14] & (~(sum_1904[13:8] == 6'h3f));
-      and_1931_s17_q <= and_1931;
-      and_1934_s17_q <= and_1934;
-      and_1948_s17_q <= and_1948_s16_q;
-      and_1957_s17_q <= and_1957_s16_q;
-      and_1962_s17_q <= and_1962_s16_q;
-      or_1980_s17_q <= or_1980_s16_q;
-      or_1983_s17_q <= or_1983_s16_q;
+      not_1911_s17_q <= ~sum_1910[14];
+      and_1914_s17_q <= sum_1910[8] & (~(sum_1910[7:0] == 8'h0));
+      not_1916_s17_q <= ~(sum_1910[13:9] == 5'h0);
+      and_1921_s17_q <= sum_1910[14] & (~(sum_1910[13:8] == 6'h3f));
+      and_1937_s17_q <= and_1937;
+      and_1940_s17_q <= and_1940;
+      and_1954_s17_q <= and_1954_s16_q;
+      and_1963_s17_q <= and_1963_s16_q;
+      and_1968_s17_q <= and_1968_s16_q;
       or_1986_s17_q <= or_1986_s16_q;
-      not_1988_s17_q <= not_1988_s16_q;
-      sum_2004_s17_q <= sum_2004;
-      sum_2009_s17_q <= sum_2009;
-      sum_2019_s17_q <= sum_2019;
-      and_2020_s17_q <= and_2020_s16_q;
-      select_2035_s17_q <= select_2035;
+      or_1989_s17_q <= or_1989_s16_q;
+      or_1992_s17_q <= or_1992_s16_q;
+      not_1994_s17_q <= not_1994_s16_q;
+      sum_2010_s17_q <= sum_2010;
+      sum_2015_s17_q <= sum_2015;
+      sum_2025_s17_q <= sum_2025;
+      and_2026_s17_q <= and_2026_s16_q;
+      select_2041_s17_q <= select_2041;
+      not_2054_s17_q <= not_2054_s16_q;
       textured_2_s17_q <= textured_2;
-      or_2078_s17_q <= or_2078_s16_q;
-      or_2081_s17_q <= or_2081_s16_q;
-      or_2084_s17_q <= or_2084_s16_q;
-      difference_2104_s17_q <= {1'b0, shown_2} - {1'b0, select_2103};
-      difference_2120_s17_q <= {1'b0, near_2} - {1'b0, select_2119};
-      and_2134_s17_q <= and_2134_s16_q;
+      or_2085_s17_q <= or_2085_s16_q;
+      or_2088_s17_q <= or_2088_s16_q;
+      or_2091_s17_q <= or_2091_s16_q;
+      difference_2112_s17_q <= {1'b0, shown_2} - {1'b0, select_2111};
+      difference_2128_s17_q <= {1'b0, near_2} - {1'b0, select_2127};
+      and_2143_s17_q <= and_2143_s16_q;
       size_s17_q <= size;
       size_2_s17_q <= size_2;
-      sum_2258_s17_q <= {1'b0, sum_2254} + {1'b0, sum_2257};
-      sum_2261_s17_q <= {9'h0, difference_2259_s16_q} + {1'b0, xor_2260_s16_q};
-      sum_2265_s17_q <= {9'h0, difference_2263_s16_q} + {1'b0, xor_2264_s16_q};
-      sum_2269_s17_q <= {9'h0, difference_2267_s16_q} + {1'b0, xor_2268_s16_q};
-      equal_2277_s17_q <= equal_2277_s16_q;
-      equal_2292_s17_q <= equal_2292_s16_q;
+      sum_2267_s17_q <= {1'b0, sum_2263} + {1'b0, sum_2266};
+      sum_2270_s17_q <= {9'h0, difference_2268_s16_q} + {1'b0, xor_2269_s16_q};
+      sum_2274_s17_q <= {9'h0, difference_2272_s16_q} + {1'b0, xor_2273_s16_q};
+      sum_2278_s17_q <= {9'h0, difference_2276_s16_q} + {1'b0, xor_2277_s16_q};
+      equal_2286_s17_q <= equal_2286_s16_q;
+      equal_2301_s17_q <= equal_2301_s16_q;
       contrast_s17_q <= contrast;
       contrast_2_s17_q <= contrast_2;
-      equal_2466_s17_q <= equal_2466_s16_q;
-      and_2591_s17_q <= and_2591_s16_q;
-      and_2597_s17_q <= and_2597_s16_q;
-      and_2612_s17_q <= and_2612;
-      not_2616_s17_q <= not_2616_s16_q;
-      difference_2626_s17_q <= {1'b0, explained_2} - {1'b0, select_2625};
-      select_2642_s17_q <= less_2641 ? 10'h0 : regions_rdata_s16_q[9:0];
-      select_2645_s17_q <= less_2641 ? 10'h0 : regions_rdata_s16_q[19:10];
-      and_2693_s17_q <= and_2693_s16_q;
-      and_2710_s17_q <= and_2710_s16_q;
-      and_2717_s17_q <= and_2717_s16_q;
-      and_2751_s17_q <= and_2751_s16_q;
-      and_2752_s17_q <= and_2752_s16_q;
+      equal_2475_s17_q <= equal_2475_s16_q;
+      and_2610_s17_q <= and_2610_s16_q;
+      and_2616_s17_q <= and_2616_s16_q;
+      and_2631_s17_q <= and_2631;
+      not_2635_s17_q <= not_2635_s16_q;
+      difference_2645_s17_q <= {1'b0, explained_2_s16_q} - {1'b0, select_2644};
+      select_2661_s17_q <= less_2660 ? 10'h0 : regions_rdata_s16_q[9:0];
+      select_2664_s17_q <= less_2660 ? 10'h0 : regions_rdata_s16_q[19:10];
+      and_2712_s17_q <= and_2712_s16_q;
+      and_2730_s17_q <= and_2730_s16_q;
+      and_2737_s17_q <= and_2737_s16_q;
+      and_2771_s17_q <= and_2771_s16_q;
+      and_2772_s17_q <= and_2772_s16_q;
       residual_s17_q <= residual_s16_q;
-      and_2788_s17_q <= and_2752_s16_q & less_2787_s16_q;
-      and_2802_s17_q <= and_2752_s16_q & less_2801_s16_q;
-      equal_2845_s17_q <= equal_2845_s16_q;
+      and_2808_s17_q <= and_2772_s16_q & less_2807_s16_q;
+      and_2822_s17_q <= and_2772_s16_q & less_2821_s16_q;
+      equal_2864_s17_q <= equal_2864_s16_q;
       word_s17_q <= word;
-      equal_3110_s17_q <= patches_along_s16_q == 5'h7;
-      less_3116_s17_q <= less_3116_s16_q;
-      select_3149_s17_q <= select_3149;
-      equal_3459_s17_q <= equal_3459_s16_q;
-      select_3545_s17_q <= select_3545_s16_q;
-      select_3546_s17_q <= select_3546_s16_q;
-      select_3547_s17_q <= select_3547_s16_q;
-      equal_3556_s17_q <= equal_3556_s16_q;
-      less_3584_s17_q <= less_3584_s16_q;
-      not_3592_s17_q <= ~({eight_s16_q, 3'h0} < {3'h0, fall_2_s16_q});
-      not_3595_s17_q <= ~({eight_s16_q, 3'h0} < {1'b0, sum_3593, fall_2_s16_q[0]});
-      not_3599_s17_q <= ~({eight_s16_q, 3'h0} < {sum_3597, fall_2_s16_q[1:0]});
-      not_3602_s17_q <= ~less_3601;
-      equal_3652_s17_q <= equal_3652_s16_q;
-      and_3867_s17_q <= and_3867_s16_q;
-      less_3868_s17_q <= counts_explained_q < product_q;
-      equal_3869_s17_q <= counts_explained_q == product_q;
-      equal_3886_s17_q <= equal_3886_s16_q;
-      equal_3888_s17_q <= equal_3888_s16_q;
-      equal_3889_s17_q <= equal_3889_s16_q;
-      equal_3890_s17_q <= equal_3890_s16_q;
-      equal_3891_s17_q <= equal_3891_s16_q;
+      equal_3129_s17_q <= patches_along_s16_q == 5'h7;
+      less_3135_s17_q <= less_3135_s16_q;
+      select_3168_s17_q <= select_3168;
+      equal_3478_s17_q <= equal_3478_s16_q;
+      select_3564_s17_q <= select_3564_s16_q;
+      select_3565_s17_q <= select_3565_s16_q;
+      select_3566_s17_q <= select_3566_s16_q;
+      equal_3575_s17_q <= equal_3575_s16_q;
+      less_3603_s17_q <= less_3603_s16_q;
+      not_3611_s17_q <= ~({eight_s16_q, 3'h0} < {3'h0, fall_2_s16_q});
+      not_3614_s17_q <= ~({eight_s16_q, 3'h0} < {1'b0, sum_3612, fall_2_s16_q[0]});
+      not_3618_s17_q <= ~({eight_s16_q, 3'h0} < {sum_3616, fall_2_s16_q[1:0]});
+      not_3621_s17_q <= ~less_3620;
+      equal_3671_s17_q <= equal_3671_s16_q;
+      and_3886_s17_q <= and_3886_s16_q;
+      less_3887_s17_q <= counts_explained_q < product_q;
+      equal_3888_s17_q <= counts_explained_q == product_q;
+      equal_3902_s17_q <= equal_3902_s16_q;
+      equal_3905_s17_q <= equal_3905_s16_q;
+      equal_3907_s17_q <= equal_3907_s16_q;
+      equal_3908_s17_q <= equal_3908_s16_q;
+      equal_3909_s17_q <= equal_3909_s16_q;
+      equal_3910_s17_q <= equal_3910_s16_q;
       sum_4_s17_q <= sum_4[0];
-      equal_4031_s17_q <= equal_4031_s16_q;
-      equal_4127_s17_q <= equal_4127_s16_q;
-      select_4137_s17_q <= less_2641 ? 10'h0 : regions_rdata_s16_q[29:20];
+      or_4052_s17_q <= or_4052_s16_q;
+      and_4066_s17_q <= and_4066_s16_q;
+      and_4083_s17_q <= and_4083_s16_q;
+      not_4095_s17_q <= not_4095_s16_q;
+      equal_4148_s17_q <= equal_4148_s16_q;
+      select_4158_s17_q <= less_2660 ? 10'h0 : regions_rdata_s16_q[29:20];
     end
   end
 
@@ -8282,6 +8491,8 @@ module horopter_agreement (
   logic [4:0] box_explained_sum_sums_values_0_q;
   logic [4:0] box_shown_sum_sums_values_0_q;
   logic [4:0] box_nearer_sum_sums_values_0_q;
+  logic write_half_q;
+  logic read_half_q;
   logic began_q;
   logic [3:0] seen_x_q;
   logic [3:0] seen_y_q;
@@ -8290,7 +8501,7 @@ module horopter_agreement (
   logic at_cell_end_q;
   logic was_next_row_q;
   logic [12:0] seen_base_q;
-  // hls/stages/agreement.hpp:456
+  // hls/stages/agreement.hpp:460
   logic whole_10;
   assign whole_10 = census_columns_values_1_cell_2_mask_q & whole_9_s17_q;
   logic whole_11;
@@ -8306,403 +8517,406 @@ module horopter_agreement (
   logic whole_16;
   assign whole_16 = census_columns_values_2_cell_3_mask_q & whole_15;
   // hls/stages/census.hpp:284
-  logic [10:0] sum_721;
-  assign sum_721 = sum_717_s17_q + {1'b0, sum_720_s17_q};
-  // hls/stages/agreement.hpp:456
-  logic and_735;
-  assign and_735 = census_columns_values_0_cell_2_mask_s17_q & census_columns_values_1_cell_2_mask_q;
-  logic and_736;
-  assign and_736 = and_684_s17_q & and_735;
+  logic [10:0] sum_726;
+  assign sum_726 = sum_722_s17_q + {1'b0, sum_725_s17_q};
+  // hls/stages/agreement.hpp:460
+  logic and_740;
+  assign and_740 = census_columns_values_0_cell_2_mask_s17_q & census_columns_values_1_cell_2_mask_q;
+  logic and_741;
+  assign and_741 = and_689_s17_q & and_740;
   // hls/stages/registration.hpp:265
-  logic equal_1665;
-  assign equal_1665 = sum_1614_s17_q == 2'h0;
+  logic equal_1671;
+  assign equal_1671 = sum_1620_s17_q == 2'h0;
   // hls/stages/registration.hpp:264
   logic [6:0] up;
-  assign up = sum_1614_s17_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_1620_s17_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:266
-  logic [6:0] select_1671;
-  assign select_1671 = equal_1665 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_1672;
-  assign sum_1672 = (equal_1663_s17_q ? registration_sums_rdata_s17_q[31:20] : 12'h0) + {{5{select_1671[6]}}, select_1671};
+  logic [6:0] select_1677;
+  assign select_1677 = equal_1671 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_1678;
+  assign sum_1678 = (equal_1669_s17_q ? registration_sums_rdata_s17_q[31:20] : 12'h0) + {{5{select_1677[6]}}, select_1677};
   // hls/stages/patches.hpp:358
-  logic [21:0] select_1805;
-  assign select_1805 = select_1690_s17_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1801_s17_q[22:1];
+  logic [21:0] select_1811;
+  assign select_1811 = select_1696_s17_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1807_s17_q[22:1];
   // hls/stages/patches.hpp:127
-  logic [7:0] select_1806;
-  assign select_1806 = equal_1691_s17_q ? patches_place_0_column_q : select_1805[7:0];
-  logic [5:0] select_1807;
-  assign select_1807 = equal_1691_s17_q ? patches_place_0_shift_q : select_1805[13:8];
+  logic [7:0] select_1812;
+  assign select_1812 = equal_1697_s17_q ? patches_place_0_column_q : select_1811[7:0];
+  logic [5:0] select_1813;
+  assign select_1813 = equal_1697_s17_q ? patches_place_0_shift_q : select_1811[13:8];
   // hls/stages/patches.hpp:358
-  logic [21:0] select_1833;
-  assign select_1833 = select_1690_s17_q ? select_1801_s17_q[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  logic [21:0] select_1839;
+  assign select_1839 = select_1696_s17_q ? select_1807_s17_q[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:127
-  logic [7:0] select_1834;
-  assign select_1834 = equal_1691_s17_q ? patches_place_1_column_q : select_1833[7:0];
-  logic [5:0] select_1835;
-  assign select_1835 = equal_1691_s17_q ? patches_place_1_shift_q : select_1833[13:8];
+  logic [7:0] select_1840;
+  assign select_1840 = equal_1697_s17_q ? patches_place_1_column_q : select_1839[7:0];
+  logic [5:0] select_1841;
+  assign select_1841 = equal_1697_s17_q ? patches_place_1_shift_q : select_1839[13:8];
   // hls/stages/patches.hpp:133
-  logic equal_1850;
-  assign equal_1850 = {select_1806[7], select_544_s17_q, select_509_s17_q} == {1'b0, select_1806[6:0], 4'h0};
-  logic equal_1854;
-  assign equal_1854 = {select_1834[7], select_544_s17_q, select_509_s17_q} == {1'b0, select_1834[6:0], 4'h0};
+  logic equal_1856;
+  assign equal_1856 = {select_1812[7], select_546_s17_q, select_511_s17_q} == {1'b0, select_1812[6:0], 4'h0};
+  logic equal_1860;
+  assign equal_1860 = {select_1840[7], select_546_s17_q, select_511_s17_q} == {1'b0, select_1840[6:0], 4'h0};
   // hls/stages/patches.hpp:490
-  logic [2:0] sum_1896;
-  assign sum_1896 = patches_code_row_s17_q[4:2] + 3'h7;
+  logic [2:0] sum_1902;
+  assign sum_1902 = patches_code_row_s17_q[4:2] + 3'h7;
   // hls/stages/patches.hpp:457
-  logic and_1912;
-  assign and_1912 = not_1905_s17_q & (and_1908_s17_q | not_1910_s17_q);
+  logic and_1918;
+  assign and_1918 = not_1911_s17_q & (and_1914_s17_q | not_1916_s17_q);
   // hls/stages/patches.hpp:494
-  logic [1:0] sum_1952;
-  assign sum_1952 = patches_code_row_s17_q[3:2] + 2'h3;
-  // hls/stages/agreement.hpp:436
+  logic [1:0] sum_1958;
+  assign sum_1958 = patches_code_row_s17_q[3:2] + 2'h3;
+  // hls/stages/agreement.hpp:440
   logic next_row;
-  assign next_row = select_2035_s17_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1291
-  logic [6:0] select_2038;
-  assign select_2038 = next_row ? cfg_width_i[10:4] : 7'h0;
-  // hls/stages/agreement.hpp:1301
-  logic equal_2041;
-  assign equal_2041 = seen_x_q == 4'hf;
-  // hls/stages/agreement.hpp:1274
-  logic not_2048;
-  assign not_2048 = ~marks_first_s17_q;
-  // hls/stages/agreement.hpp:1094
-  logic [2:0] select_2069;
-  assign select_2069 = age_s17_q ? box_textured_columns_values_4_q : 3'h0;
+  assign next_row = select_2041_s17_q & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1299
+  logic [6:0] select_2044;
+  assign select_2044 = next_row ? cfg_width_i[10:4] : 7'h0;
+  // hls/stages/agreement.hpp:1310
+  logic equal_2047;
+  assign equal_2047 = seen_x_q == 4'hf;
+  // hls/stages/agreement.hpp:1283
+  logic select_2052;
+  assign select_2052 = marks_first_s17_q ? (done_s17_q ? write_half_q : read_half_q) : read_half_q;
   // hls/stages/agreement.hpp:1101
-  logic not_2085;
-  assign not_2085 = ~region_row_s17_q[2];
-  logic [2:0] select_2086;
-  assign select_2086 = region_row_s17_q[1] ? {1'b0, not_2085, 1'b0} : {region_row_s17_q[2], 1'b0, not_2085};
-  logic [5:0] select_2087;
-  assign select_2087 = region_row_s17_q[0] ? {select_2086[2], 1'b0, select_2086[1], 1'b0, select_2086[0], 1'b0} : {1'b0, select_2086[2], 1'b0, select_2086[1], 1'b0, select_2086[0]};
-  logic [11:0] select_2088;
-  assign select_2088 = or_2084_s17_q ? {select_2087[5], 1'b0, select_2087[4], 1'b0, select_2087[3], 1'b0, select_2087[2], 1'b0, select_2087[1], 1'b0, select_2087[0], 1'b0} : {1'b0, select_2087[5], 1'b0, select_2087[4], 1'b0, select_2087[3], 1'b0, select_2087[2], 1'b0, select_2087[1], 1'b0, select_2087[0]};
-  logic [23:0] select_2089;
-  assign select_2089 = or_2081_s17_q ? {select_2088[11], 1'b0, select_2088[10], 1'b0, select_2088[9], 1'b0, select_2088[8], 1'b0, select_2088[7], 1'b0, select_2088[6], 1'b0, select_2088[5], 1'b0, select_2088[4], 1'b0, select_2088[3], 1'b0, select_2088[2], 1'b0, select_2088[1], 1'b0, select_2088[0], 1'b0} : {1'b0, select_2088[11], 1'b0, select_2088[10], 1'b0, select_2088[9], 1'b0, select_2088[8], 1'b0, select_2088[7], 1'b0, select_2088[6], 1'b0, select_2088[5], 1'b0, select_2088[4], 1'b0, select_2088[3], 1'b0, select_2088[2], 1'b0, select_2088[1], 1'b0, select_2088[0]};
-  // hls/stages/agreement.hpp:1096
+  logic [2:0] select_2076;
+  assign select_2076 = age_s17_q ? box_textured_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:1108
+  logic [2:0] region_row;
+  assign region_row = draws_late_s17_q ? 3'h5 : region_row_s17_q;
+  // hls/stages/agreement.hpp:1109
+  logic not_2093;
+  assign not_2093 = ~region_row[2];
+  logic [2:0] select_2094;
+  assign select_2094 = region_row[1] ? {1'b0, not_2093, 1'b0} : {region_row[2], 1'b0, not_2093};
+  logic [5:0] select_2095;
+  assign select_2095 = region_row[0] ? {select_2094[2], 1'b0, select_2094[1], 1'b0, select_2094[0], 1'b0} : {1'b0, select_2094[2], 1'b0, select_2094[1], 1'b0, select_2094[0]};
+  logic [11:0] select_2096;
+  assign select_2096 = or_2091_s17_q ? {select_2095[5], 1'b0, select_2095[4], 1'b0, select_2095[3], 1'b0, select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0], 1'b0} : {1'b0, select_2095[5], 1'b0, select_2095[4], 1'b0, select_2095[3], 1'b0, select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0]};
+  logic [23:0] select_2097;
+  assign select_2097 = or_2088_s17_q ? {select_2096[11], 1'b0, select_2096[10], 1'b0, select_2096[9], 1'b0, select_2096[8], 1'b0, select_2096[7], 1'b0, select_2096[6], 1'b0, select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0], 1'b0} : {1'b0, select_2096[11], 1'b0, select_2096[10], 1'b0, select_2096[9], 1'b0, select_2096[8], 1'b0, select_2096[7], 1'b0, select_2096[6], 1'b0, select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0]};
+  // hls/stages/agreement.hpp:1103
   logic [4:0] around;
-  assign around = {difference_2104_s17_q[3], difference_2104_s17_q} + (equal_570_s17_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1097
+  assign around = {difference_2112_s17_q[3], difference_2112_s17_q} + (equal_572_s17_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1104
   logic [4:0] n;
-  assign n = {difference_2120_s17_q[3], difference_2120_s17_q} + (equal_570_s17_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  assign n = {difference_2128_s17_q[3], difference_2128_s17_q} + (equal_572_s17_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/census.hpp:222
   logic [13:0] detail;
-  assign detail = {3'h0, size_s17_q} + (equal_553_s17_q ? 14'h0 : averager_detail_0_q);
+  assign detail = {3'h0, size_s17_q} + (equal_555_s17_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2178;
-  assign select_2178 = sample_pair_whole_s17_q ? (and_548_s17_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2187;
+  assign select_2187 = sample_pair_whole_s17_q ? (and_550_s17_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:222
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2_s17_q} + (equal_553_s17_q ? 14'h0 : averager_detail_1_q);
+  assign detail_2 = {3'h0, size_2_s17_q} + (equal_555_s17_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2186;
-  assign select_2186 = sample_pair_whole_s17_q ? (and_548_s17_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/agreement.hpp:520
-  logic select_2219;
-  assign select_2219 = and_550_s17_q ? census_columns_values_0_cell_2_mask_s17_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2235;
-  assign select_2235 = and_550_s17_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic select_2238;
-  assign select_2238 = and_550_s17_q ? census_columns_values_1_cell_3_mask_s17_q : census_columns_values_2_cell_3_mask_q;
-  logic select_2241;
-  assign select_2241 = and_550_s17_q ? census_columns_values_1_cell_4_mask_s17_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2242;
-  assign select_2242 = and_550_s17_q ? census_columns_values_2_cell_0_mask_s17_q : census_columns_values_3_cell_0_mask_q;
-  logic select_2245;
-  assign select_2245 = and_550_s17_q ? census_columns_values_2_cell_1_mask_s17_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2246;
-  assign select_2246 = and_550_s17_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic select_2249;
-  assign select_2249 = and_550_s17_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic [13:0] select_2195;
+  assign select_2195 = sample_pair_whole_s17_q ? (and_550_s17_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  // hls/stages/agreement.hpp:527
+  logic select_2228;
+  assign select_2228 = and_552_s17_q ? census_columns_values_0_cell_2_mask_s17_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2244;
+  assign select_2244 = and_552_s17_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic select_2247;
+  assign select_2247 = and_552_s17_q ? census_columns_values_1_cell_3_mask_s17_q : census_columns_values_2_cell_3_mask_q;
+  logic select_2250;
+  assign select_2250 = and_552_s17_q ? census_columns_values_1_cell_4_mask_s17_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2251;
+  assign select_2251 = and_552_s17_q ? census_columns_values_2_cell_0_mask_s17_q : census_columns_values_3_cell_0_mask_q;
+  logic select_2254;
+  assign select_2254 = and_552_s17_q ? census_columns_values_2_cell_1_mask_s17_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2255;
+  assign select_2255 = and_552_s17_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic select_2258;
+  assign select_2258 = and_552_s17_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
   // hls/stages/census.hpp:286
-  logic [10:0] sum_2262;
-  assign sum_2262 = sum_2258_s17_q + {1'b0, sum_2261_s17_q};
+  logic [10:0] sum_2271;
+  assign sum_2271 = sum_2267_s17_q + {1'b0, sum_2270_s17_q};
   // hls/stages/moments.hpp:117
-  logic [13:0] select_2293;
-  assign select_2293 = equal_2292_s17_q ? moments_turned_0_q : moments_before_0_q;
-  logic [13:0] select_2295;
-  assign select_2295 = equal_2292_s17_q ? moments_turned_1_q : moments_before_1_q;
-  logic [14:0] sum_2306;
-  assign sum_2306 = {1'b0, moments_turned_1_q} + 15'h3;
-  logic [14:0] sum_2316;
-  assign sum_2316 = {1'b0, moments_turned_0_q} + 15'h3;
-  // hls/stages/agreement.hpp:520
-  logic select_2359;
-  assign select_2359 = and_550_s17_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic [13:0] select_2302;
+  assign select_2302 = equal_2301_s17_q ? moments_turned_0_q : moments_before_0_q;
+  logic [13:0] select_2304;
+  assign select_2304 = equal_2301_s17_q ? moments_turned_1_q : moments_before_1_q;
+  logic [14:0] sum_2315;
+  assign sum_2315 = {1'b0, moments_turned_1_q} + 15'h3;
+  logic [14:0] sum_2325;
+  assign sum_2325 = {1'b0, moments_turned_0_q} + 15'h3;
+  // hls/stages/agreement.hpp:527
+  logic select_2368;
+  assign select_2368 = and_552_s17_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:373
-  logic and_2362;
-  assign and_2362 = whole_2_s17_q & (~(last_s17_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:457
-  logic and_2368;
-  assign and_2368 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s17_q[8:2]));
-  logic and_2369;
-  assign and_2369 = and_2362 & and_2368;
-  logic and_2380;
-  assign and_2380 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s17_q[8:2]));
-  logic and_2381;
-  assign and_2381 = and_2362 & and_2380;
+  logic and_2371;
+  assign and_2371 = whole_2_s17_q & (~(last_s17_q[6:1] == 6'h0));
+  // hls/stages/agreement.hpp:461
+  logic and_2377;
+  assign and_2377 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s17_q[8:2]));
+  logic and_2378;
+  assign and_2378 = and_2371 & and_2377;
+  logic and_2389;
+  assign and_2389 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s17_q[8:2]));
+  logic and_2390;
+  assign and_2390 = and_2371 & and_2389;
   // hls/stages/census.hpp:427
-  logic not_2398;
-  assign not_2398 = ~x_s17_q[1];
-  logic [2:0] select_2399;
-  assign select_2399 = x_s17_q[0] ? {1'b0, not_2398, 1'b0} : {x_s17_q[1], 1'b0, not_2398};
-  logic [5:0] select_2400;
-  assign select_2400 = slot_s17_q[2] ? {select_2399[2], 1'b0, select_2399[1], 1'b0, select_2399[0], 1'b0} : {1'b0, select_2399[2], 1'b0, select_2399[1], 1'b0, select_2399[0]};
-  logic [11:0] select_2401;
-  assign select_2401 = slot_s17_q[1] ? {select_2400[5], 1'b0, select_2400[4], 1'b0, select_2400[3], 1'b0, select_2400[2], 1'b0, select_2400[1], 1'b0, select_2400[0], 1'b0} : {1'b0, select_2400[5], 1'b0, select_2400[4], 1'b0, select_2400[3], 1'b0, select_2400[2], 1'b0, select_2400[1], 1'b0, select_2400[0]};
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_2599;
-  assign select_2599 = and_2591_s17_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2597_s17_q});
-  logic [13:0] select_2614;
-  assign select_2614 = and_2591_s17_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2612_s17_q});
-  // hls/stages/agreement.hpp:1095
+  logic not_2407;
+  assign not_2407 = ~x_s17_q[1];
+  logic [2:0] select_2408;
+  assign select_2408 = x_s17_q[0] ? {1'b0, not_2407, 1'b0} : {x_s17_q[1], 1'b0, not_2407};
+  logic [5:0] select_2409;
+  assign select_2409 = slot_s17_q[2] ? {select_2408[2], 1'b0, select_2408[1], 1'b0, select_2408[0], 1'b0} : {1'b0, select_2408[2], 1'b0, select_2408[1], 1'b0, select_2408[0]};
+  logic [11:0] select_2410;
+  assign select_2410 = slot_s17_q[1] ? {select_2409[5], 1'b0, select_2409[4], 1'b0, select_2409[3], 1'b0, select_2409[2], 1'b0, select_2409[1], 1'b0, select_2409[0], 1'b0} : {1'b0, select_2409[5], 1'b0, select_2409[4], 1'b0, select_2409[3], 1'b0, select_2409[2], 1'b0, select_2409[1], 1'b0, select_2409[0]};
+  // hls/stages/agreement.hpp:933
+  logic [13:0] select_2618;
+  assign select_2618 = and_2610_s17_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2616_s17_q});
+  logic [13:0] select_2633;
+  assign select_2633 = and_2610_s17_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2631_s17_q});
+  // hls/stages/agreement.hpp:1102
   logic [4:0] e;
-  assign e = {difference_2626_s17_q[3], difference_2626_s17_q} + (equal_570_s17_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_2712;
-  assign select_2712 = and_2591_s17_q ? 14'h0 : (counts_turned_left_q + {13'h0, and_2710_s17_q});
-  logic [13:0] select_2719;
-  assign select_2719 = and_2591_s17_q ? 14'h0 : (counts_turned_right_q + {13'h0, and_2717_s17_q});
+  assign e = {difference_2645_s17_q[3], difference_2645_s17_q} + (equal_572_s17_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:933
+  logic [13:0] select_2732;
+  assign select_2732 = and_2610_s17_q ? 14'h0 : (counts_turned_left_q + {13'h0, and_2730_s17_q});
+  logic [13:0] select_2739;
+  assign select_2739 = and_2610_s17_q ? 14'h0 : (counts_turned_right_q + {13'h0, and_2737_s17_q});
   // hls/stages/registration.hpp:107
-  logic [7:0] select_2769;
-  assign select_2769 = equal_1701_s17_q ? (and_2752_s17_q ? residual_s17_q : 8'h0) : 8'h0;
-  // hls/stages/agreement.hpp:788
-  logic and_2776;
-  assign and_2776 = not_576_s17_q & (so_s17_q & (and_2752_s17_q & equal_1701_s17_q));
+  logic [7:0] select_2789;
+  assign select_2789 = equal_1707_s17_q ? (and_2772_s17_q ? residual_s17_q : 8'h0) : 8'h0;
+  // hls/stages/agreement.hpp:795
+  logic and_2796;
+  assign and_2796 = not_578_s17_q & (so_s17_q & (and_2772_s17_q & equal_1707_s17_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_2778;
-  assign select_2778 = and_2751_s17_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2776});
+  logic [5:0] select_2798;
+  assign select_2798 = and_2771_s17_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2796});
   // hls/stages/registration.hpp:107
-  logic and_2780;
-  assign and_2780 = and_2752_s17_q & ($signed(residual_s17_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_2790;
-  assign select_2790 = so_s17_q ? (equal_1701_s17_q ? {and_2788_s17_q, and_2752_s17_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2791;
-  assign select_2791 = equal_575_s17_q ? 2'h0 : select_2790;
+  logic and_2800;
+  assign and_2800 = and_2772_s17_q & ($signed(residual_s17_q) < $signed({2'h0, cfg_moved_limit_i}));
+  // hls/stages/agreement.hpp:795
+  logic [1:0] select_2810;
+  assign select_2810 = so_s17_q ? (equal_1707_s17_q ? {and_2808_s17_q, and_2772_s17_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2811;
+  assign select_2811 = equal_577_s17_q ? 2'h0 : select_2810;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2792;
-  assign sum_2792 = registration_half_votes_up_q + {{5{select_2791[1]}}, select_2791};
+  logic [6:0] sum_2812;
+  assign sum_2812 = registration_half_votes_up_q + {{5{select_2811[1]}}, select_2811};
   // hls/stages/registration.hpp:205
-  logic less_2794;
-  assign less_2794 = $signed(residual_s17_q) < $signed({2'h0, cfg_moved_half_limit_i});
+  logic less_2814;
+  assign less_2814 = $signed(residual_s17_q) < $signed({2'h0, cfg_moved_half_limit_i});
   // hls/stages/registration.hpp:107
-  logic and_2795;
-  assign and_2795 = and_2752_s17_q & less_2794;
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_2804;
-  assign select_2804 = so_s17_q ? (equal_1701_s17_q ? {and_2802_s17_q, and_2752_s17_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2805;
-  assign select_2805 = equal_575_s17_q ? 2'h0 : select_2804;
+  logic and_2815;
+  assign and_2815 = and_2772_s17_q & less_2814;
+  // hls/stages/agreement.hpp:795
+  logic [1:0] select_2824;
+  assign select_2824 = so_s17_q ? (equal_1707_s17_q ? {and_2822_s17_q, and_2772_s17_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2825;
+  assign select_2825 = equal_577_s17_q ? 2'h0 : select_2824;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2806;
-  assign sum_2806 = registration_half_half_votes_up_q + {{5{select_2805[1]}}, select_2805};
-  // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2847;
-  assign select_2847 = or_1643_s17_q ? 12'h0 : (equal_2845_s17_q ? registration_sums_rdata_s17_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1142
-  logic [11:0] select_2849;
-  assign select_2849 = equal_1608_s17_q ? 12'h0 : (less_1639_s17_q ? select_2847 : 12'h0);
+  logic [6:0] sum_2826;
+  assign sum_2826 = registration_half_half_votes_up_q + {{5{select_2825[1]}}, select_2825};
+  // hls/stages/agreement.hpp:1138
+  logic [11:0] select_2866;
+  assign select_2866 = or_1649_s17_q ? 12'h0 : (equal_2864_s17_q ? registration_sums_rdata_s17_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:1150
+  logic [11:0] select_2868;
+  assign select_2868 = equal_1614_s17_q ? 12'h0 : (less_1645_s17_q ? select_2866 : 12'h0);
   // hls/stages/registration.hpp:153
-  logic and_2852;
-  assign and_2852 = x_s17_q[1] & all_s17_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_2855;
-  assign and_2855 = not_1988_s17_q & (less_1639_s17_q & ({and_2852, x_s17_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:1130
-  logic [11:0] select_2862;
-  assign select_2862 = or_1643_s17_q ? 12'h0 : (equal_2845_s17_q ? registration_sums_rdata_s17_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1142
-  logic [11:0] select_2864;
-  assign select_2864 = equal_1608_s17_q ? 12'h0 : (less_1639_s17_q ? select_2862 : 12'h0);
+  logic and_2871;
+  assign and_2871 = x_s17_q[1] & all_s17_q;
+  // hls/stages/agreement.hpp:1150
+  logic and_2874;
+  assign and_2874 = not_1994_s17_q & (less_1645_s17_q & ({and_2871, x_s17_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:1138
+  logic [11:0] select_2881;
+  assign select_2881 = or_1649_s17_q ? 12'h0 : (equal_2864_s17_q ? registration_sums_rdata_s17_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:1150
+  logic [11:0] select_2883;
+  assign select_2883 = equal_1614_s17_q ? 12'h0 : (less_1645_s17_q ? select_2881 : 12'h0);
   // hls/stages/registration.hpp:150
-  logic not_2870;
-  assign not_2870 = ~all_s17_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_2873;
-  assign and_2873 = not_1988_s17_q & (less_1639_s17_q & (x_s17_q[2:0] == {all_s17_q, not_2870, 1'b0}));
-  // hls/stages/agreement.hpp:788
-  logic and_2879;
-  assign and_2879 = equal_575_s17_q & (x_s17_q[6] & (not_1988_s17_q & (less_1639_s17_q & all_s17_q)));
+  logic not_2889;
+  assign not_2889 = ~all_s17_q;
+  // hls/stages/agreement.hpp:1150
+  logic and_2892;
+  assign and_2892 = not_1994_s17_q & (less_1645_s17_q & (x_s17_q[2:0] == {all_s17_q, not_2889, 1'b0}));
+  // hls/stages/agreement.hpp:795
+  logic and_2898;
+  assign and_2898 = equal_577_s17_q & (x_s17_q[6] & (not_1994_s17_q & (less_1645_s17_q & all_s17_q)));
   // hls/stages/registration.hpp:157
-  logic equal_2906;
-  assign equal_2906 = x_s17_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1142
-  logic and_2909;
-  assign and_2909 = not_1988_s17_q & (less_1639_s17_q & (x_s17_q[5] ? x_s17_q[3] : equal_2906));
-  logic and_2918;
-  assign and_2918 = not_1988_s17_q & (less_1639_s17_q & ((~x_s17_q[5]) & (x_s17_q[3] & equal_2906)));
+  logic equal_2925;
+  assign equal_2925 = x_s17_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:1150
+  logic and_2928;
+  assign and_2928 = not_1994_s17_q & (less_1645_s17_q & (x_s17_q[5] ? x_s17_q[3] : equal_2925));
+  logic and_2937;
+  assign and_2937 = not_1994_s17_q & (less_1645_s17_q & ((~x_s17_q[5]) & (x_s17_q[3] & equal_2925)));
   // hls/stages/agreement.hpp:276
-  logic [7:0] select_3012;
-  assign select_3012 = sample_pair_whole_s17_q ? (equal_1691_s17_q ? patches_place_0_slope_q : select_1805[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3017;
-  assign select_3017 = sample_pair_whole_s17_q ? (equal_1691_s17_q ? patches_place_1_slope_q : select_1833[21:14]) : patches_place_1_slope_q;
+  logic [7:0] select_3031;
+  assign select_3031 = sample_pair_whole_s17_q ? (equal_1697_s17_q ? patches_place_0_slope_q : select_1811[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3036;
+  assign select_3036 = sample_pair_whole_s17_q ? (equal_1697_s17_q ? patches_place_1_slope_q : select_1839[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:526
   logic [55:0] other;
   assign other = new_row_s17_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
   // hls/stages/agreement.hpp:275
-  logic [51:0] select_3106;
-  assign select_3106 = or_1791_s17_q ? {and_1934_s17_q, and_1931_s17_q, and_1915_s17_q, and_1912, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_3108;
-  assign select_3108 = equal_1785_s17_q ? patches_codes_at_q : (equal_1787_s17_q ? other[55:4] : select_3106);
+  logic [51:0] select_3125;
+  assign select_3125 = or_1797_s17_q ? {and_1940_s17_q, and_1937_s17_q, and_1921_s17_q, and_1918, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3127;
+  assign select_3127 = equal_1791_s17_q ? patches_codes_at_q : (equal_1793_s17_q ? other[55:4] : select_3125);
   // hls/stages/patches.hpp:525
-  logic [27:0] select_3111;
-  assign select_3111 = equal_3110_s17_q ? word_s17_q : {4'h0, patches_codes_further_q[27:4]};
+  logic [27:0] select_3130;
+  assign select_3130 = equal_3129_s17_q ? word_s17_q : {4'h0, patches_codes_further_q[27:4]};
   // hls/stages/agreement.hpp:275
-  logic [27:0] select_3113;
-  assign select_3113 = equal_1787_s17_q ? (new_row_s17_q ? word_s17_q : select_3111) : patches_codes_further_q;
+  logic [27:0] select_3132;
+  assign select_3132 = equal_1793_s17_q ? (new_row_s17_q ? word_s17_q : select_3130) : patches_codes_further_q;
   // hls/stages/patches.hpp:527
-  logic [55:0] select_3115;
-  assign select_3115 = less_1875_s17_q ? {word_s17_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3134;
+  assign select_3134 = less_1881_s17_q ? {word_s17_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/patches.hpp:497
-  logic [55:0] select_3117;
-  assign select_3117 = less_3116_s17_q ? {word_s17_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3136;
+  assign select_3136 = less_3135_s17_q ? {word_s17_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/agreement.hpp:275
-  logic [55:0] select_3119;
-  assign select_3119 = or_1791_s17_q ? (equal_1790_s17_q ? patches_next_codes_q : select_3117) : patches_next_codes_q;
-  logic [55:0] select_3121;
-  assign select_3121 = equal_1785_s17_q ? patches_next_codes_q : (equal_1787_s17_q ? select_3115 : select_3119);
+  logic [55:0] select_3138;
+  assign select_3138 = or_1797_s17_q ? (equal_1796_s17_q ? patches_next_codes_q : select_3136) : patches_next_codes_q;
+  logic [55:0] select_3140;
+  assign select_3140 = equal_1791_s17_q ? patches_next_codes_q : (equal_1793_s17_q ? select_3134 : select_3138);
   // hls/stages/count_bits.hpp:24
-  logic parity_3126;
-  assign parity_3126 = ^{and_1934_s17_q, and_1931_s17_q, and_1915_s17_q, and_1912};
+  logic parity_3145;
+  assign parity_3145 = ^{and_1940_s17_q, and_1937_s17_q, and_1921_s17_q, and_1918};
   // hls/stages/count_bits.hpp:25
-  logic or_3130;
-  assign or_3130 = ({and_1915_s17_q, and_1912} == 2'h3) | (and_1931_s17_q & (and_1915_s17_q | and_1912));
-  logic and_3131;
-  assign and_3131 = and_1934_s17_q & (^{and_1931_s17_q, and_1915_s17_q, and_1912});
+  logic or_3149;
+  assign or_3149 = ({and_1921_s17_q, and_1918} == 2'h3) | (and_1937_s17_q & (and_1921_s17_q | and_1918));
+  logic and_3150;
+  assign and_3150 = and_1940_s17_q & (^{and_1937_s17_q, and_1921_s17_q, and_1918});
   // hls/stages/count_bits.hpp:24
-  logic xor_3132;
-  assign xor_3132 = or_3130 ^ and_3131;
+  logic xor_3151;
+  assign xor_3151 = or_3149 ^ and_3150;
   // hls/stages/count_bits.hpp:27
-  logic and_3133;
-  assign and_3133 = or_3130 & and_3131;
+  logic and_3152;
+  assign and_3152 = or_3149 & and_3150;
   // hls/stages/patches.hpp:528
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3149_s17_q;
+  assign bits = other[47:0] ^ select_3168_s17_q;
   // hls/stages/count_bits.hpp:24
-  logic xor_3155;
-  assign xor_3155 = bits[17] ^ (^{select_3149_s17_q[16:15], other[16:15]});
-  logic xor_3158;
-  assign xor_3158 = bits[11] ^ (^{select_3149_s17_q[10:9], other[10:9]});
-  logic xor_3161;
-  assign xor_3161 = bits[14] ^ (^{select_3149_s17_q[13:12], other[13:12]});
-  logic xor_3164;
-  assign xor_3164 = xor_3155 ^ (^{select_3149_s17_q[14:9], other[14:9]});
-  logic xor_3167;
-  assign xor_3167 = bits[47] ^ (^{select_3149_s17_q[46:45], other[46:45]});
-  logic xor_3170;
-  assign xor_3170 = bits[8] ^ (^{select_3149_s17_q[7:6], other[7:6]});
-  logic xor_3173;
-  assign xor_3173 = bits[2] ^ (^{select_3149_s17_q[1:0], other[1:0]});
-  logic xor_3176;
-  assign xor_3176 = bits[5] ^ (^{select_3149_s17_q[4:3], other[4:3]});
-  logic xor_3179;
-  assign xor_3179 = xor_3170 ^ (^{select_3149_s17_q[5:0], other[5:0]});
-  logic parity_3181;
-  assign parity_3181 = ^{select_3149_s17_q[47:45], select_3149_s17_q[8:0], other[47:45], other[8:0]};
-  logic xor_3185;
-  assign xor_3185 = bits[44] ^ (^{select_3149_s17_q[43:42], other[43:42]});
-  logic xor_3188;
-  assign xor_3188 = bits[38] ^ (^{select_3149_s17_q[37:36], other[37:36]});
-  logic xor_3191;
-  assign xor_3191 = bits[41] ^ (^{select_3149_s17_q[40:39], other[40:39]});
-  logic xor_3197;
-  assign xor_3197 = bits[26] ^ (^{select_3149_s17_q[25:24], other[25:24]});
-  logic xor_3200;
-  assign xor_3200 = bits[20] ^ (^{select_3149_s17_q[19:18], other[19:18]});
-  logic xor_3203;
-  assign xor_3203 = bits[23] ^ (^{select_3149_s17_q[22:21], other[22:21]});
-  logic xor_3209;
-  assign xor_3209 = bits[35] ^ (^{select_3149_s17_q[34:33], other[34:33]});
-  logic xor_3212;
-  assign xor_3212 = bits[29] ^ (^{select_3149_s17_q[28:27], other[28:27]});
-  logic xor_3215;
-  assign xor_3215 = bits[32] ^ (^{select_3149_s17_q[31:30], other[31:30]});
+  logic xor_3174;
+  assign xor_3174 = bits[17] ^ (^{select_3168_s17_q[16:15], other[16:15]});
+  logic xor_3177;
+  assign xor_3177 = bits[11] ^ (^{select_3168_s17_q[10:9], other[10:9]});
+  logic xor_3180;
+  assign xor_3180 = bits[14] ^ (^{select_3168_s17_q[13:12], other[13:12]});
+  logic xor_3183;
+  assign xor_3183 = xor_3174 ^ (^{select_3168_s17_q[14:9], other[14:9]});
+  logic xor_3186;
+  assign xor_3186 = bits[47] ^ (^{select_3168_s17_q[46:45], other[46:45]});
+  logic xor_3189;
+  assign xor_3189 = bits[8] ^ (^{select_3168_s17_q[7:6], other[7:6]});
+  logic xor_3192;
+  assign xor_3192 = bits[2] ^ (^{select_3168_s17_q[1:0], other[1:0]});
+  logic xor_3195;
+  assign xor_3195 = bits[5] ^ (^{select_3168_s17_q[4:3], other[4:3]});
+  logic xor_3198;
+  assign xor_3198 = xor_3189 ^ (^{select_3168_s17_q[5:0], other[5:0]});
+  logic parity_3200;
+  assign parity_3200 = ^{select_3168_s17_q[47:45], select_3168_s17_q[8:0], other[47:45], other[8:0]};
+  logic xor_3204;
+  assign xor_3204 = bits[44] ^ (^{select_3168_s17_q[43:42], other[43:42]});
+  logic xor_3207;
+  assign xor_3207 = bits[38] ^ (^{select_3168_s17_q[37:36], other[37:36]});
+  logic xor_3210;
+  assign xor_3210 = bits[41] ^ (^{select_3168_s17_q[40:39], other[40:39]});
+  logic xor_3216;
+  assign xor_3216 = bits[26] ^ (^{select_3168_s17_q[25:24], other[25:24]});
+  logic xor_3219;
+  assign xor_3219 = bits[20] ^ (^{select_3168_s17_q[19:18], other[19:18]});
+  logic xor_3222;
+  assign xor_3222 = bits[23] ^ (^{select_3168_s17_q[22:21], other[22:21]});
+  logic xor_3228;
+  assign xor_3228 = bits[35] ^ (^{select_3168_s17_q[34:33], other[34:33]});
+  logic xor_3231;
+  assign xor_3231 = bits[29] ^ (^{select_3168_s17_q[28:27], other[28:27]});
+  logic xor_3234;
+  assign xor_3234 = bits[32] ^ (^{select_3168_s17_q[31:30], other[31:30]});
   // hls/stages/agreement.hpp:275
-  logic select_3499;
-  assign select_3499 = equal_1785_s17_q ? patches_summed_first_q : (equal_1787_s17_q ? new_row_s17_q : patches_summed_first_q);
+  logic select_3518;
+  assign select_3518 = equal_1791_s17_q ? patches_summed_first_q : (equal_1793_s17_q ? new_row_s17_q : patches_summed_first_q);
   // hls/stages/patches.hpp:584
-  logic [1:0] sum_3596;
-  assign sum_3596 = {1'b0, not_3592_s17_q} + {1'b0, not_3595_s17_q};
+  logic [1:0] sum_3615;
+  assign sum_3615 = {1'b0, not_3611_s17_q} + {1'b0, not_3614_s17_q};
   // hls/stages/patches.hpp:585
-  logic [1:0] sum_3603;
-  assign sum_3603 = {1'b0, not_3599_s17_q} + {1'b0, not_3602_s17_q};
+  logic [1:0] sum_3622;
+  assign sum_3622 = {1'b0, not_3618_s17_q} + {1'b0, not_3621_s17_q};
   // hls/stages/patches.hpp:584
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3596} + {1'b0, sum_3603};
+  assign fraction = {1'b0, sum_3615} + {1'b0, sum_3622};
   // hls/stages/patches.hpp:604
-  logic [7:0] select_3607;
-  assign select_3607 = patches_second_s17_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  logic [7:0] select_3626;
+  assign select_3626 = patches_second_s17_q ? patches_place_1_slope_q : patches_place_0_slope_q;
   // hls/stages/patches.hpp:603
-  logic [3:0] sum_3608;
-  assign sum_3608 = {2'h0, select_3546_s17_q[4:3]} + 4'hf;
-  logic [5:0] select_3609;
-  assign select_3609 = patches_second_s17_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [6:0] sum_3610;
-  assign sum_3610 = {select_3609[5], select_3609} + {{4{sum_3608[3]}}, sum_3608[3:1]};
-  // hls/stages/agreement.hpp:1188
-  logic or_3864;
-  assign or_3864 = ({counts_textured_s17_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s17_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1226
+  logic [3:0] sum_3627;
+  assign sum_3627 = {2'h0, select_3565_s17_q[4:3]} + 4'hf;
+  logic [5:0] select_3628;
+  assign select_3628 = patches_second_s17_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [6:0] sum_3629;
+  assign sum_3629 = {select_3628[5], select_3628} + {{4{sum_3627[3]}}, sum_3627[3:1]};
+  // hls/stages/agreement.hpp:1196
+  logic or_3883;
+  assign or_3883 = ({counts_textured_s17_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s17_q[13:3] < 11'h5);
+  // hls/stages/agreement.hpp:1234
   logic too_little;
-  assign too_little = less_3868_s17_q | (product_rest_q & equal_3869_s17_q);
-  // hls/stages/agreement.hpp:1227
-  logic select_3872;
-  assign select_3872 = and_3867_s17_q ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1135
-  logic [10:0] sum_3875;
-  assign sum_3875 = {1'b0, select_2645_s17_q} + {2'h0, select_2645_s17_q[9:1]};
-  // hls/stages/agreement.hpp:788
-  logic select_3928;
-  assign select_3928 = equal_575_s17_q ? (equal_3652_s17_q ? sum_4_s17_q : (product_rest_q | sum_4_s17_q)) : product_rest_q;
-  logic [2:0] select_3946;
-  assign select_3946 = ends_cell_s17_q ? textured_2_s17_q : box_textured_columns_values_0_q;
-  logic [2:0] select_3948;
-  assign select_3948 = equal_575_s17_q ? box_textured_columns_values_0_q : (so_s17_q ? select_3946 : box_textured_columns_values_0_q);
-  logic [2:0] select_3949;
-  assign select_3949 = ends_cell_s17_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_3951;
-  assign select_3951 = equal_575_s17_q ? box_textured_columns_values_1_q : (so_s17_q ? select_3949 : box_textured_columns_values_1_q);
-  logic [2:0] select_3952;
-  assign select_3952 = ends_cell_s17_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [2:0] select_3954;
-  assign select_3954 = equal_575_s17_q ? box_textured_columns_values_2_q : (so_s17_q ? select_3952 : box_textured_columns_values_2_q);
-  logic [2:0] select_3955;
-  assign select_3955 = ends_cell_s17_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_3957;
-  assign select_3957 = equal_575_s17_q ? box_textured_columns_values_3_q : (so_s17_q ? select_3955 : box_textured_columns_values_3_q);
-  logic [2:0] select_3958;
-  assign select_3958 = ends_cell_s17_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_3960;
-  assign select_3960 = equal_575_s17_q ? box_textured_columns_values_4_q : (so_s17_q ? select_3958 : box_textured_columns_values_4_q);
-  logic [4:0] select_3980;
-  assign select_3980 = so_s17_q ? (ends_cell_s17_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_3981;
-  assign select_3981 = equal_575_s17_q ? box_explained_sum_sums_values_0_q : select_3980;
-  logic [4:0] select_3998;
-  assign select_3998 = so_s17_q ? (ends_cell_s17_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [4:0] select_4016;
-  assign select_4016 = so_s17_q ? (ends_cell_s17_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:1300
-  logic [3:0] select_4048;
-  assign select_4048 = select_2035_s17_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:436
-  logic [7:0] select_4054;
-  assign select_4054 = marks_first_s17_q ? (less_4050 ? {sum_4051, cfg_height_i[6:4]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4129;
-  assign select_4129 = equal_1630_s17_q ? {2'h0, counts_explained_s17_q, 2'h0, counts_textured_s17_q} : (equal_4127_s17_q ? registration_sums_rdata_s17_q : 32'h0);
-  logic [31:0] select_4130;
-  assign select_4130 = equal_1628_s17_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4129;
+  assign too_little = less_3887_s17_q | (product_rest_q & equal_3888_s17_q);
+  // hls/stages/agreement.hpp:1235
+  logic select_3891;
+  assign select_3891 = and_3886_s17_q ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:1143
+  logic [10:0] sum_3894;
+  assign sum_3894 = {1'b0, select_2664_s17_q} + {2'h0, select_2664_s17_q[9:1]};
+  // hls/stages/agreement.hpp:795
+  logic select_3947;
+  assign select_3947 = equal_577_s17_q ? (equal_3671_s17_q ? sum_4_s17_q : (product_rest_q | sum_4_s17_q)) : product_rest_q;
+  logic [2:0] select_3965;
+  assign select_3965 = ends_cell_s17_q ? textured_2_s17_q : box_textured_columns_values_0_q;
+  logic [2:0] select_3967;
+  assign select_3967 = equal_577_s17_q ? box_textured_columns_values_0_q : (so_s17_q ? select_3965 : box_textured_columns_values_0_q);
+  logic [2:0] select_3968;
+  assign select_3968 = ends_cell_s17_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_3970;
+  assign select_3970 = equal_577_s17_q ? box_textured_columns_values_1_q : (so_s17_q ? select_3968 : box_textured_columns_values_1_q);
+  logic [2:0] select_3971;
+  assign select_3971 = ends_cell_s17_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_3973;
+  assign select_3973 = equal_577_s17_q ? box_textured_columns_values_2_q : (so_s17_q ? select_3971 : box_textured_columns_values_2_q);
+  logic [2:0] select_3974;
+  assign select_3974 = ends_cell_s17_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_3976;
+  assign select_3976 = equal_577_s17_q ? box_textured_columns_values_3_q : (so_s17_q ? select_3974 : box_textured_columns_values_3_q);
+  logic [2:0] select_3977;
+  assign select_3977 = ends_cell_s17_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_3979;
+  assign select_3979 = equal_577_s17_q ? box_textured_columns_values_4_q : (so_s17_q ? select_3977 : box_textured_columns_values_4_q);
+  logic [4:0] select_3999;
+  assign select_3999 = so_s17_q ? (ends_cell_s17_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_4000;
+  assign select_4000 = equal_577_s17_q ? box_explained_sum_sums_values_0_q : select_3999;
+  logic [4:0] select_4017;
+  assign select_4017 = so_s17_q ? (ends_cell_s17_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [4:0] select_4035;
+  assign select_4035 = so_s17_q ? (ends_cell_s17_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:1309
+  logic [3:0] select_4069;
+  assign select_4069 = select_2041_s17_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
+  // hls/stages/agreement.hpp:440
+  logic [7:0] select_4075;
+  assign select_4075 = marks_first_s17_q ? select_4073 : (seen_rows_left_q - {7'h0, was_next_row_q});
+  // hls/stages/agreement.hpp:1148
+  logic [31:0] select_4150;
+  assign select_4150 = equal_1636_s17_q ? {2'h0, counts_explained_s17_q, 2'h0, counts_textured_s17_q} : (equal_4148_s17_q ? registration_sums_rdata_s17_q : 32'h0);
+  logic [31:0] select_4151;
+  assign select_4151 = equal_1634_s17_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4150;
 
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_1896, patches_code_row_s17_q[1:0], of_row_2_s17_q};
+  assign patches_right_codes_waddr = {sum_1902, patches_code_row_s17_q[1:0], of_row_2_s17_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s17_en & and_1948_s17_q;
+  assign patches_right_codes_we = s17_en & and_1954_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {and_1934_s17_q, and_1931_s17_q, and_1915_s17_q, and_1912, patches_codes_at_q[51:28]};
+    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {and_1940_s17_q, and_1937_s17_q, and_1921_s17_q, and_1918, patches_codes_at_q[51:28]};
   end
 `ifndef SYNTHESIS
   logic [6:0] patches_right_codes_raddr_s15_sim;
@@ -8739,11 +8953,11 @@ module horopter_agreement (
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_1952, patches_code_row_s17_q[1:0]};
+  assign patches_left_codes_waddr = {sum_1958, patches_code_row_s17_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s17_en & and_1962_s17_q;
+  assign patches_left_codes_we = s17_en & and_1968_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {and_1934_s17_q, and_1931_s17_q, and_1915_s17_q, and_1912, patches_codes_at_q[51:8]};
+    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {and_1940_s17_q, and_1937_s17_q, and_1921_s17_q, and_1918, patches_codes_at_q[51:8]};
   end
 `ifndef SYNTHESIS
   logic [3:0] patches_left_codes_raddr_s15_sim;
@@ -8780,11 +8994,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s17_q, or_1986_s17_q, or_1983_s17_q, or_1980_s17_q};
+  assign regions_waddr = {region_row_s17_q, or_1992_s17_q, or_1989_s17_q, or_1986_s17_q};
   logic regions_we;
-  assign regions_we = s17_en & and_2020_s17_q;
+  assign regions_we = s17_en & and_2026_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_2019_s17_q, sum_2009_s17_q, sum_2004_s17_q};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_2025_s17_q, sum_2015_s17_q, sum_2010_s17_q};
   end
 `ifndef SYNTHESIS
   logic [5:0] regions_raddr_s15_sim;
@@ -8841,6 +9055,8 @@ module horopter_agreement (
       patches_summed_first_q <= 1'b0;
       product_rest_q <= 1'b0;
       disagree_q <= 1'b0;
+      write_half_q <= 1'b0;
+      read_half_q <= 1'b1;
       began_q <= 1'b0;
       seen_x_q <= 4'h0;
       seen_y_q <= 4'h0;
@@ -8850,36 +9066,38 @@ module horopter_agreement (
       was_next_row_q <= 1'b0;
       seen_base_q <= 13'h0;
     end else if (s17_en) begin
-      moments_before_0_q <= equal_575_s17_q ? select_2293 : moments_before_0_q;
-      moments_before_1_q <= equal_575_s17_q ? select_2295 : moments_before_1_q;
-      sharpness_before_last_mask_q <= select_2359;
-      counts_supervised_q <= select_2599;
-      counts_nearer_q <= select_2614;
-      counts_turned_left_q <= select_2712;
-      counts_turned_right_q <= select_2719;
-      registration_half_measured_q <= select_2778;
-      registration_half_votes_up_q <= and_2751_s17_q ? 7'h0 : sum_2792;
-      registration_half_half_votes_up_q <= and_2751_s17_q ? 7'h0 : sum_2806;
-      patches_place_0_column_q <= sample_pair_whole_s17_q ? select_1806 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s17_q ? select_1807 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3012;
-      patches_place_1_column_q <= sample_pair_whole_s17_q ? select_1834 : patches_place_1_column_q;
-      patches_place_1_shift_q <= sample_pair_whole_s17_q ? select_1835 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3017;
-      patches_codes_at_q <= select_3108;
-      patches_codes_further_q <= equal_1785_s17_q ? patches_codes_further_q : select_3113;
-      patches_next_codes_q <= select_3121;
-      patches_summed_first_q <= select_3499;
-      product_rest_q <= select_3928;
-      disagree_q <= equal_575_s17_q ? select_3872 : disagree_q;
-      began_q <= not_2048 & (began_q | select_2035_s17_q);
-      seen_x_q <= select_2035_s17_q ? 4'h0 : (seen_x_q + 4'h1);
-      seen_y_q <= marks_first_s17_q ? 4'h0 : select_4048;
-      seen_column_q <= select_2035_s17_q ? 8'h0 : (seen_column_q + {7'h0, equal_2041});
-      seen_rows_left_q <= select_4054;
+      moments_before_0_q <= equal_577_s17_q ? select_2302 : moments_before_0_q;
+      moments_before_1_q <= equal_577_s17_q ? select_2304 : moments_before_1_q;
+      sharpness_before_last_mask_q <= select_2368;
+      counts_supervised_q <= select_2618;
+      counts_nearer_q <= select_2633;
+      counts_turned_left_q <= select_2732;
+      counts_turned_right_q <= select_2739;
+      registration_half_measured_q <= select_2798;
+      registration_half_votes_up_q <= and_2771_s17_q ? 7'h0 : sum_2812;
+      registration_half_half_votes_up_q <= and_2771_s17_q ? 7'h0 : sum_2826;
+      patches_place_0_column_q <= sample_pair_whole_s17_q ? select_1812 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s17_q ? select_1813 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_3031;
+      patches_place_1_column_q <= sample_pair_whole_s17_q ? select_1840 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s17_q ? select_1841 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_3036;
+      patches_codes_at_q <= select_3127;
+      patches_codes_further_q <= equal_1791_s17_q ? patches_codes_further_q : select_3132;
+      patches_next_codes_q <= select_3140;
+      patches_summed_first_q <= select_3518;
+      product_rest_q <= select_3947;
+      disagree_q <= equal_577_s17_q ? select_3891 : disagree_q;
+      write_half_q <= marks_first_s17_q ? (write_half_q ^ done_s17_q) : write_half_q;
+      read_half_q <= select_2052;
+      began_q <= not_2054_s17_q & (began_q | select_2041_s17_q);
+      seen_x_q <= select_2041_s17_q ? 4'h0 : (seen_x_q + 4'h1);
+      seen_y_q <= marks_first_s17_q ? 4'h0 : select_4069;
+      seen_column_q <= select_2041_s17_q ? 8'h0 : (seen_column_q + {7'h0, equal_2047});
+      seen_rows_left_q <= select_4075;
       at_cell_end_q <= (seen_y_q == 4'hf) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= marks_first_s17_q ? 13'h0 : (seen_base_q + {6'h0, select_2038});
+      seen_base_q <= marks_first_s17_q ? 13'h0 : (seen_base_q + {6'h0, select_2044});
     end
   end
 
@@ -8909,25 +9127,25 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s17_en) begin
-      averager_detail_0_q <= select_2178;
-      averager_detail_1_q <= select_2186;
-      census_columns_values_1_cell_2_mask_q <= select_2219;
-      census_columns_values_2_cell_2_mask_q <= select_2235;
-      census_columns_values_2_cell_3_mask_q <= select_2238;
-      census_columns_values_2_cell_4_mask_q <= select_2241;
-      census_columns_values_3_cell_0_mask_q <= select_2242;
-      census_columns_values_3_cell_1_mask_q <= select_2245;
-      census_columns_values_3_cell_2_mask_q <= select_2246;
-      census_columns_values_3_cell_3_mask_q <= select_2249;
-      sharpness_last_mask_q <= and_550_s17_q ? whole_2_s17_q : sharpness_last_mask_q;
-      box_textured_columns_values_0_q <= select_3948;
-      box_textured_columns_values_1_q <= select_3951;
-      box_textured_columns_values_2_q <= select_3954;
-      box_textured_columns_values_3_q <= select_3957;
-      box_textured_columns_values_4_q <= select_3960;
-      box_explained_sum_sums_values_0_q <= select_3981;
-      box_shown_sum_sums_values_0_q <= equal_575_s17_q ? box_shown_sum_sums_values_0_q : select_3998;
-      box_nearer_sum_sums_values_0_q <= equal_575_s17_q ? box_nearer_sum_sums_values_0_q : select_4016;
+      averager_detail_0_q <= select_2187;
+      averager_detail_1_q <= select_2195;
+      census_columns_values_1_cell_2_mask_q <= select_2228;
+      census_columns_values_2_cell_2_mask_q <= select_2244;
+      census_columns_values_2_cell_3_mask_q <= select_2247;
+      census_columns_values_2_cell_4_mask_q <= select_2250;
+      census_columns_values_3_cell_0_mask_q <= select_2251;
+      census_columns_values_3_cell_1_mask_q <= select_2254;
+      census_columns_values_3_cell_2_mask_q <= select_2255;
+      census_columns_values_3_cell_3_mask_q <= select_2258;
+      sharpness_last_mask_q <= and_552_s17_q ? whole_2_s17_q : sharpness_last_mask_q;
+      box_textured_columns_values_0_q <= select_3967;
+      box_textured_columns_values_1_q <= select_3970;
+      box_textured_columns_values_2_q <= select_3973;
+      box_textured_columns_values_3_q <= select_3976;
+      box_textured_columns_values_4_q <= select_3979;
+      box_explained_sum_sums_values_0_q <= select_4000;
+      box_shown_sum_sums_values_0_q <= equal_577_s17_q ? box_shown_sum_sums_values_0_q : select_4017;
+      box_nearer_sum_sums_values_0_q <= equal_577_s17_q ? box_nearer_sum_sums_values_0_q : select_4035;
     end
   end
 
@@ -8964,19 +9182,14 @@ module horopter_agreement (
   logic [13:0] product_s18_q;
   logic centres_values_1_textured_s18_q;
   logic centres_values_1_of_skin_s18_q;
-  logic [2:0] select_509_s18_q;
+  logic [2:0] select_511_s18_q;
   logic row_starts_s18_q;
   logic [6:0] last_s18_q;
-  logic and_550_s18_q;
-  logic equal_570_s18_q;
-  logic equal_575_s18_q;
-  logic not_576_s18_q;
+  logic and_552_s18_q;
+  logic equal_572_s18_q;
+  logic equal_577_s18_q;
+  logic not_578_s18_q;
   logic so_s18_q;
-  logic less_653_s18_q;
-  logic less_654_s18_q;
-  logic less_655_s18_q;
-  logic less_656_s18_q;
-  logic less_657_s18_q;
   logic less_658_s18_q;
   logic less_659_s18_q;
   logic less_660_s18_q;
@@ -8996,145 +9209,154 @@ module horopter_agreement (
   logic less_674_s18_q;
   logic less_675_s18_q;
   logic less_676_s18_q;
-  logic and_684_s18_q;
+  logic less_677_s18_q;
+  logic less_678_s18_q;
+  logic less_679_s18_q;
+  logic less_680_s18_q;
+  logic less_681_s18_q;
+  logic and_689_s18_q;
   logic whole_16_s18_q;
-  logic and_710_s18_q;
-  logic [11:0] sum_725_s18_q;
-  logic [9:0] sum_728_s18_q;
-  logic and_736_s18_q;
-  logic and_740_s18_q;
-  logic less_741_s18_q;
-  logic less_745_s18_q;
-  logic less_747_s18_q;
-  logic equal_1608_s18_q;
-  logic [1:0] sum_1614_s18_q;
-  logic equal_1616_s18_q;
-  logic equal_1618_s18_q;
-  logic equal_1620_s18_q;
+  logic and_715_s18_q;
+  logic [11:0] sum_730_s18_q;
+  logic [9:0] sum_733_s18_q;
+  logic and_741_s18_q;
+  logic and_745_s18_q;
+  logic less_746_s18_q;
+  logic less_750_s18_q;
+  logic less_752_s18_q;
+  logic equal_1614_s18_q;
+  logic [1:0] sum_1620_s18_q;
   logic equal_1622_s18_q;
   logic equal_1624_s18_q;
   logic equal_1626_s18_q;
-  logic less_1639_s18_q;
-  logic [19:0] select_1664_s18_q;
-  logic equal_1665_s18_q;
-  logic [11:0] sum_1672_s18_q;
-  logic and_1673_s18_q;
-  logic select_1690_s18_q;
-  logic equal_1691_s18_q;
-  logic equal_1785_s18_q;
-  logic equal_1787_s18_q;
-  logic equal_1790_s18_q;
-  logic or_1791_s18_q;
-  logic not_1792_s18_q;
-  logic select_1801_s18_q;
-  logic [8:0] sum_1804_s18_q;
-  logic [8:0] sum_1808_s18_q;
-  logic [4:0] select_1815_s18_q;
-  logic select_1821_s18_q;
-  logic [8:0] sum_1836_s18_q;
-  logic equal_1850_s18_q;
-  logic equal_1854_s18_q;
-  logic [3:0] select_1859_s18_q;
-  logic not_1988_s18_q;
-  logic not_2048_s18_q;
-  logic [7:0] sum_2058_s18_q;
-  logic [3:0] difference_2070_s18_q;
-  logic or_2078_s18_q;
-  logic [23:0] select_2089_s18_q;
+  logic equal_1628_s18_q;
+  logic equal_1630_s18_q;
+  logic equal_1632_s18_q;
+  logic less_1645_s18_q;
+  logic [19:0] select_1670_s18_q;
+  logic equal_1671_s18_q;
+  logic [11:0] sum_1678_s18_q;
+  logic and_1679_s18_q;
+  logic select_1696_s18_q;
+  logic equal_1697_s18_q;
+  logic equal_1791_s18_q;
+  logic equal_1793_s18_q;
+  logic equal_1796_s18_q;
+  logic or_1797_s18_q;
+  logic not_1798_s18_q;
+  logic select_1807_s18_q;
+  logic [8:0] sum_1810_s18_q;
+  logic [8:0] sum_1814_s18_q;
+  logic [4:0] select_1821_s18_q;
+  logic select_1827_s18_q;
+  logic [8:0] sum_1842_s18_q;
+  logic equal_1856_s18_q;
+  logic equal_1860_s18_q;
+  logic [3:0] select_1865_s18_q;
+  logic not_1994_s18_q;
+  logic [7:0] sum_2064_s18_q;
+  logic select_2066_s18_q;
+  logic [3:0] difference_2077_s18_q;
+  logic or_2085_s18_q;
+  logic [23:0] select_2097_s18_q;
   logic [4:0] around_s18_q;
-  logic less_2123_s18_q;
-  logic and_2134_s18_q;
-  logic [11:0] sum_2266_s18_q;
-  logic [9:0] sum_2269_s18_q;
-  logic equal_2277_s18_q;
-  logic equal_2292_s18_q;
-  logic [13:0] select_2300_s18_q;
-  logic not_2308_s18_q;
-  logic not_2311_s18_q;
-  logic not_2318_s18_q;
-  logic not_2321_s18_q;
-  logic [27:0] select_2356_s18_q;
-  logic and_2369_s18_q;
-  logic and_2381_s18_q;
-  logic [8:0] select_2388_s18_q;
-  logic [8:0] select_2392_s18_q;
-  logic equal_2395_s18_q;
-  logic less_2396_s18_q;
-  logic [11:0] select_2401_s18_q;
-  logic equal_2439_s18_q;
-  logic equal_2466_s18_q;
-  logic and_2591_s18_q;
-  logic not_2616_s18_q;
+  logic less_2131_s18_q;
+  logic and_2143_s18_q;
+  logic [11:0] sum_2275_s18_q;
+  logic [9:0] sum_2278_s18_q;
+  logic equal_2286_s18_q;
+  logic equal_2301_s18_q;
+  logic [13:0] select_2309_s18_q;
+  logic not_2317_s18_q;
+  logic not_2320_s18_q;
+  logic not_2327_s18_q;
+  logic not_2330_s18_q;
+  logic [27:0] select_2365_s18_q;
+  logic and_2378_s18_q;
+  logic and_2390_s18_q;
+  logic [8:0] select_2397_s18_q;
+  logic [8:0] select_2401_s18_q;
+  logic equal_2404_s18_q;
+  logic less_2405_s18_q;
+  logic [11:0] select_2410_s18_q;
+  logic equal_2448_s18_q;
+  logic equal_2475_s18_q;
+  logic and_2610_s18_q;
+  logic not_2635_s18_q;
   logic [4:0] e_s18_q;
-  logic [9:0] select_2642_s18_q;
-  logic [9:0] select_2645_s18_q;
-  logic and_2693_s18_q;
-  logic and_2751_s18_q;
-  logic [7:0] select_2771_s18_q;
-  logic [1:0] select_2781_s18_q;
-  logic [1:0] select_2796_s18_q;
-  logic [11:0] select_2849_s18_q;
-  logic and_2857_s18_q;
-  logic [11:0] select_2864_s18_q;
-  logic and_2875_s18_q;
-  logic and_2879_s18_q;
-  logic and_2911_s18_q;
-  logic and_2919_s18_q;
+  logic [9:0] select_2661_s18_q;
+  logic [9:0] select_2664_s18_q;
+  logic and_2712_s18_q;
+  logic and_2771_s18_q;
+  logic [7:0] select_2791_s18_q;
+  logic [1:0] select_2801_s18_q;
+  logic [1:0] select_2816_s18_q;
+  logic [11:0] select_2868_s18_q;
+  logic and_2876_s18_q;
+  logic [11:0] select_2883_s18_q;
+  logic and_2894_s18_q;
+  logic and_2898_s18_q;
+  logic and_2930_s18_q;
+  logic and_2938_s18_q;
   logic [8:0] other_s18_q;
-  logic [2:0] select_3134_s18_q;
-  logic [8:0] select_3149_s18_q;
-  logic xor_3164_s18_q;
-  logic xor_3182_s18_q;
-  logic xor_3194_s18_q;
-  logic xor_3206_s18_q;
-  logic xor_3218_s18_q;
-  logic or_3227_s18_q;
-  logic or_3231_s18_q;
-  logic or_3235_s18_q;
-  logic or_3242_s18_q;
+  logic [2:0] select_3153_s18_q;
+  logic [8:0] select_3168_s18_q;
+  logic xor_3183_s18_q;
+  logic xor_3201_s18_q;
+  logic xor_3213_s18_q;
+  logic xor_3225_s18_q;
+  logic xor_3237_s18_q;
   logic or_3246_s18_q;
   logic or_3250_s18_q;
-  logic or_3257_s18_q;
+  logic or_3254_s18_q;
   logic or_3261_s18_q;
   logic or_3265_s18_q;
-  logic or_3275_s18_q;
-  logic or_3279_s18_q;
-  logic or_3283_s18_q;
-  logic or_3291_s18_q;
-  logic or_3295_s18_q;
-  logic or_3299_s18_q;
-  logic or_3306_s18_q;
+  logic or_3269_s18_q;
+  logic or_3276_s18_q;
+  logic or_3280_s18_q;
+  logic or_3284_s18_q;
+  logic or_3294_s18_q;
+  logic or_3298_s18_q;
+  logic or_3302_s18_q;
   logic or_3310_s18_q;
   logic or_3314_s18_q;
-  logic or_3324_s18_q;
-  logic or_3328_s18_q;
-  logic or_3332_s18_q;
-  logic and_3337_s18_q;
-  logic or_3338_s18_q;
-  logic equal_3459_s18_q;
-  logic [9:0] select_3545_s18_q;
-  logic [2:0] select_3546_s18_q;
-  logic [4:0] select_3547_s18_q;
-  logic [9:0] select_3555_s18_q;
-  logic equal_3556_s18_q;
-  logic less_3584_s18_q;
+  logic or_3318_s18_q;
+  logic or_3325_s18_q;
+  logic or_3329_s18_q;
+  logic or_3333_s18_q;
+  logic or_3343_s18_q;
+  logic or_3347_s18_q;
+  logic or_3351_s18_q;
+  logic and_3356_s18_q;
+  logic or_3357_s18_q;
+  logic equal_3478_s18_q;
+  logic [9:0] select_3564_s18_q;
+  logic [2:0] select_3565_s18_q;
+  logic [4:0] select_3566_s18_q;
+  logic [9:0] select_3574_s18_q;
+  logic equal_3575_s18_q;
+  logic less_3603_s18_q;
   logic [2:0] fraction_s18_q;
-  logic [7:0] select_3607_s18_q;
-  logic sum_3608_s18_q;
-  logic [6:0] sum_3610_s18_q;
-  logic equal_3652_s18_q;
-  logic equal_3861_s18_q;
-  logic or_3864_s18_q;
-  logic select_3872_s18_q;
-  logic not_3877_s18_q;
-  logic equal_3886_s18_q;
-  logic equal_3888_s18_q;
-  logic equal_3889_s18_q;
-  logic equal_3890_s18_q;
-  logic equal_3891_s18_q;
-  logic equal_4031_s18_q;
-  logic [31:0] select_4130_s18_q;
-  logic [9:0] select_4137_s18_q;
+  logic [7:0] select_3626_s18_q;
+  logic sum_3627_s18_q;
+  logic [6:0] sum_3629_s18_q;
+  logic equal_3671_s18_q;
+  logic equal_3880_s18_q;
+  logic or_3883_s18_q;
+  logic select_3891_s18_q;
+  logic not_3896_s18_q;
+  logic equal_3902_s18_q;
+  logic equal_3905_s18_q;
+  logic equal_3907_s18_q;
+  logic equal_3908_s18_q;
+  logic equal_3909_s18_q;
+  logic equal_3910_s18_q;
+  logic or_4052_s18_q;
+  logic and_4066_s18_q;
+  logic and_4083_s18_q;
+  logic not_4095_s18_q;
+  logic [31:0] select_4151_s18_q;
+  logic [9:0] select_4158_s18_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s18_q <= pixel_0_s17_q;
@@ -9170,19 +9392,14 @@ module horopter_agreement (
       product_s18_q <= product_s17_q;
       centres_values_1_textured_s18_q <= centres_values_1_textured_s17_q;
       centres_values_1_of_skin_s18_q <= centres_values_1_of_skin_s17_q;
-      select_509_s18_q <= select_509_s17_q[2:0];
+      select_511_s18_q <= select_511_s17_q[2:0];
       row_starts_s18_q <= row_starts_s17_q;
       last_s18_q <= last_s17_q;
-      and_550_s18_q <= and_550_s17_q;
-      equal_570_s18_q <= equal_570_s17_q;
-      equal_575_s18_q <= equal_575_s17_q;
-      not_576_s18_q <= not_576_s17_q;
+      and_552_s18_q <= and_552_s17_q;
+      equal_572_s18_q <= equal_572_s17_q;
+      equal_577_s18_q <= equal_577_s17_q;
+      not_578_s18_q <= not_578_s17_q;
       so_s18_q <= so_s17_q;
-      less_653_s18_q <= less_653_s17_q;
-      less_654_s18_q <= less_654_s17_q;
-      less_655_s18_q <= less_655_s17_q;
-      less_656_s18_q <= less_656_s17_q;
-      less_657_s18_q <= less_657_s17_q;
       less_658_s18_q <= less_658_s17_q;
       less_659_s18_q <= less_659_s17_q;
       less_660_s18_q <= less_660_s17_q;
@@ -9202,145 +9419,154 @@ module horopter_agreement (
       less_674_s18_q <= less_674_s17_q;
       less_675_s18_q <= less_675_s17_q;
       less_676_s18_q <= less_676_s17_q;
-      and_684_s18_q <= and_684_s17_q;
+      less_677_s18_q <= less_677_s17_q;
+      less_678_s18_q <= less_678_s17_q;
+      less_679_s18_q <= less_679_s17_q;
+      less_680_s18_q <= less_680_s17_q;
+      less_681_s18_q <= less_681_s17_q;
+      and_689_s18_q <= and_689_s17_q;
       whole_16_s18_q <= whole_16;
-      and_710_s18_q <= census_columns_values_1_cell_2_mask_q & and_684_s17_q;
-      sum_725_s18_q <= {1'b0, sum_721} + {2'h0, sum_724_s17_q};
-      sum_728_s18_q <= sum_728_s17_q;
-      and_736_s18_q <= and_736;
-      and_740_s18_q <= and_736 & less_739_s17_q;
-      less_741_s18_q <= less_741_s17_q;
-      less_745_s18_q <= less_745_s17_q;
-      less_747_s18_q <= less_747_s17_q;
-      equal_1608_s18_q <= equal_1608_s17_q;
-      sum_1614_s18_q <= sum_1614_s17_q;
-      equal_1616_s18_q <= equal_1616_s17_q;
-      equal_1618_s18_q <= equal_1618_s17_q;
-      equal_1620_s18_q <= equal_1620_s17_q;
+      and_715_s18_q <= census_columns_values_1_cell_2_mask_q & and_689_s17_q;
+      sum_730_s18_q <= {1'b0, sum_726} + {2'h0, sum_729_s17_q};
+      sum_733_s18_q <= sum_733_s17_q;
+      and_741_s18_q <= and_741;
+      and_745_s18_q <= and_741 & less_744_s17_q;
+      less_746_s18_q <= less_746_s17_q;
+      less_750_s18_q <= less_750_s17_q;
+      less_752_s18_q <= less_752_s17_q;
+      equal_1614_s18_q <= equal_1614_s17_q;
+      sum_1620_s18_q <= sum_1620_s17_q;
       equal_1622_s18_q <= equal_1622_s17_q;
       equal_1624_s18_q <= equal_1624_s17_q;
       equal_1626_s18_q <= equal_1626_s17_q;
-      less_1639_s18_q <= less_1639_s17_q;
-      select_1664_s18_q <= equal_1663_s17_q ? registration_sums_rdata_s17_q[19:0] : 20'h0;
-      equal_1665_s18_q <= equal_1665;
-      sum_1672_s18_q <= sum_1672;
-      and_1673_s18_q <= and_1673_s17_q;
-      select_1690_s18_q <= select_1690_s17_q;
-      equal_1691_s18_q <= equal_1691_s17_q;
-      equal_1785_s18_q <= equal_1785_s17_q;
-      equal_1787_s18_q <= equal_1787_s17_q;
-      equal_1790_s18_q <= equal_1790_s17_q;
-      or_1791_s18_q <= or_1791_s17_q;
-      not_1792_s18_q <= not_1792_s17_q;
-      select_1801_s18_q <= select_1801_s17_q[0];
-      sum_1804_s18_q <= {1'b0, select_544_s17_q, select_509_s17_q[3]} + 9'h1;
-      sum_1808_s18_q <= {1'b0, select_1806} + {{3{select_1807[5]}}, select_1807};
-      select_1815_s18_q <= select_1815_s17_q;
+      equal_1628_s18_q <= equal_1628_s17_q;
+      equal_1630_s18_q <= equal_1630_s17_q;
+      equal_1632_s18_q <= equal_1632_s17_q;
+      less_1645_s18_q <= less_1645_s17_q;
+      select_1670_s18_q <= equal_1669_s17_q ? registration_sums_rdata_s17_q[19:0] : 20'h0;
+      equal_1671_s18_q <= equal_1671;
+      sum_1678_s18_q <= sum_1678;
+      and_1679_s18_q <= and_1679_s17_q;
+      select_1696_s18_q <= select_1696_s17_q;
+      equal_1697_s18_q <= equal_1697_s17_q;
+      equal_1791_s18_q <= equal_1791_s17_q;
+      equal_1793_s18_q <= equal_1793_s17_q;
+      equal_1796_s18_q <= equal_1796_s17_q;
+      or_1797_s18_q <= or_1797_s17_q;
+      not_1798_s18_q <= not_1798_s17_q;
+      select_1807_s18_q <= select_1807_s17_q[0];
+      sum_1810_s18_q <= {1'b0, select_546_s17_q, select_511_s17_q[3]} + 9'h1;
+      sum_1814_s18_q <= {1'b0, select_1812} + {{3{select_1813[5]}}, select_1813};
       select_1821_s18_q <= select_1821_s17_q;
-      sum_1836_s18_q <= {1'b0, select_1834} + {{3{select_1835[5]}}, select_1835};
-      equal_1850_s18_q <= equal_1850;
-      equal_1854_s18_q <= equal_1854;
-      select_1859_s18_q <= select_1859_s17_q;
-      not_1988_s18_q <= not_1988_s17_q;
-      not_2048_s18_q <= not_2048;
-      sum_2058_s18_q <= {2'h0, x_s17_q[7:2]} + 8'hff;
-      difference_2070_s18_q <= {1'b0, textured_2_s17_q} - {1'b0, select_2069};
-      or_2078_s18_q <= or_2078_s17_q;
-      select_2089_s18_q <= select_2089;
+      select_1827_s18_q <= select_1827_s17_q;
+      sum_1842_s18_q <= {1'b0, select_1840} + {{3{select_1841[5]}}, select_1841};
+      equal_1856_s18_q <= equal_1856;
+      equal_1860_s18_q <= equal_1860;
+      select_1865_s18_q <= select_1865_s17_q;
+      not_1994_s18_q <= not_1994_s17_q;
+      sum_2064_s18_q <= {2'h0, x_s17_q[7:2]} + 8'hff;
+      select_2066_s18_q <= draws_late_s17_q ? read_half_q : write_half_q;
+      difference_2077_s18_q <= {1'b0, textured_2_s17_q} - {1'b0, select_2076};
+      or_2085_s18_q <= or_2085_s17_q;
+      select_2097_s18_q <= select_2097;
       around_s18_q <= around;
-      less_2123_s18_q <= {1'b0, around[4:1]} < n;
-      and_2134_s18_q <= and_2134_s17_q;
-      sum_2266_s18_q <= {1'b0, sum_2262} + {2'h0, sum_2265_s17_q};
-      sum_2269_s18_q <= sum_2269_s17_q;
-      equal_2277_s18_q <= equal_2277_s17_q;
-      equal_2292_s18_q <= equal_2292_s17_q;
-      select_2300_s18_q <= (select_2295 < select_2293) ? select_2293 : select_2295;
-      not_2308_s18_q <= ~({3'h0, counts_turned_left_q[13:2]} < sum_2306);
-      not_2311_s18_q <= ~({3'h0, select_2295[13:2]} < sum_2306);
-      not_2318_s18_q <= ~({3'h0, counts_turned_right_q[13:2]} < sum_2316);
-      not_2321_s18_q <= ~({3'h0, select_2293[13:2]} < sum_2316);
-      select_2356_s18_q <= sample_pair_whole_s17_q ? {detail_2, detail} : 28'h0;
-      and_2369_s18_q <= and_2369;
-      and_2381_s18_q <= and_2381;
-      select_2388_s18_q <= and_2369 ? contrast_s17_q : 9'h0;
-      select_2392_s18_q <= and_2381 ? contrast_2_s17_q : 9'h0;
-      equal_2395_s18_q <= x_s17_q[7:3] == 5'h0;
-      less_2396_s18_q <= 7'h2 < {x_s17_q[4:0], slot_s17_q[2:1]};
-      select_2401_s18_q <= select_2401;
-      equal_2439_s18_q <= {x_s17_q[4:0], slot_s17_q} == 8'h0;
-      equal_2466_s18_q <= equal_2466_s17_q;
-      and_2591_s18_q <= and_2591_s17_q;
-      not_2616_s18_q <= not_2616_s17_q;
+      less_2131_s18_q <= {1'b0, around[4:1]} < n;
+      and_2143_s18_q <= and_2143_s17_q;
+      sum_2275_s18_q <= {1'b0, sum_2271} + {2'h0, sum_2274_s17_q};
+      sum_2278_s18_q <= sum_2278_s17_q;
+      equal_2286_s18_q <= equal_2286_s17_q;
+      equal_2301_s18_q <= equal_2301_s17_q;
+      select_2309_s18_q <= (select_2304 < select_2302) ? select_2302 : select_2304;
+      not_2317_s18_q <= ~({3'h0, counts_turned_left_q[13:2]} < sum_2315);
+      not_2320_s18_q <= ~({3'h0, select_2304[13:2]} < sum_2315);
+      not_2327_s18_q <= ~({3'h0, counts_turned_right_q[13:2]} < sum_2325);
+      not_2330_s18_q <= ~({3'h0, select_2302[13:2]} < sum_2325);
+      select_2365_s18_q <= sample_pair_whole_s17_q ? {detail_2, detail} : 28'h0;
+      and_2378_s18_q <= and_2378;
+      and_2390_s18_q <= and_2390;
+      select_2397_s18_q <= and_2378 ? contrast_s17_q : 9'h0;
+      select_2401_s18_q <= and_2390 ? contrast_2_s17_q : 9'h0;
+      equal_2404_s18_q <= x_s17_q[7:3] == 5'h0;
+      less_2405_s18_q <= 7'h2 < {x_s17_q[4:0], slot_s17_q[2:1]};
+      select_2410_s18_q <= select_2410;
+      equal_2448_s18_q <= {x_s17_q[4:0], slot_s17_q} == 8'h0;
+      equal_2475_s18_q <= equal_2475_s17_q;
+      and_2610_s18_q <= and_2610_s17_q;
+      not_2635_s18_q <= not_2635_s17_q;
       e_s18_q <= e;
-      select_2642_s18_q <= select_2642_s17_q;
-      select_2645_s18_q <= select_2645_s17_q;
-      and_2693_s18_q <= and_2693_s17_q;
-      and_2751_s18_q <= and_2751_s17_q;
-      select_2771_s18_q <= equal_575_s17_q ? 8'h0 : (so_s17_q ? select_2769 : 8'h0);
-      select_2781_s18_q <= equal_1701_s17_q ? {and_2780, and_2752_s17_q} : 2'h0;
-      select_2796_s18_q <= equal_1701_s17_q ? {and_2795, and_2752_s17_q} : 2'h0;
-      select_2849_s18_q <= select_2849;
-      and_2857_s18_q <= equal_575_s17_q & (x_s17_q[6] & and_2855);
-      select_2864_s18_q <= select_2864;
-      and_2875_s18_q <= equal_575_s17_q & (x_s17_q[6] & and_2873);
-      and_2879_s18_q <= and_2879;
-      and_2911_s18_q <= equal_575_s17_q & (x_s17_q[6] & and_2909);
-      and_2919_s18_q <= x_s17_q[6] & and_2918;
+      select_2661_s18_q <= select_2661_s17_q;
+      select_2664_s18_q <= select_2664_s17_q;
+      and_2712_s18_q <= and_2712_s17_q;
+      and_2771_s18_q <= and_2771_s17_q;
+      select_2791_s18_q <= equal_577_s17_q ? 8'h0 : (so_s17_q ? select_2789 : 8'h0);
+      select_2801_s18_q <= equal_1707_s17_q ? {and_2800, and_2772_s17_q} : 2'h0;
+      select_2816_s18_q <= equal_1707_s17_q ? {and_2815, and_2772_s17_q} : 2'h0;
+      select_2868_s18_q <= select_2868;
+      and_2876_s18_q <= equal_577_s17_q & (x_s17_q[6] & and_2874);
+      select_2883_s18_q <= select_2883;
+      and_2894_s18_q <= equal_577_s17_q & (x_s17_q[6] & and_2892);
+      and_2898_s18_q <= and_2898;
+      and_2930_s18_q <= equal_577_s17_q & (x_s17_q[6] & and_2928);
+      and_2938_s18_q <= x_s17_q[6] & and_2937;
       other_s18_q <= other[44:36];
-      select_3134_s18_q <= and_1957_s17_q ? {and_3133, xor_3132, parity_3126} : 3'h0;
-      select_3149_s18_q <= select_3149_s17_q[44:36];
-      xor_3164_s18_q <= xor_3164;
-      xor_3182_s18_q <= xor_3164 ^ parity_3181;
-      xor_3194_s18_q <= xor_3185 ^ (^{select_3149_s17_q[41:36], other[41:36]});
-      xor_3206_s18_q <= xor_3197 ^ (^{select_3149_s17_q[23:18], other[23:18]});
-      xor_3218_s18_q <= xor_3209 ^ (^{select_3149_s17_q[32:27], other[32:27]});
-      or_3227_s18_q <= (xor_3158 & xor_3161) | (xor_3155 & (xor_3158 | xor_3161));
-      or_3231_s18_q <= (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-      or_3235_s18_q <= (xor_3173 & xor_3176) | (xor_3170 & (xor_3173 | xor_3176));
-      or_3242_s18_q <= (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
-      or_3246_s18_q <= (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-      or_3250_s18_q <= (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
-      or_3257_s18_q <= (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
-      or_3261_s18_q <= (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-      or_3265_s18_q <= (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
-      or_3275_s18_q <= (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
-      or_3279_s18_q <= (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-      or_3283_s18_q <= (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
-      or_3291_s18_q <= (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
-      or_3295_s18_q <= (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-      or_3299_s18_q <= (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
-      or_3306_s18_q <= (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
-      or_3310_s18_q <= (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-      or_3314_s18_q <= (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
-      or_3324_s18_q <= (xor_3188 & xor_3191) | (xor_3185 & (xor_3188 | xor_3191));
-      or_3328_s18_q <= (xor_3200 & xor_3203) | (xor_3197 & (xor_3200 | xor_3203));
-      or_3332_s18_q <= (xor_3212 & xor_3215) | (xor_3209 & (xor_3212 | xor_3215));
-      and_3337_s18_q <= xor_3167 & xor_3179;
-      or_3338_s18_q <= xor_3167 | xor_3179;
-      equal_3459_s18_q <= equal_3459_s17_q;
-      select_3545_s18_q <= select_3545_s17_q;
-      select_3546_s18_q <= select_3546_s17_q[2:0];
-      select_3547_s18_q <= select_3547_s17_q;
-      select_3555_s18_q <= patches_peak_far_q;
-      equal_3556_s18_q <= equal_3556_s17_q;
-      less_3584_s18_q <= less_3584_s17_q;
+      select_3153_s18_q <= and_1963_s17_q ? {and_3152, xor_3151, parity_3145} : 3'h0;
+      select_3168_s18_q <= select_3168_s17_q[44:36];
+      xor_3183_s18_q <= xor_3183;
+      xor_3201_s18_q <= xor_3183 ^ parity_3200;
+      xor_3213_s18_q <= xor_3204 ^ (^{select_3168_s17_q[41:36], other[41:36]});
+      xor_3225_s18_q <= xor_3216 ^ (^{select_3168_s17_q[23:18], other[23:18]});
+      xor_3237_s18_q <= xor_3228 ^ (^{select_3168_s17_q[32:27], other[32:27]});
+      or_3246_s18_q <= (xor_3177 & xor_3180) | (xor_3174 & (xor_3177 | xor_3180));
+      or_3250_s18_q <= (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+      or_3254_s18_q <= (xor_3192 & xor_3195) | (xor_3189 & (xor_3192 | xor_3195));
+      or_3261_s18_q <= (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+      or_3265_s18_q <= (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+      or_3269_s18_q <= (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+      or_3276_s18_q <= (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+      or_3280_s18_q <= (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+      or_3284_s18_q <= (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+      or_3294_s18_q <= (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+      or_3298_s18_q <= (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+      or_3302_s18_q <= (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+      or_3310_s18_q <= (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+      or_3314_s18_q <= (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+      or_3318_s18_q <= (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+      or_3325_s18_q <= (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+      or_3329_s18_q <= (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+      or_3333_s18_q <= (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+      or_3343_s18_q <= (xor_3207 & xor_3210) | (xor_3204 & (xor_3207 | xor_3210));
+      or_3347_s18_q <= (xor_3219 & xor_3222) | (xor_3216 & (xor_3219 | xor_3222));
+      or_3351_s18_q <= (xor_3231 & xor_3234) | (xor_3228 & (xor_3231 | xor_3234));
+      and_3356_s18_q <= xor_3186 & xor_3198;
+      or_3357_s18_q <= xor_3186 | xor_3198;
+      equal_3478_s18_q <= equal_3478_s17_q;
+      select_3564_s18_q <= select_3564_s17_q;
+      select_3565_s18_q <= select_3565_s17_q[2:0];
+      select_3566_s18_q <= select_3566_s17_q;
+      select_3574_s18_q <= patches_peak_far_q;
+      equal_3575_s18_q <= equal_3575_s17_q;
+      less_3603_s18_q <= less_3603_s17_q;
       fraction_s18_q <= fraction;
-      select_3607_s18_q <= select_3607;
-      sum_3608_s18_q <= sum_3608[0];
-      sum_3610_s18_q <= sum_3610;
-      equal_3652_s18_q <= equal_3652_s17_q;
-      equal_3861_s18_q <= select_2642_s17_q[9:3] == 7'h0;
-      or_3864_s18_q <= or_3864;
-      select_3872_s18_q <= select_3872;
-      not_3877_s18_q <= ~({sum_3875, select_2645_s17_q[0]} < {2'h0, select_2642_s17_q});
-      equal_3886_s18_q <= equal_3886_s17_q;
-      equal_3888_s18_q <= equal_3888_s17_q;
-      equal_3889_s18_q <= equal_3889_s17_q;
-      equal_3890_s18_q <= equal_3890_s17_q;
-      equal_3891_s18_q <= equal_3891_s17_q;
-      equal_4031_s18_q <= equal_4031_s17_q;
-      select_4130_s18_q <= select_4130;
-      select_4137_s18_q <= select_4137_s17_q;
+      select_3626_s18_q <= select_3626;
+      sum_3627_s18_q <= sum_3627[0];
+      sum_3629_s18_q <= sum_3629;
+      equal_3671_s18_q <= equal_3671_s17_q;
+      equal_3880_s18_q <= select_2661_s17_q[9:3] == 7'h0;
+      or_3883_s18_q <= or_3883;
+      select_3891_s18_q <= select_3891;
+      not_3896_s18_q <= ~({sum_3894, select_2664_s17_q[0]} < {2'h0, select_2661_s17_q});
+      equal_3902_s18_q <= equal_3902_s17_q;
+      equal_3905_s18_q <= equal_3905_s17_q;
+      equal_3907_s18_q <= equal_3907_s17_q;
+      equal_3908_s18_q <= equal_3908_s17_q;
+      equal_3909_s18_q <= equal_3909_s17_q;
+      equal_3910_s18_q <= equal_3910_s17_q;
+      or_4052_s18_q <= or_4052_s17_q;
+      and_4066_s18_q <= and_4066_s17_q;
+      and_4083_s18_q <= and_4083_s17_q;
+      not_4095_s18_q <= not_4095_s17_q;
+      select_4151_s18_q <= select_4151;
+      select_4158_s18_q <= select_4158_s17_q;
     end
   end
 
@@ -9379,12 +9605,7 @@ module horopter_agreement (
   logic [4:0] box_textured_sum_sums_values_0_q;
   logic [12:0] map_row_q;
   logic [6:0] map_width_q;
-  logic write_half_q;
-  logic read_half_q;
-  logic done_q;
-  logic drew_q;
-  logic said_q;
-  // hls/stages/agreement.hpp:456
+  // hls/stages/agreement.hpp:460
   logic whole_17;
   assign whole_17 = census_columns_values_2_cell_4_mask_s18_q & whole_16_s18_q;
   logic whole_18;
@@ -9399,207 +9620,201 @@ module horopter_agreement (
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
   // hls/stages/census.hpp:284
   logic [11:0] texture;
-  assign texture = sum_725_s18_q + {2'h0, sum_728_s18_q};
+  assign texture = sum_730_s18_q + {2'h0, sum_733_s18_q};
   // hls/stages/registration.hpp:263
   logic [6:0] down;
-  assign down = sum_1614_s18_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_1620_s18_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:265
-  logic [13:0] select_1667;
-  assign select_1667 = equal_1665_s18_q ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [13:0] select_1673;
+  assign select_1673 = equal_1671_s18_q ? registration_half_across_q : {{7{down[6]}}, down};
   // hls/stages/patches.hpp:127
-  logic select_1803;
-  assign select_1803 = equal_1691_s18_q ? patches_place_0_valid_q : (select_1690_s18_q ? patches_place_0_valid_q : select_1801_s18_q);
+  logic select_1809;
+  assign select_1809 = equal_1697_s18_q ? patches_place_0_valid_q : (select_1696_s18_q ? patches_place_0_valid_q : select_1807_s18_q);
   // hls/stages/patches.hpp:132
-  logic equal_1809;
-  assign equal_1809 = {sum_1808_s18_q, sum_1804_s18_q[0], select_509_s18_q} == {1'b0, sum_1804_s18_q[8:1], 4'h0};
+  logic equal_1815;
+  assign equal_1815 = {sum_1814_s18_q, sum_1810_s18_q[0], select_511_s18_q} == {1'b0, sum_1810_s18_q[8:1], 4'h0};
   // hls/stages/patches.hpp:127
-  logic select_1832;
-  assign select_1832 = equal_1691_s18_q ? patches_place_1_valid_q : (select_1690_s18_q ? select_1801_s18_q : patches_place_1_valid_q);
+  logic select_1838;
+  assign select_1838 = equal_1697_s18_q ? patches_place_1_valid_q : (select_1696_s18_q ? select_1807_s18_q : patches_place_1_valid_q);
   // hls/stages/patches.hpp:132
-  logic equal_1837;
-  assign equal_1837 = {sum_1836_s18_q[8], sum_1804_s18_q, select_509_s18_q} == {1'b0, sum_1836_s18_q[7:0], 4'h0};
-  // hls/stages/agreement.hpp:1308
+  logic equal_1843;
+  assign equal_1843 = {sum_1842_s18_q[8], sum_1810_s18_q, select_511_s18_q} == {1'b0, sum_1842_s18_q[7:0], 4'h0};
+  // hls/stages/agreement.hpp:1317
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:1275
-  logic select_2046;
-  assign select_2046 = marks_first_s18_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1261
-  logic [10:0] sum_2047;
-  assign sum_2047 = {1'b0, {5{select_2046}}, 1'b0, {2{select_2046}}, 1'b0, select_2046} + {1'b0, index[12:3]};
-  // hls/stages/agreement.hpp:1111
+  // hls/stages/agreement.hpp:1269
+  logic [10:0] sum_2053;
+  assign sum_2053 = {1'b0, {5{read_half_q}}, 1'b0, {2{read_half_q}}, 1'b0, read_half_q} + {1'b0, index[12:3]};
+  // hls/stages/agreement.hpp:1119
   logic [12:0] index_2;
-  assign index_2 = {{3{sum_2058_s18_q[7]}}, sum_2058_s18_q, x_s18_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1261
-  logic [10:0] sum_2060;
-  assign sum_2060 = {1'b0, {5{write_half_q}}, 1'b0, {2{write_half_q}}, 1'b0, write_half_q} + {1'b0, index_2[12:3]};
-  // hls/stages/agreement.hpp:1094
-  logic [4:0] t;
-  assign t = {difference_2070_s18_q[3], difference_2070_s18_q} + (equal_570_s18_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  assign index_2 = {{3{sum_2064_s18_q[7]}}, sum_2064_s18_q, x_s18_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:1269
+  logic [10:0] sum_2067;
+  assign sum_2067 = {1'b0, {5{select_2066_s18_q}}, 1'b0, {2{select_2066_s18_q}}, 1'b0, select_2066_s18_q} + {1'b0, index_2[12:3]};
   // hls/stages/agreement.hpp:1101
-  logic [47:0] select_2090;
-  assign select_2090 = or_2078_s18_q ? {select_2089_s18_q[23], 1'b0, select_2089_s18_q[22], 1'b0, select_2089_s18_q[21], 1'b0, select_2089_s18_q[20], 1'b0, select_2089_s18_q[19], 1'b0, select_2089_s18_q[18], 1'b0, select_2089_s18_q[17], 1'b0, select_2089_s18_q[16], 1'b0, select_2089_s18_q[15], 1'b0, select_2089_s18_q[14], 1'b0, select_2089_s18_q[13], 1'b0, select_2089_s18_q[12], 1'b0, select_2089_s18_q[11], 1'b0, select_2089_s18_q[10], 1'b0, select_2089_s18_q[9], 1'b0, select_2089_s18_q[8], 1'b0, select_2089_s18_q[7], 1'b0, select_2089_s18_q[6], 1'b0, select_2089_s18_q[5], 1'b0, select_2089_s18_q[4], 1'b0, select_2089_s18_q[3], 1'b0, select_2089_s18_q[2], 1'b0, select_2089_s18_q[1], 1'b0, select_2089_s18_q[0], 1'b0} : {1'b0, select_2089_s18_q[23], 1'b0, select_2089_s18_q[22], 1'b0, select_2089_s18_q[21], 1'b0, select_2089_s18_q[20], 1'b0, select_2089_s18_q[19], 1'b0, select_2089_s18_q[18], 1'b0, select_2089_s18_q[17], 1'b0, select_2089_s18_q[16], 1'b0, select_2089_s18_q[15], 1'b0, select_2089_s18_q[14], 1'b0, select_2089_s18_q[13], 1'b0, select_2089_s18_q[12], 1'b0, select_2089_s18_q[11], 1'b0, select_2089_s18_q[10], 1'b0, select_2089_s18_q[9], 1'b0, select_2089_s18_q[8], 1'b0, select_2089_s18_q[7], 1'b0, select_2089_s18_q[6], 1'b0, select_2089_s18_q[5], 1'b0, select_2089_s18_q[4], 1'b0, select_2089_s18_q[3], 1'b0, select_2089_s18_q[2], 1'b0, select_2089_s18_q[1], 1'b0, select_2089_s18_q[0]};
-  // hls/stages/agreement.hpp:1103
-  logic [5:0] sum_2107;
-  assign sum_2107 = {1'b0, around_s18_q} + {2'h0, around_s18_q[4:1]};
-  // hls/stages/agreement.hpp:520
-  logic select_2250;
-  assign select_2250 = and_550_s18_q ? census_columns_values_2_cell_4_mask_s18_q : census_columns_values_3_cell_4_mask_q;
+  logic [4:0] t;
+  assign t = {difference_2077_s18_q[3], difference_2077_s18_q} + (equal_572_s18_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1109
+  logic [47:0] select_2098;
+  assign select_2098 = or_2085_s18_q ? {select_2097_s18_q[23], 1'b0, select_2097_s18_q[22], 1'b0, select_2097_s18_q[21], 1'b0, select_2097_s18_q[20], 1'b0, select_2097_s18_q[19], 1'b0, select_2097_s18_q[18], 1'b0, select_2097_s18_q[17], 1'b0, select_2097_s18_q[16], 1'b0, select_2097_s18_q[15], 1'b0, select_2097_s18_q[14], 1'b0, select_2097_s18_q[13], 1'b0, select_2097_s18_q[12], 1'b0, select_2097_s18_q[11], 1'b0, select_2097_s18_q[10], 1'b0, select_2097_s18_q[9], 1'b0, select_2097_s18_q[8], 1'b0, select_2097_s18_q[7], 1'b0, select_2097_s18_q[6], 1'b0, select_2097_s18_q[5], 1'b0, select_2097_s18_q[4], 1'b0, select_2097_s18_q[3], 1'b0, select_2097_s18_q[2], 1'b0, select_2097_s18_q[1], 1'b0, select_2097_s18_q[0], 1'b0} : {1'b0, select_2097_s18_q[23], 1'b0, select_2097_s18_q[22], 1'b0, select_2097_s18_q[21], 1'b0, select_2097_s18_q[20], 1'b0, select_2097_s18_q[19], 1'b0, select_2097_s18_q[18], 1'b0, select_2097_s18_q[17], 1'b0, select_2097_s18_q[16], 1'b0, select_2097_s18_q[15], 1'b0, select_2097_s18_q[14], 1'b0, select_2097_s18_q[13], 1'b0, select_2097_s18_q[12], 1'b0, select_2097_s18_q[11], 1'b0, select_2097_s18_q[10], 1'b0, select_2097_s18_q[9], 1'b0, select_2097_s18_q[8], 1'b0, select_2097_s18_q[7], 1'b0, select_2097_s18_q[6], 1'b0, select_2097_s18_q[5], 1'b0, select_2097_s18_q[4], 1'b0, select_2097_s18_q[3], 1'b0, select_2097_s18_q[2], 1'b0, select_2097_s18_q[1], 1'b0, select_2097_s18_q[0]};
+  // hls/stages/agreement.hpp:1111
+  logic [5:0] sum_2115;
+  assign sum_2115 = {1'b0, around_s18_q} + {2'h0, around_s18_q[4:1]};
+  // hls/stages/agreement.hpp:527
+  logic select_2259;
+  assign select_2259 = and_552_s18_q ? census_columns_values_2_cell_4_mask_s18_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:286
-  logic [11:0] sum_2270;
-  assign sum_2270 = sum_2266_s18_q + {2'h0, sum_2269_s18_q};
-  // hls/stages/agreement.hpp:520
-  logic [11:0] select_2272;
-  assign select_2272 = and_550_s18_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2273;
-  assign select_2273 = and_550_s18_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] sum_2279;
+  assign sum_2279 = sum_2275_s18_q + {2'h0, sum_2278_s18_q};
+  // hls/stages/agreement.hpp:527
+  logic [11:0] select_2281;
+  assign select_2281 = and_552_s18_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2282;
+  assign select_2282 = and_552_s18_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2302;
-  assign sum_2302 = {1'b0, moments_most_before_q} + 15'h3;
-  // hls/stages/agreement.hpp:520
-  logic [13:0] select_2357;
-  assign select_2357 = and_550_s18_q ? select_2356_s18_q[13:0] : sharpness_last_detail_0_q;
-  logic [13:0] select_2358;
-  assign select_2358 = and_550_s18_q ? select_2356_s18_q[27:14] : sharpness_last_detail_1_q;
+  logic [14:0] sum_2311;
+  assign sum_2311 = {1'b0, moments_most_before_q} + 15'h3;
+  // hls/stages/agreement.hpp:527
+  logic [13:0] select_2366;
+  assign select_2366 = and_552_s18_q ? select_2365_s18_q[13:0] : sharpness_last_detail_0_q;
+  logic [13:0] select_2367;
+  assign select_2367 = and_552_s18_q ? select_2365_s18_q[27:14] : sharpness_last_detail_1_q;
   // hls/stages/census.hpp:372
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2356_s18_q[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2365_s18_q[13:0]};
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2356_s18_q[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2365_s18_q[27:14]};
   // hls/stages/census.hpp:375
-  logic [23:0] sum_2389;
-  assign sum_2389 = (equal_2277_s18_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2388_s18_q};
-  logic [23:0] sum_2393;
-  assign sum_2393 = (equal_2277_s18_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2392_s18_q};
+  logic [23:0] sum_2398;
+  assign sum_2398 = (equal_2286_s18_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2397_s18_q};
+  logic [23:0] sum_2402;
+  assign sum_2402 = (equal_2286_s18_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2401_s18_q};
   // hls/stages/census.hpp:427
-  logic less_2397;
-  assign less_2397 = x_s18_q[4:0] < 5'h3;
-  logic [23:0] select_2402;
-  assign select_2402 = slot_s18_q ? {select_2401_s18_q[11], 1'b0, select_2401_s18_q[10], 1'b0, select_2401_s18_q[9], 1'b0, select_2401_s18_q[8], 1'b0, select_2401_s18_q[7], 1'b0, select_2401_s18_q[6], 1'b0, select_2401_s18_q[5], 1'b0, select_2401_s18_q[4], 1'b0, select_2401_s18_q[3], 1'b0, select_2401_s18_q[2], 1'b0, select_2401_s18_q[1], 1'b0, select_2401_s18_q[0], 1'b0} : {1'b0, select_2401_s18_q[11], 1'b0, select_2401_s18_q[10], 1'b0, select_2401_s18_q[9], 1'b0, select_2401_s18_q[8], 1'b0, select_2401_s18_q[7], 1'b0, select_2401_s18_q[6], 1'b0, select_2401_s18_q[5], 1'b0, select_2401_s18_q[4], 1'b0, select_2401_s18_q[3], 1'b0, select_2401_s18_q[2], 1'b0, select_2401_s18_q[1], 1'b0, select_2401_s18_q[0]};
+  logic less_2406;
+  assign less_2406 = x_s18_q[4:0] < 5'h3;
+  logic [23:0] select_2411;
+  assign select_2411 = slot_s18_q ? {select_2410_s18_q[11], 1'b0, select_2410_s18_q[10], 1'b0, select_2410_s18_q[9], 1'b0, select_2410_s18_q[8], 1'b0, select_2410_s18_q[7], 1'b0, select_2410_s18_q[6], 1'b0, select_2410_s18_q[5], 1'b0, select_2410_s18_q[4], 1'b0, select_2410_s18_q[3], 1'b0, select_2410_s18_q[2], 1'b0, select_2410_s18_q[1], 1'b0, select_2410_s18_q[0], 1'b0} : {1'b0, select_2410_s18_q[11], 1'b0, select_2410_s18_q[10], 1'b0, select_2410_s18_q[9], 1'b0, select_2410_s18_q[8], 1'b0, select_2410_s18_q[7], 1'b0, select_2410_s18_q[6], 1'b0, select_2410_s18_q[5], 1'b0, select_2410_s18_q[4], 1'b0, select_2410_s18_q[3], 1'b0, select_2410_s18_q[2], 1'b0, select_2410_s18_q[1], 1'b0, select_2410_s18_q[0]};
   // hls/stages/census.hpp:390
-  logic and_2406;
-  assign and_2406 = less_2397 & (~((sharpness_sums_contrast_1_q & select_2402) == 24'h0));
-  logic and_2416;
-  assign and_2416 = less_2397 & (~((sharpness_sums_contrast_0_q & select_2402) == 24'h0));
-  // hls/stages/agreement.hpp:1102
-  logic [5:0] sum_2629;
-  assign sum_2629 = {1'b0, e_s18_q} + {2'h0, e_s18_q[4:1]};
-  // hls/stages/agreement.hpp:1133
-  logic [10:0] sum_2646;
-  assign sum_2646 = {1'b0, select_2645_s18_q} + {3'h0, select_2645_s18_q[9:2]};
+  logic and_2415;
+  assign and_2415 = less_2406 & (~((sharpness_sums_contrast_1_q & select_2411) == 24'h0));
+  logic and_2425;
+  assign and_2425 = less_2406 & (~((sharpness_sums_contrast_0_q & select_2411) == 24'h0));
+  // hls/stages/agreement.hpp:1110
+  logic [5:0] sum_2648;
+  assign sum_2648 = {1'b0, e_s18_q} + {2'h0, e_s18_q[4:1]};
+  // hls/stages/agreement.hpp:1141
+  logic [10:0] sum_2665;
+  assign sum_2665 = {1'b0, select_2664_s18_q} + {3'h0, select_2664_s18_q[9:2]};
   // hls/stages/registration.hpp:133
-  logic [13:0] sum_2772;
-  assign sum_2772 = registration_half_across_q + {{6{select_2771_s18_q[7]}}, select_2771_s18_q};
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_2783;
-  assign select_2783 = equal_575_s18_q ? 2'h0 : (so_s18_q ? select_2781_s18_q : 2'h0);
+  logic [13:0] sum_2792;
+  assign sum_2792 = registration_half_across_q + {{6{select_2791_s18_q[7]}}, select_2791_s18_q};
+  // hls/stages/agreement.hpp:795
+  logic [1:0] select_2803;
+  assign select_2803 = equal_577_s18_q ? 2'h0 : (so_s18_q ? select_2801_s18_q : 2'h0);
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2784;
-  assign sum_2784 = registration_half_votes_down_q + {{5{select_2783[1]}}, select_2783};
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_2798;
-  assign select_2798 = equal_575_s18_q ? 2'h0 : (so_s18_q ? select_2796_s18_q : 2'h0);
+  logic [6:0] sum_2804;
+  assign sum_2804 = registration_half_votes_down_q + {{5{select_2803[1]}}, select_2803};
+  // hls/stages/agreement.hpp:795
+  logic [1:0] select_2818;
+  assign select_2818 = equal_577_s18_q ? 2'h0 : (so_s18_q ? select_2816_s18_q : 2'h0);
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2799;
-  assign sum_2799 = registration_half_half_votes_down_q + {{5{select_2798[1]}}, select_2798};
-  // hls/stages/agreement.hpp:788
-  logic and_2840;
-  assign and_2840 = equal_575_s18_q & (x_s18_q[6] & (not_1988_s18_q & less_1639_s18_q));
-  logic [11:0] select_2851;
-  assign select_2851 = equal_575_s18_q ? (x_s18_q[6] ? select_2849_s18_q : 12'h0) : 12'h0;
+  logic [6:0] sum_2819;
+  assign sum_2819 = registration_half_half_votes_down_q + {{5{select_2818[1]}}, select_2818};
+  // hls/stages/agreement.hpp:795
+  logic and_2859;
+  assign and_2859 = equal_577_s18_q & (x_s18_q[6] & (not_1994_s18_q & less_1645_s18_q));
+  logic [11:0] select_2870;
+  assign select_2870 = equal_577_s18_q ? (x_s18_q[6] ? select_2868_s18_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_2859;
-  assign sum_2859 = {{2{select_2851[11]}}, select_2851} + (and_2857_s18_q ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:788
-  logic [11:0] select_2866;
-  assign select_2866 = equal_575_s18_q ? (x_s18_q[6] ? select_2864_s18_q : 12'h0) : 12'h0;
+  logic [13:0] sum_2878;
+  assign sum_2878 = {{2{select_2870[11]}}, select_2870} + (and_2876_s18_q ? 14'h0 : registration_down_q);
+  // hls/stages/agreement.hpp:795
+  logic [11:0] select_2885;
+  assign select_2885 = equal_577_s18_q ? (x_s18_q[6] ? select_2883_s18_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_2868;
-  assign sum_2868 = {{2{select_2866[11]}}, select_2866} + (and_2857_s18_q ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2887;
+  assign sum_2887 = {{2{select_2885[11]}}, select_2885} + (and_2876_s18_q ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:246
-  logic not_2880;
-  assign not_2880 = ~and_2879_s18_q;
-  logic less_2881;
-  assign less_2881 = $signed({9'h1, {2{not_2880}}, and_2879_s18_q}) < $signed(registration_up_q[13:2]);
-  logic select_2882;
-  assign select_2882 = and_2875_s18_q ? less_2881 : registration_enough_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_2886;
-  assign and_2886 = x_s18_q[6] & (not_1988_s18_q & (less_1639_s18_q & (x_s18_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:788
-  logic and_2887;
-  assign and_2887 = equal_575_s18_q & and_2886;
+  logic not_2899;
+  assign not_2899 = ~and_2898_s18_q;
+  logic less_2900;
+  assign less_2900 = $signed({9'h1, {2{not_2899}}, and_2898_s18_q}) < $signed(registration_up_q[13:2]);
+  logic select_2901;
+  assign select_2901 = and_2894_s18_q ? less_2900 : registration_enough_q;
+  // hls/stages/agreement.hpp:1150
+  logic and_2905;
+  assign and_2905 = x_s18_q[6] & (not_1994_s18_q & (less_1645_s18_q & (x_s18_q[2:0] == 3'h4)));
+  // hls/stages/agreement.hpp:795
+  logic and_2906;
+  assign and_2906 = equal_577_s18_q & and_2905;
   // hls/stages/registration.hpp:242
-  logic less_2888;
-  assign less_2888 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_2890;
-  assign less_2890 = $signed(14'h0) < $signed(registration_up_q);
+  logic less_2907;
+  assign less_2907 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2909;
+  assign less_2909 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_2892;
-  assign equal_2892 = x_s18_q[2:0] == 3'h7;
-  // hls/stages/agreement.hpp:788
-  logic and_2896;
-  assign and_2896 = equal_575_s18_q & (x_s18_q[6] & (not_1988_s18_q & (less_1639_s18_q & equal_2892)));
-  // hls/stages/agreement.hpp:1142
-  logic and_2903;
-  assign and_2903 = x_s18_q[6] & (not_1988_s18_q & (less_1639_s18_q & (x_s18_q[5:0] == 6'h0)));
+  logic equal_2911;
+  assign equal_2911 = x_s18_q[2:0] == 3'h7;
+  // hls/stages/agreement.hpp:795
+  logic and_2915;
+  assign and_2915 = equal_577_s18_q & (x_s18_q[6] & (not_1994_s18_q & (less_1645_s18_q & equal_2911)));
+  // hls/stages/agreement.hpp:1150
+  logic and_2922;
+  assign and_2922 = x_s18_q[6] & (not_1994_s18_q & (less_1645_s18_q & (x_s18_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:244
-  logic and_2921;
-  assign and_2921 = registration_votes_up_q & registration_other_down_q;
-  logic select_2923;
-  assign select_2923 = registration_votes_down_q ? (registration_other_up_q | and_2921) : and_2921;
+  logic and_2940;
+  assign and_2940 = registration_votes_up_q & registration_other_down_q;
+  logic select_2942;
+  assign select_2942 = registration_votes_down_q ? (registration_other_up_q | and_2940) : and_2940;
   // hls/stages/registration.hpp:138
-  logic and_2925;
-  assign and_2925 = (equal_575_s18_q & and_2919_s18_q) & (registration_other_enough_q & select_2923);
-  logic and_2927;
-  assign and_2927 = registration_enough_q & ((and_2911_s18_q & (less_2890 | less_2888)) | and_2925);
+  logic and_2944;
+  assign and_2944 = (equal_577_s18_q & and_2938_s18_q) & (registration_other_enough_q & select_2942);
+  logic and_2946;
+  assign and_2946 = registration_enough_q & ((and_2930_s18_q & (less_2909 | less_2907)) | and_2944);
   // hls/stages/agreement.hpp:275
-  logic [2:0] select_3136;
-  assign select_3136 = equal_1787_s18_q ? 3'h0 : (or_1791_s18_q ? select_3134_s18_q : 3'h0);
+  logic [2:0] select_3155;
+  assign select_3155 = equal_1793_s18_q ? 3'h0 : (or_1797_s18_q ? select_3153_s18_q : 3'h0);
   // hls/stages/patches.hpp:168
-  logic [9:0] sum_3139;
-  assign sum_3139 = {7'h0, patches_set_q} + (equal_1790_s18_q ? 10'h0 : patches_size_q);
+  logic [9:0] sum_3158;
+  assign sum_3158 = {7'h0, patches_set_q} + (equal_1796_s18_q ? 10'h0 : patches_size_q);
   // hls/stages/count_bits.hpp:24
-  logic xor_3219;
-  assign xor_3219 = xor_3206_s18_q ^ xor_3218_s18_q;
+  logic xor_3238;
+  assign xor_3238 = xor_3225_s18_q ^ xor_3237_s18_q;
   // hls/stages/count_bits.hpp:25
-  logic or_3344;
-  assign or_3344 = (xor_3206_s18_q & xor_3218_s18_q) | (xor_3194_s18_q & (xor_3206_s18_q | xor_3218_s18_q));
+  logic or_3363;
+  assign or_3363 = (xor_3225_s18_q & xor_3237_s18_q) | (xor_3213_s18_q & (xor_3225_s18_q | xor_3237_s18_q));
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3558;
-  assign select_3558 = equal_1785_s18_q ? (equal_3556_s18_q ? sum_3139 : patches_peak_size_q) : patches_peak_size_q;
+  logic [9:0] select_3577;
+  assign select_3577 = equal_1791_s18_q ? (equal_3575_s18_q ? sum_3158 : patches_peak_size_q) : patches_peak_size_q;
   // hls/stages/patches.hpp:586
-  logic [1:0] sum_3585;
-  assign sum_3585 = select_3547_s18_q[4:3] + 2'h3;
+  logic [1:0] sum_3604;
+  assign sum_3604 = select_3566_s18_q[4:3] + 2'h3;
   // hls/stages/patches.hpp:587
-  logic [7:0] difference_3605;
-  assign difference_3605 = {sum_3585, select_3547_s18_q[2:0], 3'h0} - {5'h0, fraction_s18_q};
-  logic [7:0] select_3606;
-  assign select_3606 = less_3584_s18_q ? difference_3605 : {sum_3585, select_3547_s18_q[2:0], fraction_s18_q};
+  logic [7:0] difference_3624;
+  assign difference_3624 = {sum_3604, select_3566_s18_q[2:0], 3'h0} - {5'h0, fraction_s18_q};
+  logic [7:0] select_3625;
+  assign select_3625 = less_3603_s18_q ? difference_3624 : {sum_3604, select_3566_s18_q[2:0], fraction_s18_q};
   // hls/stages/patches.hpp:604
-  logic [18:0] product_3611;
-  assign product_3611 = $signed({{11{select_3607_s18_q[7]}}, select_3607_s18_q}) * $signed({{8{sum_3610_s18_q[6]}}, sum_3610_s18_q, sum_3608_s18_q, select_3546_s18_q});
+  logic [18:0] product_3630;
+  assign product_3630 = $signed({{11{select_3626_s18_q[7]}}, select_3626_s18_q}) * $signed({{8{sum_3629_s18_q[6]}}, sum_3629_s18_q, sum_3627_s18_q, select_3565_s18_q});
   // hls/stages/patches.hpp:612
-  logic [11:0] sum_3771;
-  assign sum_3771 = {sum_3610_s18_q[6], sum_3610_s18_q, sum_3608_s18_q, select_3546_s18_q} + 12'h1;
-  // hls/stages/agreement.hpp:1135
-  logic select_3878;
-  assign select_3878 = equal_3861_s18_q ? ((~or_3864_s18_q) & (~select_3872_s18_q)) : not_3877_s18_q;
-  // hls/stages/agreement.hpp:1142
-  logic [47:0] select_3880;
-  assign select_3880 = x_s18_q[6] ? (equal_1608_s18_q ? good_q : {select_3878, good_q[47:1]}) : good_q;
-  // hls/stages/agreement.hpp:1147
-  logic equal_3883;
-  assign equal_3883 = x_s18_q == 7'h7f;
-  // hls/stages/agreement.hpp:788
-  logic [4:0] select_3962;
-  assign select_3962 = so_s18_q ? (ends_cell_s18_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:460
-  logic [12:0] select_4034;
-  assign select_4034 = equal_2466_s18_q ? (equal_4031_s18_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_4037;
-  assign select_4037 = and_550_s18_q ? (equal_2466_s18_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
+  logic [11:0] sum_3790;
+  assign sum_3790 = {sum_3629_s18_q[6], sum_3629_s18_q, sum_3627_s18_q, select_3565_s18_q} + 12'h1;
+  // hls/stages/agreement.hpp:1143
+  logic select_3897;
+  assign select_3897 = equal_3880_s18_q ? ((~or_3883_s18_q) & (~select_3891_s18_q)) : not_3896_s18_q;
+  // hls/stages/agreement.hpp:1150
+  logic [47:0] select_3899;
+  assign select_3899 = x_s18_q[6] ? (equal_1614_s18_q ? good_q : {select_3897, good_q[47:1]}) : good_q;
+  // hls/stages/agreement.hpp:795
+  logic [4:0] select_3981;
+  assign select_3981 = so_s18_q ? (ends_cell_s18_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:464
+  logic [12:0] select_4055;
+  assign select_4055 = equal_2475_s18_q ? (or_4052_s18_q ? (map_row_q + {6'h0, map_width_q}) : 13'h0) : map_row_q;
+  // hls/stages/agreement.hpp:527
+  logic [6:0] select_4058;
+  assign select_4058 = and_552_s18_q ? (equal_2475_s18_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -9629,43 +9844,33 @@ module horopter_agreement (
       good_q <= 48'h0;
       map_row_q <= 13'h0;
       map_width_q <= 7'h0;
-      write_half_q <= 1'b0;
-      read_half_q <= 1'b1;
-      done_q <= 1'b0;
-      drew_q <= 1'b0;
-      said_q <= 1'b0;
     end else if (s18_en) begin
-      moments_most_before_q <= equal_575_s18_q ? select_2300_s18_q : moments_most_before_q;
-      moments_left_alone_q <= equal_575_s18_q ? not_2308_s18_q : moments_left_alone_q;
-      moments_left_other_stops_q <= equal_575_s18_q ? not_2311_s18_q : moments_left_other_stops_q;
-      moments_right_alone_q <= equal_575_s18_q ? not_2318_s18_q : moments_right_alone_q;
-      moments_right_other_stops_q <= equal_575_s18_q ? not_2321_s18_q : moments_right_other_stops_q;
-      sharpness_sums_contrast_0_q <= and_550_s18_q ? sum_2389 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_550_s18_q ? sum_2393 : sharpness_sums_contrast_1_q;
-      registration_half_across_q <= and_2751_s18_q ? 14'h0 : sum_2772;
-      registration_half_votes_down_q <= and_2751_s18_q ? 7'h0 : sum_2784;
-      registration_half_half_votes_down_q <= and_2751_s18_q ? 7'h0 : sum_2799;
-      registration_down_q <= and_2840 ? sum_2859 : registration_down_q;
-      registration_up_q <= and_2840 ? sum_2868 : registration_up_q;
-      registration_enough_q <= select_2882;
-      registration_votes_down_q <= and_2887 ? less_2888 : registration_votes_down_q;
-      registration_votes_up_q <= and_2887 ? less_2890 : registration_votes_up_q;
-      registration_other_enough_q <= and_2896 ? select_2882 : registration_other_enough_q;
-      registration_other_down_q <= and_2896 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2896 ? registration_votes_up_q : registration_other_up_q;
-      patches_place_0_valid_q <= sample_pair_whole_s18_q ? select_1803 : patches_place_0_valid_q;
-      patches_place_1_valid_q <= sample_pair_whole_s18_q ? select_1832 : patches_place_1_valid_q;
-      patches_set_q <= equal_1785_s18_q ? 3'h0 : select_3136;
-      patches_size_q <= sum_3139;
-      patches_peak_size_q <= select_3558;
-      good_q <= equal_575_s18_q ? select_3880 : good_q;
-      map_row_q <= and_550_s18_q ? select_4034 : map_row_q;
-      map_width_q <= select_4037;
-      write_half_q <= marks_first_s18_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_2046;
-      done_q <= not_2048_s18_q & ((~drew_q) & (done_q | said_q));
-      drew_q <= so_s18_q;
-      said_q <= equal_575_s18_q & equal_3883;
+      moments_most_before_q <= equal_577_s18_q ? select_2309_s18_q : moments_most_before_q;
+      moments_left_alone_q <= equal_577_s18_q ? not_2317_s18_q : moments_left_alone_q;
+      moments_left_other_stops_q <= equal_577_s18_q ? not_2320_s18_q : moments_left_other_stops_q;
+      moments_right_alone_q <= equal_577_s18_q ? not_2327_s18_q : moments_right_alone_q;
+      moments_right_other_stops_q <= equal_577_s18_q ? not_2330_s18_q : moments_right_other_stops_q;
+      sharpness_sums_contrast_0_q <= and_552_s18_q ? sum_2398 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_552_s18_q ? sum_2402 : sharpness_sums_contrast_1_q;
+      registration_half_across_q <= and_2771_s18_q ? 14'h0 : sum_2792;
+      registration_half_votes_down_q <= and_2771_s18_q ? 7'h0 : sum_2804;
+      registration_half_half_votes_down_q <= and_2771_s18_q ? 7'h0 : sum_2819;
+      registration_down_q <= and_2859 ? sum_2878 : registration_down_q;
+      registration_up_q <= and_2859 ? sum_2887 : registration_up_q;
+      registration_enough_q <= select_2901;
+      registration_votes_down_q <= and_2906 ? less_2907 : registration_votes_down_q;
+      registration_votes_up_q <= and_2906 ? less_2909 : registration_votes_up_q;
+      registration_other_enough_q <= and_2915 ? select_2901 : registration_other_enough_q;
+      registration_other_down_q <= and_2915 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2915 ? registration_votes_up_q : registration_other_up_q;
+      patches_place_0_valid_q <= sample_pair_whole_s18_q ? select_1809 : patches_place_0_valid_q;
+      patches_place_1_valid_q <= sample_pair_whole_s18_q ? select_1838 : patches_place_1_valid_q;
+      patches_set_q <= equal_1791_s18_q ? 3'h0 : select_3155;
+      patches_size_q <= sum_3158;
+      patches_peak_size_q <= select_3577;
+      good_q <= equal_577_s18_q ? select_3899 : good_q;
+      map_row_q <= and_552_s18_q ? select_4055 : map_row_q;
+      map_width_q <= select_4058;
     end
   end
 
@@ -9684,14 +9889,14 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s18_en) begin
-      census_columns_values_3_cell_4_mask_q <= select_2250;
-      census_changes_values_0_left_q <= and_550_s18_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_550_s18_q ? sum_2270 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2272;
-      census_changes_values_1_right_q <= select_2273;
-      sharpness_last_detail_0_q <= select_2357;
-      sharpness_last_detail_1_q <= select_2358;
-      box_textured_sum_sums_values_0_q <= equal_575_s18_q ? box_textured_sum_sums_values_0_q : select_3962;
+      census_columns_values_3_cell_4_mask_q <= select_2259;
+      census_changes_values_0_left_q <= and_552_s18_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_552_s18_q ? sum_2279 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2281;
+      census_changes_values_1_right_q <= select_2282;
+      sharpness_last_detail_0_q <= select_2366;
+      sharpness_last_detail_1_q <= select_2367;
+      box_textured_sum_sums_values_0_q <= equal_577_s18_q ? box_textured_sum_sums_values_0_q : select_3981;
     end
   end
 
@@ -9728,17 +9933,12 @@ module horopter_agreement (
   logic [13:0] product_s19_q;
   logic centres_values_1_textured_s19_q;
   logic centres_values_1_of_skin_s19_q;
-  logic done_s19_q;
   logic row_starts_s19_q;
   logic [6:0] last_s19_q;
-  logic and_550_s19_q;
-  logic equal_575_s19_q;
-  logic not_576_s19_q;
-  logic less_653_s19_q;
-  logic less_654_s19_q;
-  logic less_655_s19_q;
-  logic less_656_s19_q;
-  logic less_657_s19_q;
+  logic and_552_s19_q;
+  logic equal_577_s19_q;
+  logic not_578_s19_q;
+  logic so_s19_q;
   logic less_658_s19_q;
   logic less_659_s19_q;
   logic less_660_s19_q;
@@ -9758,118 +9958,126 @@ module horopter_agreement (
   logic less_674_s19_q;
   logic less_675_s19_q;
   logic less_676_s19_q;
-  logic and_684_s19_q;
-  logic and_709_s19_q;
-  logic and_710_s19_q;
-  logic [12:0] sum_730_s19_q;
-  logic and_736_s19_q;
-  logic and_740_s19_q;
-  logic less_741_s19_q;
-  logic less_745_s19_q;
-  logic less_747_s19_q;
-  logic equal_1608_s19_q;
-  logic [1:0] sum_1614_s19_q;
-  logic equal_1616_s19_q;
-  logic equal_1618_s19_q;
-  logic equal_1620_s19_q;
+  logic less_677_s19_q;
+  logic less_678_s19_q;
+  logic less_679_s19_q;
+  logic less_680_s19_q;
+  logic less_681_s19_q;
+  logic and_689_s19_q;
+  logic and_714_s19_q;
+  logic and_715_s19_q;
+  logic [12:0] sum_735_s19_q;
+  logic and_741_s19_q;
+  logic and_745_s19_q;
+  logic less_746_s19_q;
+  logic less_750_s19_q;
+  logic less_752_s19_q;
+  logic equal_1614_s19_q;
+  logic [1:0] sum_1620_s19_q;
   logic equal_1622_s19_q;
   logic equal_1624_s19_q;
   logic equal_1626_s19_q;
-  logic [19:0] sum_1668_s19_q;
-  logic [11:0] sum_1672_s19_q;
-  logic and_1673_s19_q;
-  logic select_1690_s19_q;
-  logic equal_1691_s19_q;
-  logic equal_1785_s19_q;
-  logic equal_1787_s19_q;
-  logic not_1792_s19_q;
-  logic select_1801_s19_q;
-  logic or_1811_s19_q;
-  logic [4:0] select_1815_s19_q;
-  logic select_1821_s19_q;
-  logic or_1839_s19_q;
-  logic or_1852_s19_q;
-  logic or_1856_s19_q;
-  logic [3:0] select_1859_s19_q;
-  logic not_1988_s19_q;
+  logic equal_1628_s19_q;
+  logic equal_1630_s19_q;
+  logic equal_1632_s19_q;
+  logic [19:0] sum_1674_s19_q;
+  logic [11:0] sum_1678_s19_q;
+  logic and_1679_s19_q;
+  logic select_1696_s19_q;
+  logic equal_1697_s19_q;
+  logic equal_1791_s19_q;
+  logic equal_1793_s19_q;
+  logic not_1798_s19_q;
+  logic select_1807_s19_q;
+  logic or_1817_s19_q;
+  logic [4:0] select_1821_s19_q;
+  logic select_1827_s19_q;
+  logic or_1845_s19_q;
+  logic or_1858_s19_q;
+  logic or_1862_s19_q;
+  logic [3:0] select_1865_s19_q;
+  logic not_1994_s19_q;
   logic [2:0] index_s19_q;
-  logic [10:0] sum_2047_s19_q;
-  logic and_2054_s19_q;
-  logic less_2055_s19_q;
+  logic [10:0] sum_2053_s19_q;
+  logic and_2060_s19_q;
+  logic less_2061_s19_q;
   logic [2:0] index_2_s19_q;
-  logic [10:0] sum_2060_s19_q;
-  logic equal_2073_s19_q;
-  logic not_2093_s19_q;
-  logic not_2109_s19_q;
-  logic less_2123_s19_q;
-  logic and_2134_s19_q;
-  logic equal_2277_s19_q;
-  logic [12:0] sum_2278_s19_q;
-  logic equal_2292_s19_q;
-  logic not_2304_s19_q;
-  logic not_2314_s19_q;
-  logic [12:0] select_2371_s19_q;
-  logic [12:0] select_2383_s19_q;
-  logic equal_2395_s19_q;
-  logic less_2396_s19_q;
-  logic and_2406_s19_q;
-  logic and_2416_s19_q;
-  logic equal_2439_s19_q;
-  logic and_2591_s19_q;
-  logic not_2616_s19_q;
-  logic not_2631_s19_q;
-  logic [9:0] select_2642_s19_q;
-  logic [9:0] select_2645_s19_q;
-  logic less_2647_s19_q;
-  logic and_2693_s19_q;
-  logic equal_2892_s19_q;
-  logic not_2905_s19_q;
-  logic and_2927_s19_q;
-  logic parity_3223_s19_q;
-  logic or_3227_s19_q;
-  logic or_3231_s19_q;
-  logic or_3235_s19_q;
-  logic or_3242_s19_q;
+  logic [10:0] sum_2067_s19_q;
+  logic equal_2080_s19_q;
+  logic not_2101_s19_q;
+  logic not_2117_s19_q;
+  logic less_2131_s19_q;
+  logic and_2143_s19_q;
+  logic equal_2286_s19_q;
+  logic [12:0] sum_2287_s19_q;
+  logic equal_2301_s19_q;
+  logic not_2313_s19_q;
+  logic not_2323_s19_q;
+  logic [12:0] select_2380_s19_q;
+  logic [12:0] select_2392_s19_q;
+  logic equal_2404_s19_q;
+  logic less_2405_s19_q;
+  logic and_2415_s19_q;
+  logic and_2425_s19_q;
+  logic equal_2448_s19_q;
+  logic and_2610_s19_q;
+  logic not_2635_s19_q;
+  logic not_2650_s19_q;
+  logic [9:0] select_2661_s19_q;
+  logic [9:0] select_2664_s19_q;
+  logic less_2666_s19_q;
+  logic and_2712_s19_q;
+  logic equal_2911_s19_q;
+  logic not_2924_s19_q;
+  logic and_2946_s19_q;
+  logic parity_3242_s19_q;
   logic or_3246_s19_q;
   logic or_3250_s19_q;
-  logic or_3257_s19_q;
+  logic or_3254_s19_q;
   logic or_3261_s19_q;
   logic or_3265_s19_q;
-  logic or_3275_s19_q;
-  logic or_3279_s19_q;
-  logic or_3283_s19_q;
-  logic or_3291_s19_q;
-  logic or_3295_s19_q;
-  logic or_3299_s19_q;
-  logic or_3306_s19_q;
+  logic or_3269_s19_q;
+  logic or_3276_s19_q;
+  logic or_3280_s19_q;
+  logic or_3284_s19_q;
+  logic or_3294_s19_q;
+  logic or_3298_s19_q;
+  logic or_3302_s19_q;
   logic or_3310_s19_q;
   logic or_3314_s19_q;
-  logic or_3324_s19_q;
-  logic or_3328_s19_q;
-  logic or_3332_s19_q;
-  logic and_3336_s19_q;
-  logic or_3340_s19_q;
-  logic or_3344_s19_q;
-  logic equal_3459_s19_q;
-  logic [9:0] select_3545_s19_q;
-  logic and_3559_s19_q;
-  logic not_3561_s19_q;
-  logic not_3564_s19_q;
-  logic [9:0] difference_3565_s19_q;
-  logic [7:0] select_3606_s19_q;
-  logic [13:0] product_3611_s19_q;
-  logic equal_3652_s19_q;
-  logic less_3772_s19_q;
-  logic or_3864_s19_q;
-  logic select_3872_s19_q;
-  logic equal_3883_s19_q;
-  logic equal_3886_s19_q;
-  logic equal_3888_s19_q;
-  logic equal_3889_s19_q;
-  logic equal_3890_s19_q;
-  logic equal_3891_s19_q;
-  logic [31:0] select_4130_s19_q;
-  logic [9:0] select_4137_s19_q;
+  logic or_3318_s19_q;
+  logic or_3325_s19_q;
+  logic or_3329_s19_q;
+  logic or_3333_s19_q;
+  logic or_3343_s19_q;
+  logic or_3347_s19_q;
+  logic or_3351_s19_q;
+  logic and_3355_s19_q;
+  logic or_3359_s19_q;
+  logic or_3363_s19_q;
+  logic equal_3478_s19_q;
+  logic [9:0] select_3564_s19_q;
+  logic and_3578_s19_q;
+  logic not_3580_s19_q;
+  logic not_3583_s19_q;
+  logic [9:0] difference_3584_s19_q;
+  logic [7:0] select_3625_s19_q;
+  logic [13:0] product_3630_s19_q;
+  logic equal_3671_s19_q;
+  logic less_3791_s19_q;
+  logic or_3883_s19_q;
+  logic select_3891_s19_q;
+  logic equal_3902_s19_q;
+  logic equal_3905_s19_q;
+  logic equal_3907_s19_q;
+  logic equal_3908_s19_q;
+  logic equal_3909_s19_q;
+  logic equal_3910_s19_q;
+  logic and_4066_s19_q;
+  logic and_4083_s19_q;
+  logic not_4095_s19_q;
+  logic [31:0] select_4151_s19_q;
+  logic [9:0] select_4158_s19_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s19_q <= pixel_0_s18_q;
@@ -9905,17 +10113,12 @@ module horopter_agreement (
       product_s19_q <= product_s18_q;
       centres_values_1_textured_s19_q <= centres_values_1_textured_s18_q;
       centres_values_1_of_skin_s19_q <= centres_values_1_of_skin_s18_q;
-      done_s19_q <= done_q;
       row_starts_s19_q <= row_starts_s18_q;
       last_s19_q <= last_s18_q;
-      and_550_s19_q <= and_550_s18_q;
-      equal_575_s19_q <= equal_575_s18_q;
-      not_576_s19_q <= not_576_s18_q;
-      less_653_s19_q <= less_653_s18_q;
-      less_654_s19_q <= less_654_s18_q;
-      less_655_s19_q <= less_655_s18_q;
-      less_656_s19_q <= less_656_s18_q;
-      less_657_s19_q <= less_657_s18_q;
+      and_552_s19_q <= and_552_s18_q;
+      equal_577_s19_q <= equal_577_s18_q;
+      not_578_s19_q <= not_578_s18_q;
+      so_s19_q <= so_s18_q;
       less_658_s19_q <= less_658_s18_q;
       less_659_s19_q <= less_659_s18_q;
       less_660_s19_q <= less_660_s18_q;
@@ -9935,118 +10138,126 @@ module horopter_agreement (
       less_674_s19_q <= less_674_s18_q;
       less_675_s19_q <= less_675_s18_q;
       less_676_s19_q <= less_676_s18_q;
-      and_684_s19_q <= and_684_s18_q;
-      and_709_s19_q <= whole_22 & and_684_s18_q;
-      and_710_s19_q <= and_710_s18_q;
-      sum_730_s19_q <= {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-      and_736_s19_q <= and_736_s18_q;
-      and_740_s19_q <= and_740_s18_q;
-      less_741_s19_q <= less_741_s18_q;
-      less_745_s19_q <= less_745_s18_q;
-      less_747_s19_q <= less_747_s18_q;
-      equal_1608_s19_q <= equal_1608_s18_q;
-      sum_1614_s19_q <= sum_1614_s18_q;
-      equal_1616_s19_q <= equal_1616_s18_q;
-      equal_1618_s19_q <= equal_1618_s18_q;
-      equal_1620_s19_q <= equal_1620_s18_q;
+      less_677_s19_q <= less_677_s18_q;
+      less_678_s19_q <= less_678_s18_q;
+      less_679_s19_q <= less_679_s18_q;
+      less_680_s19_q <= less_680_s18_q;
+      less_681_s19_q <= less_681_s18_q;
+      and_689_s19_q <= and_689_s18_q;
+      and_714_s19_q <= whole_22 & and_689_s18_q;
+      and_715_s19_q <= and_715_s18_q;
+      sum_735_s19_q <= {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+      and_741_s19_q <= and_741_s18_q;
+      and_745_s19_q <= and_745_s18_q;
+      less_746_s19_q <= less_746_s18_q;
+      less_750_s19_q <= less_750_s18_q;
+      less_752_s19_q <= less_752_s18_q;
+      equal_1614_s19_q <= equal_1614_s18_q;
+      sum_1620_s19_q <= sum_1620_s18_q;
       equal_1622_s19_q <= equal_1622_s18_q;
       equal_1624_s19_q <= equal_1624_s18_q;
       equal_1626_s19_q <= equal_1626_s18_q;
-      sum_1668_s19_q <= select_1664_s18_q + {{6{select_1667[13]}}, select_1667};
-      sum_1672_s19_q <= sum_1672_s18_q;
-      and_1673_s19_q <= and_1673_s18_q;
-      select_1690_s19_q <= select_1690_s18_q;
-      equal_1691_s19_q <= equal_1691_s18_q;
-      equal_1785_s19_q <= equal_1785_s18_q;
-      equal_1787_s19_q <= equal_1787_s18_q;
-      not_1792_s19_q <= not_1792_s18_q;
-      select_1801_s19_q <= select_1801_s18_q;
-      or_1811_s19_q <= row_starts_s18_q | (select_1803 & equal_1809);
-      select_1815_s19_q <= select_1815_s18_q;
+      equal_1628_s19_q <= equal_1628_s18_q;
+      equal_1630_s19_q <= equal_1630_s18_q;
+      equal_1632_s19_q <= equal_1632_s18_q;
+      sum_1674_s19_q <= select_1670_s18_q + {{6{select_1673[13]}}, select_1673};
+      sum_1678_s19_q <= sum_1678_s18_q;
+      and_1679_s19_q <= and_1679_s18_q;
+      select_1696_s19_q <= select_1696_s18_q;
+      equal_1697_s19_q <= equal_1697_s18_q;
+      equal_1791_s19_q <= equal_1791_s18_q;
+      equal_1793_s19_q <= equal_1793_s18_q;
+      not_1798_s19_q <= not_1798_s18_q;
+      select_1807_s19_q <= select_1807_s18_q;
+      or_1817_s19_q <= row_starts_s18_q | (select_1809 & equal_1815);
       select_1821_s19_q <= select_1821_s18_q;
-      or_1839_s19_q <= row_starts_s18_q | (select_1832 & equal_1837);
-      or_1852_s19_q <= row_starts_s18_q | (select_1803 & equal_1850_s18_q);
-      or_1856_s19_q <= row_starts_s18_q | (select_1832 & equal_1854_s18_q);
-      select_1859_s19_q <= select_1859_s18_q;
-      not_1988_s19_q <= not_1988_s18_q;
+      select_1827_s19_q <= select_1827_s18_q;
+      or_1845_s19_q <= row_starts_s18_q | (select_1838 & equal_1843);
+      or_1858_s19_q <= row_starts_s18_q | (select_1809 & equal_1856_s18_q);
+      or_1862_s19_q <= row_starts_s18_q | (select_1838 & equal_1860_s18_q);
+      select_1865_s19_q <= select_1865_s18_q;
+      not_1994_s19_q <= not_1994_s18_q;
       index_s19_q <= index[2:0];
-      sum_2047_s19_q <= sum_2047;
-      and_2054_s19_q <= began_q & (seen_x_q == 4'h0);
-      less_2055_s19_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
+      sum_2053_s19_q <= sum_2053;
+      and_2060_s19_q <= began_q & (seen_x_q == 4'h0);
+      less_2061_s19_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
       index_2_s19_q <= index_2[2:0];
-      sum_2060_s19_q <= sum_2060;
-      equal_2073_s19_q <= t[4:1] == 4'h0;
-      not_2093_s19_q <= ~((good_q & select_2090) == 48'h0);
-      not_2109_s19_q <= ~({sum_2107, around_s18_q[0]} < {2'h0, t});
-      less_2123_s19_q <= less_2123_s18_q;
-      and_2134_s19_q <= and_2134_s18_q;
-      equal_2277_s19_q <= equal_2277_s18_q;
-      sum_2278_s19_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2270};
-      equal_2292_s19_q <= equal_2292_s18_q;
-      not_2304_s19_q <= ~({3'h0, counts_turned_left_s18_q} < sum_2302);
-      not_2314_s19_q <= ~({3'h0, counts_turned_right_s18_q} < sum_2302);
-      select_2371_s19_q <= and_2369_s18_q ? detail_3[14:2] : 13'h0;
-      select_2383_s19_q <= and_2381_s18_q ? detail_4[14:2] : 13'h0;
-      equal_2395_s19_q <= equal_2395_s18_q;
-      less_2396_s19_q <= less_2396_s18_q;
-      and_2406_s19_q <= and_2406;
-      and_2416_s19_q <= and_2416;
-      equal_2439_s19_q <= equal_2439_s18_q;
-      and_2591_s19_q <= and_2591_s18_q;
-      not_2616_s19_q <= not_2616_s18_q;
-      not_2631_s19_q <= ~({sum_2629, e_s18_q[0]} < {2'h0, t});
-      select_2642_s19_q <= select_2642_s18_q;
-      select_2645_s19_q <= select_2645_s18_q;
-      less_2647_s19_q <= {sum_2646, select_2645_s18_q[1:0]} < {3'h0, select_2642_s18_q};
-      and_2693_s19_q <= and_2693_s18_q;
-      equal_2892_s19_q <= equal_2892;
-      not_2905_s19_q <= ~(equal_575_s18_q & and_2903);
-      and_2927_s19_q <= and_2927;
-      parity_3223_s19_q <= ^{xor_3219, xor_3182_s18_q, select_3149_s18_q, other_s18_q};
-      or_3227_s19_q <= or_3227_s18_q;
-      or_3231_s19_q <= or_3231_s18_q;
-      or_3235_s19_q <= or_3235_s18_q;
-      or_3242_s19_q <= or_3242_s18_q;
+      sum_2067_s19_q <= sum_2067;
+      equal_2080_s19_q <= t[4:1] == 4'h0;
+      not_2101_s19_q <= ~((good_q & select_2098) == 48'h0);
+      not_2117_s19_q <= ~({sum_2115, around_s18_q[0]} < {2'h0, t});
+      less_2131_s19_q <= less_2131_s18_q;
+      and_2143_s19_q <= and_2143_s18_q;
+      equal_2286_s19_q <= equal_2286_s18_q;
+      sum_2287_s19_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2279};
+      equal_2301_s19_q <= equal_2301_s18_q;
+      not_2313_s19_q <= ~({3'h0, counts_turned_left_s18_q} < sum_2311);
+      not_2323_s19_q <= ~({3'h0, counts_turned_right_s18_q} < sum_2311);
+      select_2380_s19_q <= and_2378_s18_q ? detail_3[14:2] : 13'h0;
+      select_2392_s19_q <= and_2390_s18_q ? detail_4[14:2] : 13'h0;
+      equal_2404_s19_q <= equal_2404_s18_q;
+      less_2405_s19_q <= less_2405_s18_q;
+      and_2415_s19_q <= and_2415;
+      and_2425_s19_q <= and_2425;
+      equal_2448_s19_q <= equal_2448_s18_q;
+      and_2610_s19_q <= and_2610_s18_q;
+      not_2635_s19_q <= not_2635_s18_q;
+      not_2650_s19_q <= ~({sum_2648, e_s18_q[0]} < {2'h0, t});
+      select_2661_s19_q <= select_2661_s18_q;
+      select_2664_s19_q <= select_2664_s18_q;
+      less_2666_s19_q <= {sum_2665, select_2664_s18_q[1:0]} < {3'h0, select_2661_s18_q};
+      and_2712_s19_q <= and_2712_s18_q;
+      equal_2911_s19_q <= equal_2911;
+      not_2924_s19_q <= ~(equal_577_s18_q & and_2922);
+      and_2946_s19_q <= and_2946;
+      parity_3242_s19_q <= ^{xor_3238, xor_3201_s18_q, select_3168_s18_q, other_s18_q};
       or_3246_s19_q <= or_3246_s18_q;
       or_3250_s19_q <= or_3250_s18_q;
-      or_3257_s19_q <= or_3257_s18_q;
+      or_3254_s19_q <= or_3254_s18_q;
       or_3261_s19_q <= or_3261_s18_q;
       or_3265_s19_q <= or_3265_s18_q;
-      or_3275_s19_q <= or_3275_s18_q;
-      or_3279_s19_q <= or_3279_s18_q;
-      or_3283_s19_q <= or_3283_s18_q;
-      or_3291_s19_q <= or_3291_s18_q;
-      or_3295_s19_q <= or_3295_s18_q;
-      or_3299_s19_q <= or_3299_s18_q;
-      or_3306_s19_q <= or_3306_s18_q;
+      or_3269_s19_q <= or_3269_s18_q;
+      or_3276_s19_q <= or_3276_s18_q;
+      or_3280_s19_q <= or_3280_s18_q;
+      or_3284_s19_q <= or_3284_s18_q;
+      or_3294_s19_q <= or_3294_s18_q;
+      or_3298_s19_q <= or_3298_s18_q;
+      or_3302_s19_q <= or_3302_s18_q;
       or_3310_s19_q <= or_3310_s18_q;
       or_3314_s19_q <= or_3314_s18_q;
-      or_3324_s19_q <= or_3324_s18_q;
-      or_3328_s19_q <= or_3328_s18_q;
-      or_3332_s19_q <= or_3332_s18_q;
-      and_3336_s19_q <= xor_3182_s18_q & (^{xor_3219, select_3149_s18_q, other_s18_q});
-      or_3340_s19_q <= and_3337_s18_q | (xor_3164_s18_q & or_3338_s18_q);
-      or_3344_s19_q <= or_3344;
-      equal_3459_s19_q <= equal_3459_s18_q;
-      select_3545_s19_q <= select_3545_s18_q;
-      and_3559_s19_q <= equal_1785_s18_q & equal_3556_s18_q;
-      not_3561_s19_q <= ~(select_3547_s18_q[3:0] == 4'h0);
-      not_3564_s19_q <= ~(select_3555_s18_q < select_3545_s18_q);
-      difference_3565_s19_q <= select_3555_s18_q - select_3545_s18_q;
-      select_3606_s19_q <= select_3606;
-      product_3611_s19_q <= product_3611[18:5];
-      equal_3652_s19_q <= equal_3652_s18_q;
-      less_3772_s19_q <= {{4{sum_3771[11]}}, sum_3771} < 16'h3;
-      or_3864_s19_q <= or_3864_s18_q;
-      select_3872_s19_q <= select_3872_s18_q;
-      equal_3883_s19_q <= equal_3883;
-      equal_3886_s19_q <= equal_3886_s18_q;
-      equal_3888_s19_q <= equal_3888_s18_q;
-      equal_3889_s19_q <= equal_3889_s18_q;
-      equal_3890_s19_q <= equal_3890_s18_q;
-      equal_3891_s19_q <= equal_3891_s18_q;
-      select_4130_s19_q <= select_4130_s18_q;
-      select_4137_s19_q <= select_4137_s18_q;
+      or_3318_s19_q <= or_3318_s18_q;
+      or_3325_s19_q <= or_3325_s18_q;
+      or_3329_s19_q <= or_3329_s18_q;
+      or_3333_s19_q <= or_3333_s18_q;
+      or_3343_s19_q <= or_3343_s18_q;
+      or_3347_s19_q <= or_3347_s18_q;
+      or_3351_s19_q <= or_3351_s18_q;
+      and_3355_s19_q <= xor_3201_s18_q & (^{xor_3238, select_3168_s18_q, other_s18_q});
+      or_3359_s19_q <= and_3356_s18_q | (xor_3183_s18_q & or_3357_s18_q);
+      or_3363_s19_q <= or_3363;
+      equal_3478_s19_q <= equal_3478_s18_q;
+      select_3564_s19_q <= select_3564_s18_q;
+      and_3578_s19_q <= equal_1791_s18_q & equal_3575_s18_q;
+      not_3580_s19_q <= ~(select_3566_s18_q[3:0] == 4'h0);
+      not_3583_s19_q <= ~(select_3574_s18_q < select_3564_s18_q);
+      difference_3584_s19_q <= select_3574_s18_q - select_3564_s18_q;
+      select_3625_s19_q <= select_3625;
+      product_3630_s19_q <= product_3630[18:5];
+      equal_3671_s19_q <= equal_3671_s18_q;
+      less_3791_s19_q <= {{4{sum_3790[11]}}, sum_3790} < 16'h3;
+      or_3883_s19_q <= or_3883_s18_q;
+      select_3891_s19_q <= select_3891_s18_q;
+      equal_3902_s19_q <= equal_3902_s18_q;
+      equal_3905_s19_q <= equal_3905_s18_q;
+      equal_3907_s19_q <= equal_3907_s18_q;
+      equal_3908_s19_q <= equal_3908_s18_q;
+      equal_3909_s19_q <= equal_3909_s18_q;
+      equal_3910_s19_q <= equal_3910_s18_q;
+      and_4066_s19_q <= and_4066_s18_q;
+      and_4083_s19_q <= and_4083_s18_q;
+      not_4095_s19_q <= not_4095_s18_q;
+      select_4151_s19_q <= select_4151_s18_q;
+      select_4158_s19_q <= select_4158_s18_q;
     end
   end
 
@@ -10071,207 +10282,207 @@ module horopter_agreement (
   logic [4:0] patches_left_next_1_q;
   logic good_known_q;
   // hls/stages/census.hpp:295
-  logic [13:0] sum_731;
-  assign sum_731 = {2'h0, census_changes_values_1_left_s19_q} + {1'b0, sum_730_s19_q};
-  logic [13:0] sum_732;
-  assign sum_732 = {2'h0, census_changes_values_2_left_q} + sum_731;
+  logic [13:0] sum_736;
+  assign sum_736 = {2'h0, census_changes_values_1_left_s19_q} + {1'b0, sum_735_s19_q};
+  logic [13:0] sum_737;
+  assign sum_737 = {2'h0, census_changes_values_2_left_q} + sum_736;
   // hls/stages/patches.hpp:134
-  logic [5:0] select_1822;
-  assign select_1822 = or_1811_s19_q ? {row_starts_s19_q, 5'h0} : patches_right_next_0_q;
+  logic [5:0] select_1828;
+  assign select_1828 = or_1817_s19_q ? {row_starts_s19_q, 5'h0} : patches_right_next_0_q;
   // hls/stages/patches.hpp:138
-  logic and_1824;
-  assign and_1824 = select_1821_s19_q & (~select_1822[5]);
+  logic and_1830;
+  assign and_1830 = select_1827_s19_q & (~select_1828[5]);
   // hls/stages/patches.hpp:134
-  logic [5:0] select_1841;
-  assign select_1841 = or_1839_s19_q ? {row_starts_s19_q, 5'h0} : patches_right_next_1_q;
+  logic [5:0] select_1847;
+  assign select_1847 = or_1845_s19_q ? {row_starts_s19_q, 5'h0} : patches_right_next_1_q;
   // hls/stages/patches.hpp:138
-  logic and_1843;
-  assign and_1843 = select_1821_s19_q & (~select_1841[5]);
+  logic and_1849;
+  assign and_1849 = select_1827_s19_q & (~select_1847[5]);
   // hls/stages/patches.hpp:135
-  logic [4:0] select_1853;
-  assign select_1853 = or_1852_s19_q ? {row_starts_s19_q, 4'h0} : patches_left_next_0_q;
-  logic [4:0] select_1857;
-  assign select_1857 = or_1856_s19_q ? {row_starts_s19_q, 4'h0} : patches_left_next_1_q;
+  logic [4:0] select_1859;
+  assign select_1859 = or_1858_s19_q ? {row_starts_s19_q, 4'h0} : patches_left_next_0_q;
+  logic [4:0] select_1863;
+  assign select_1863 = or_1862_s19_q ? {row_starts_s19_q, 4'h0} : patches_left_next_1_q;
   // hls/stages/patches.hpp:143
   logic [3:0] column_4;
-  assign column_4 = select_1853[4] ? select_1857[3:0] : select_1853[3:0];
-  logic and_1862;
-  assign and_1862 = select_1821_s19_q & (select_1815_s19_q[3] ^ select_1815_s19_q[4]);
-  logic and_1867;
-  assign and_1867 = sample_pair_whole_s19_q & (and_1862 & ((~select_1853[4]) | (~select_1857[4])));
-  // hls/stages/agreement.hpp:1030
-  logic and_2094;
-  assign and_2094 = good_known_q & not_2093_s19_q;
-  // hls/stages/agreement.hpp:1103
+  assign column_4 = select_1859[4] ? select_1863[3:0] : select_1859[3:0];
+  logic and_1868;
+  assign and_1868 = select_1827_s19_q & (select_1821_s19_q[3] ^ select_1821_s19_q[4]);
+  logic and_1873;
+  assign and_1873 = sample_pair_whole_s19_q & (and_1868 & ((~select_1859[4]) | (~select_1863[4])));
+  // hls/stages/agreement.hpp:1037
+  logic and_2102;
+  assign and_2102 = good_known_q & not_2101_s19_q;
+  // hls/stages/agreement.hpp:1111
   logic is_seen;
-  assign is_seen = equal_2073_s19_q ? and_2094 : not_2109_s19_q;
-  // hls/stages/agreement.hpp:520
-  logic [11:0] select_2274;
-  assign select_2274 = and_550_s19_q ? census_changes_values_1_left_s19_q : census_changes_values_2_left_q;
-  logic [11:0] select_2275;
-  assign select_2275 = and_550_s19_q ? census_changes_values_1_right_s19_q : census_changes_values_2_right_q;
+  assign is_seen = equal_2080_s19_q ? and_2102 : not_2117_s19_q;
+  // hls/stages/agreement.hpp:527
+  logic [11:0] select_2283;
+  assign select_2283 = and_552_s19_q ? census_changes_values_1_left_s19_q : census_changes_values_2_left_q;
+  logic [11:0] select_2284;
+  assign select_2284 = and_552_s19_q ? census_changes_values_1_right_s19_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:296
-  logic [13:0] sum_2279;
-  assign sum_2279 = {2'h0, census_changes_values_1_right_s19_q} + {1'b0, sum_2278_s19_q};
-  logic [13:0] sum_2280;
-  assign sum_2280 = {2'h0, census_changes_values_2_right_q} + sum_2279;
+  logic [13:0] sum_2288;
+  assign sum_2288 = {2'h0, census_changes_values_1_right_s19_q} + {1'b0, sum_2287_s19_q};
+  logic [13:0] sum_2289;
+  assign sum_2289 = {2'h0, census_changes_values_2_right_q} + sum_2288;
   // hls/stages/moments.hpp:94
-  logic and_2339;
-  assign and_2339 = moments_right_alone_s19_q & (moments_right_begins_q | moments_right_other_stops_s19_q);
-  logic or_2341;
-  assign or_2341 = moments_left_begins_q | (moments_left_other_stops_s19_q | and_2339);
-  logic and_2343;
-  assign and_2343 = cfg_same_table_i & (moments_left_alone_s19_q ? or_2341 : and_2339);
+  logic and_2348;
+  assign and_2348 = moments_right_alone_s19_q & (moments_right_begins_q | moments_right_other_stops_s19_q);
+  logic or_2350;
+  assign or_2350 = moments_left_begins_q | (moments_left_other_stops_s19_q | and_2348);
+  logic and_2352;
+  assign and_2352 = cfg_same_table_i & (moments_left_alone_s19_q ? or_2350 : and_2348);
   // hls/stages/moments.hpp:95
-  logic and_2349;
-  assign and_2349 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  logic and_2358;
+  assign and_2358 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
   // hls/stages/census.hpp:375
-  logic [23:0] select_2373;
-  assign select_2373 = equal_2277_s19_q ? {11'h0, select_2371_s19_q} : (sharpness_sums_detail_0_q + {11'h0, select_2371_s19_q});
-  logic [23:0] select_2385;
-  assign select_2385 = equal_2277_s19_q ? {11'h0, select_2383_s19_q} : (sharpness_sums_detail_1_q + {11'h0, select_2383_s19_q});
+  logic [23:0] select_2382;
+  assign select_2382 = equal_2286_s19_q ? {11'h0, select_2380_s19_q} : (sharpness_sums_detail_0_q + {11'h0, select_2380_s19_q});
+  logic [23:0] select_2394;
+  assign select_2394 = equal_2286_s19_q ? {11'h0, select_2392_s19_q} : (sharpness_sums_detail_1_q + {11'h0, select_2392_s19_q});
   // hls/stages/census.hpp:395
-  logic [17:0] select_2408;
-  assign select_2408 = (less_2396_s19_q & and_2406_s19_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
-  logic [17:0] select_2418;
-  assign select_2418 = (less_2396_s19_q & and_2416_s19_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2417;
+  assign select_2417 = (less_2405_s19_q & and_2415_s19_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2427;
+  assign select_2427 = (less_2405_s19_q & and_2425_s19_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   // hls/stages/agreement.hpp:216
-  logic [1:0] select_2427;
-  assign select_2427 = equal_2395_s19_q ? {sharpness_comparing_contrast_0_q[0], and_2416_s19_q} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2429;
-  assign select_2429 = equal_2395_s19_q ? {sharpness_comparing_contrast_1_q[0], and_2406_s19_q} : sharpness_comparing_contrast_1_q;
+  logic [1:0] select_2436;
+  assign select_2436 = equal_2404_s19_q ? {sharpness_comparing_contrast_0_q[0], and_2425_s19_q} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2438;
+  assign select_2438 = equal_2404_s19_q ? {sharpness_comparing_contrast_1_q[0], and_2415_s19_q} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:404
-  logic xor_2452;
-  assign xor_2452 = sharpness_comparing_contrast_0_q[1] ^ and_2406_s19_q;
-  logic select_2455;
-  assign select_2455 = (equal_2439_s19_q | xor_2452) ? (and_2406_s19_q & xor_2452) : sharpness_comparing_less_contrast_0_q;
+  logic xor_2461;
+  assign xor_2461 = sharpness_comparing_contrast_0_q[1] ^ and_2415_s19_q;
+  logic select_2464;
+  assign select_2464 = (equal_2448_s19_q | xor_2461) ? (and_2415_s19_q & xor_2461) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2456;
-  assign select_2456 = equal_2395_s19_q ? select_2455 : sharpness_comparing_less_contrast_0_q;
+  logic select_2465;
+  assign select_2465 = equal_2404_s19_q ? select_2464 : sharpness_comparing_less_contrast_0_q;
   // hls/stages/census.hpp:404
-  logic xor_2458;
-  assign xor_2458 = sharpness_comparing_contrast_1_q[1] ^ and_2416_s19_q;
-  logic select_2461;
-  assign select_2461 = (equal_2439_s19_q | xor_2458) ? (and_2416_s19_q & xor_2458) : sharpness_comparing_less_contrast_1_q;
+  logic xor_2467;
+  assign xor_2467 = sharpness_comparing_contrast_1_q[1] ^ and_2425_s19_q;
+  logic select_2470;
+  assign select_2470 = (equal_2448_s19_q | xor_2467) ? (and_2425_s19_q & xor_2467) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2462;
-  assign select_2462 = equal_2395_s19_q ? select_2461 : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:1106
-  logic not_2633;
-  assign not_2633 = ~(equal_2073_s19_q ? and_2094 : not_2631_s19_q);
-  // hls/stages/agreement.hpp:788
-  logic and_2636;
-  assign and_2636 = ends_cell_s19_q & (not_2616_s19_q & (centres_values_1_textured_s19_q & not_2633));
-  // hls/stages/agreement.hpp:1138
-  logic [9:0] select_2649;
-  assign select_2649 = ((~(select_2642_s19_q[9:4] == 6'h0)) & less_2647_s19_q) ? select_2642_s19_q : 10'h0;
-  // hls/stages/agreement.hpp:788
-  logic [9:0] select_2652;
-  assign select_2652 = equal_575_s19_q ? (x_s19_q[6] ? (equal_1608_s19_q ? 10'h0 : select_2649) : 10'h0) : 10'h0;
-  // hls/stages/agreement.hpp:1110
-  logic and_2670;
-  assign and_2670 = centres_values_1_textured_s19_q & (centres_values_1_of_skin_s19_q & not_2633);
+  logic select_2471;
+  assign select_2471 = equal_2404_s19_q ? select_2470 : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:1114
+  logic not_2652;
+  assign not_2652 = ~(equal_2080_s19_q ? and_2102 : not_2650_s19_q);
+  // hls/stages/agreement.hpp:795
+  logic and_2655;
+  assign and_2655 = ends_cell_s19_q & (not_2635_s19_q & (centres_values_1_textured_s19_q & not_2652));
+  // hls/stages/agreement.hpp:1146
+  logic [9:0] select_2668;
+  assign select_2668 = ((~(select_2661_s19_q[9:4] == 6'h0)) & less_2666_s19_q) ? select_2661_s19_q : 10'h0;
+  // hls/stages/agreement.hpp:795
+  logic [9:0] select_2671;
+  assign select_2671 = equal_577_s19_q ? (x_s19_q[6] ? (equal_1614_s19_q ? 10'h0 : select_2668) : 10'h0) : 10'h0;
+  // hls/stages/agreement.hpp:1118
+  logic and_2689;
+  assign and_2689 = centres_values_1_textured_s19_q & (centres_values_1_of_skin_s19_q & not_2652);
   // hls/stages/patches.hpp:127
-  logic select_3019;
-  assign select_3019 = equal_1691_s19_q ? patches_valid_0_q : (select_1690_s19_q ? patches_valid_0_q : select_1801_s19_q);
+  logic select_3038;
+  assign select_3038 = equal_1697_s19_q ? patches_valid_0_q : (select_1696_s19_q ? patches_valid_0_q : select_1807_s19_q);
   // hls/stages/agreement.hpp:276
-  logic select_3022;
-  assign select_3022 = sample_pair_whole_s19_q ? (and_1824 ? (sample_present_s19_q & select_3019) : select_3019) : patches_valid_0_q;
+  logic select_3041;
+  assign select_3041 = sample_pair_whole_s19_q ? (and_1830 ? (sample_present_s19_q & select_3038) : select_3038) : patches_valid_0_q;
   // hls/stages/patches.hpp:127
-  logic select_3024;
-  assign select_3024 = equal_1691_s19_q ? patches_valid_1_q : (select_1690_s19_q ? select_1801_s19_q : patches_valid_1_q);
+  logic select_3043;
+  assign select_3043 = equal_1697_s19_q ? patches_valid_1_q : (select_1696_s19_q ? select_1807_s19_q : patches_valid_1_q);
   // hls/stages/agreement.hpp:276
-  logic select_3027;
-  assign select_3027 = sample_pair_whole_s19_q ? (and_1843 ? (sample_present_s19_q & select_3024) : select_3024) : patches_valid_1_q;
-  logic [5:0] select_3030;
-  assign select_3030 = sample_pair_whole_s19_q ? (select_1822[5] ? {1'b1, select_1822[4:0]} : (select_1822 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3033;
-  assign select_3033 = sample_pair_whole_s19_q ? (select_1841[5] ? {1'b1, select_1841[4:0]} : (select_1841 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3036;
-  assign select_3036 = sample_pair_whole_s19_q ? (select_1853[4] ? {1'b1, select_1853[3:0]} : (select_1853 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3039;
-  assign select_3039 = sample_pair_whole_s19_q ? (select_1857[4] ? {1'b1, select_1857[3:0]} : (select_1857 + 5'h1)) : patches_left_next_1_q;
+  logic select_3046;
+  assign select_3046 = sample_pair_whole_s19_q ? (and_1849 ? (sample_present_s19_q & select_3043) : select_3043) : patches_valid_1_q;
+  logic [5:0] select_3049;
+  assign select_3049 = sample_pair_whole_s19_q ? (select_1828[5] ? {1'b1, select_1828[4:0]} : (select_1828 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3052;
+  assign select_3052 = sample_pair_whole_s19_q ? (select_1847[5] ? {1'b1, select_1847[4:0]} : (select_1847 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3055;
+  assign select_3055 = sample_pair_whole_s19_q ? (select_1859[4] ? {1'b1, select_1859[3:0]} : (select_1859 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3058;
+  assign select_3058 = sample_pair_whole_s19_q ? (select_1863[4] ? {1'b1, select_1863[3:0]} : (select_1863 + 5'h1)) : patches_left_next_1_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_3253;
-  assign parity_3253 = ^{or_3250_s19_q, or_3246_s19_q, or_3242_s19_q};
-  logic parity_3268;
-  assign parity_3268 = ^{or_3265_s19_q, or_3261_s19_q, or_3257_s19_q};
-  logic parity_3271;
-  assign parity_3271 = ^{or_3265_s19_q, or_3261_s19_q, or_3257_s19_q, or_3250_s19_q, or_3246_s19_q, or_3242_s19_q, or_3235_s19_q, or_3231_s19_q, or_3227_s19_q};
-  logic parity_3302;
-  assign parity_3302 = ^{or_3299_s19_q, or_3295_s19_q, or_3291_s19_q};
-  logic parity_3317;
-  assign parity_3317 = ^{or_3314_s19_q, or_3310_s19_q, or_3306_s19_q};
-  logic parity_3320;
-  assign parity_3320 = ^{or_3314_s19_q, or_3310_s19_q, or_3306_s19_q, or_3299_s19_q, or_3295_s19_q, or_3291_s19_q, or_3283_s19_q, or_3279_s19_q, or_3275_s19_q};
-  logic parity_3335;
-  assign parity_3335 = ^{or_3332_s19_q, or_3328_s19_q, or_3324_s19_q};
-  logic parity_3347;
-  assign parity_3347 = ^{or_3344_s19_q, or_3340_s19_q, and_3336_s19_q};
-  logic parity_3350;
-  assign parity_3350 = ^{or_3344_s19_q, or_3340_s19_q, and_3336_s19_q, or_3332_s19_q, or_3328_s19_q, or_3324_s19_q, or_3314_s19_q, or_3310_s19_q, or_3306_s19_q, or_3299_s19_q, or_3295_s19_q, or_3291_s19_q, or_3283_s19_q, or_3279_s19_q, or_3275_s19_q};
-  logic parity_3352;
-  assign parity_3352 = ^{or_3344_s19_q, or_3340_s19_q, and_3336_s19_q, or_3332_s19_q, or_3328_s19_q, or_3324_s19_q, or_3314_s19_q, or_3310_s19_q, or_3306_s19_q, or_3299_s19_q, or_3295_s19_q, or_3291_s19_q, or_3283_s19_q, or_3279_s19_q, or_3275_s19_q, or_3265_s19_q, or_3261_s19_q, or_3257_s19_q, or_3250_s19_q, or_3246_s19_q, or_3242_s19_q, or_3235_s19_q, or_3231_s19_q, or_3227_s19_q};
+  logic parity_3272;
+  assign parity_3272 = ^{or_3269_s19_q, or_3265_s19_q, or_3261_s19_q};
+  logic parity_3287;
+  assign parity_3287 = ^{or_3284_s19_q, or_3280_s19_q, or_3276_s19_q};
+  logic parity_3290;
+  assign parity_3290 = ^{or_3284_s19_q, or_3280_s19_q, or_3276_s19_q, or_3269_s19_q, or_3265_s19_q, or_3261_s19_q, or_3254_s19_q, or_3250_s19_q, or_3246_s19_q};
+  logic parity_3321;
+  assign parity_3321 = ^{or_3318_s19_q, or_3314_s19_q, or_3310_s19_q};
+  logic parity_3336;
+  assign parity_3336 = ^{or_3333_s19_q, or_3329_s19_q, or_3325_s19_q};
+  logic parity_3339;
+  assign parity_3339 = ^{or_3333_s19_q, or_3329_s19_q, or_3325_s19_q, or_3318_s19_q, or_3314_s19_q, or_3310_s19_q, or_3302_s19_q, or_3298_s19_q, or_3294_s19_q};
+  logic parity_3354;
+  assign parity_3354 = ^{or_3351_s19_q, or_3347_s19_q, or_3343_s19_q};
+  logic parity_3366;
+  assign parity_3366 = ^{or_3363_s19_q, or_3359_s19_q, and_3355_s19_q};
+  logic parity_3369;
+  assign parity_3369 = ^{or_3363_s19_q, or_3359_s19_q, and_3355_s19_q, or_3351_s19_q, or_3347_s19_q, or_3343_s19_q, or_3333_s19_q, or_3329_s19_q, or_3325_s19_q, or_3318_s19_q, or_3314_s19_q, or_3310_s19_q, or_3302_s19_q, or_3298_s19_q, or_3294_s19_q};
+  logic parity_3371;
+  assign parity_3371 = ^{or_3363_s19_q, or_3359_s19_q, and_3355_s19_q, or_3351_s19_q, or_3347_s19_q, or_3343_s19_q, or_3333_s19_q, or_3329_s19_q, or_3325_s19_q, or_3318_s19_q, or_3314_s19_q, or_3310_s19_q, or_3302_s19_q, or_3298_s19_q, or_3294_s19_q, or_3284_s19_q, or_3280_s19_q, or_3276_s19_q, or_3269_s19_q, or_3265_s19_q, or_3261_s19_q, or_3254_s19_q, or_3250_s19_q, or_3246_s19_q};
   // hls/stages/count_bits.hpp:25
-  logic and_3353;
-  assign and_3353 = parity_3271 & parity_3350;
-  logic and_3356;
-  assign and_3356 = (^{or_3235_s19_q, or_3231_s19_q, or_3227_s19_q}) & (parity_3253 | parity_3268);
-  logic or_3357;
-  assign or_3357 = (parity_3253 & parity_3268) | and_3356;
-  logic or_3361;
-  assign or_3361 = (parity_3335 & parity_3347) | (parity_3320 & (parity_3335 | parity_3347));
-  logic and_3367;
-  assign and_3367 = (^{or_3283_s19_q, or_3279_s19_q, or_3275_s19_q}) & (parity_3302 | parity_3317);
-  logic or_3368;
-  assign or_3368 = (parity_3302 & parity_3317) | and_3367;
-  logic or_3372;
-  assign or_3372 = (or_3328_s19_q & or_3332_s19_q) | (or_3324_s19_q & (or_3328_s19_q | or_3332_s19_q));
+  logic and_3372;
+  assign and_3372 = parity_3290 & parity_3369;
+  logic and_3375;
+  assign and_3375 = (^{or_3254_s19_q, or_3250_s19_q, or_3246_s19_q}) & (parity_3272 | parity_3287);
   logic or_3376;
-  assign or_3376 = (or_3340_s19_q & or_3344_s19_q) | (and_3336_s19_q & (or_3340_s19_q | or_3344_s19_q));
-  // hls/stages/count_bits.hpp:23
-  logic or_3383;
-  assign or_3383 = (or_3279_s19_q & or_3283_s19_q) | (or_3275_s19_q & (or_3279_s19_q | or_3283_s19_q));
-  // hls/stages/count_bits.hpp:25
+  assign or_3376 = (parity_3272 & parity_3287) | and_3375;
+  logic or_3380;
+  assign or_3380 = (parity_3354 & parity_3366) | (parity_3339 & (parity_3354 | parity_3366));
+  logic and_3386;
+  assign and_3386 = (^{or_3302_s19_q, or_3298_s19_q, or_3294_s19_q}) & (parity_3321 | parity_3336);
   logic or_3387;
-  assign or_3387 = (or_3295_s19_q & or_3299_s19_q) | (or_3291_s19_q & (or_3295_s19_q | or_3299_s19_q));
+  assign or_3387 = (parity_3321 & parity_3336) | and_3386;
   logic or_3391;
-  assign or_3391 = (or_3310_s19_q & or_3314_s19_q) | (or_3306_s19_q & (or_3310_s19_q | or_3314_s19_q));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3394;
-  assign parity_3394 = ^{or_3391, or_3387, or_3383};
+  assign or_3391 = (or_3347_s19_q & or_3351_s19_q) | (or_3343_s19_q & (or_3347_s19_q | or_3351_s19_q));
+  logic or_3395;
+  assign or_3395 = (or_3359_s19_q & or_3363_s19_q) | (and_3355_s19_q & (or_3359_s19_q | or_3363_s19_q));
   // hls/stages/count_bits.hpp:23
-  logic or_3398;
-  assign or_3398 = (or_3231_s19_q & or_3235_s19_q) | (or_3227_s19_q & (or_3231_s19_q | or_3235_s19_q));
-  // hls/stages/count_bits.hpp:25
   logic or_3402;
-  assign or_3402 = (or_3246_s19_q & or_3250_s19_q) | (or_3242_s19_q & (or_3246_s19_q | or_3250_s19_q));
+  assign or_3402 = (or_3298_s19_q & or_3302_s19_q) | (or_3294_s19_q & (or_3298_s19_q | or_3302_s19_q));
+  // hls/stages/count_bits.hpp:25
   logic or_3406;
-  assign or_3406 = (or_3261_s19_q & or_3265_s19_q) | (or_3257_s19_q & (or_3261_s19_q | or_3265_s19_q));
+  assign or_3406 = (or_3314_s19_q & or_3318_s19_q) | (or_3310_s19_q & (or_3314_s19_q | or_3318_s19_q));
+  logic or_3410;
+  assign or_3410 = (or_3329_s19_q & or_3333_s19_q) | (or_3325_s19_q & (or_3329_s19_q | or_3333_s19_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_3409;
-  assign parity_3409 = ^{or_3406, or_3402, or_3398};
-  logic parity_3412;
-  assign parity_3412 = ^{or_3406, or_3402, or_3398, or_3391, or_3387, or_3383, or_3376, or_3372, or_3368};
+  logic parity_3413;
+  assign parity_3413 = ^{or_3410, or_3406, or_3402};
+  // hls/stages/count_bits.hpp:23
+  logic or_3417;
+  assign or_3417 = (or_3250_s19_q & or_3254_s19_q) | (or_3246_s19_q & (or_3250_s19_q | or_3254_s19_q));
+  // hls/stages/count_bits.hpp:25
+  logic or_3421;
+  assign or_3421 = (or_3265_s19_q & or_3269_s19_q) | (or_3261_s19_q & (or_3265_s19_q | or_3269_s19_q));
+  logic or_3425;
+  assign or_3425 = (or_3280_s19_q & or_3284_s19_q) | (or_3276_s19_q & (or_3280_s19_q | or_3284_s19_q));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3428;
+  assign parity_3428 = ^{or_3425, or_3421, or_3417};
+  logic parity_3431;
+  assign parity_3431 = ^{or_3425, or_3421, or_3417, or_3410, or_3406, or_3402, or_3395, or_3391, or_3387};
   // hls/stages/patches.hpp:601
-  logic and_3568;
-  assign and_3568 = not_3564_s19_q & (~({difference_3565_s19_q, 3'h0} < {3'h0, patches_peak_size_q}));
+  logic and_3587;
+  assign and_3587 = not_3583_s19_q & (~({difference_3584_s19_q, 3'h0} < {3'h0, patches_peak_size_q}));
   // hls/stages/patches.hpp:608
-  logic and_3572;
-  assign and_3572 = (10'h38 < patches_peak_size_q) & (~({1'b0, patches_peak_size_q[9:1]} < select_3545_s19_q));
-  logic and_3574;
-  assign and_3574 = (patches_second_s19_q ? patches_valid_1_q : patches_valid_0_q) & (and_3568 & and_3572);
+  logic and_3591;
+  assign and_3591 = (10'h38 < patches_peak_size_q) & (~({1'b0, patches_peak_size_q[9:1]} < select_3564_s19_q));
+  logic and_3593;
+  assign and_3593 = (patches_second_s19_q ? patches_valid_1_q : patches_valid_0_q) & (and_3587 & and_3591);
   // hls/stages/patches.hpp:605
-  logic [14:0] difference_3612;
-  assign difference_3612 = {{7{select_3606_s19_q[7]}}, select_3606_s19_q} - {product_3611_s19_q[13], product_3611_s19_q};
-  // hls/stages/agreement.hpp:788
-  logic select_3885;
-  assign select_3885 = equal_575_s19_q ? ((x_s19_q[6] & good_known_q) | equal_3883_s19_q) : good_known_q;
-  // hls/stages/agreement.hpp:1308
-  logic and_4060;
-  assign and_4060 = and_2134_s19_q & ({sum_2060_s19_q, index_2_s19_q} == {sum_2047_s19_q, index_s19_q});
+  logic [14:0] difference_3631;
+  assign difference_3631 = {{7{select_3625_s19_q[7]}}, select_3625_s19_q} - {product_3630_s19_q[13], product_3630_s19_q};
+  // hls/stages/agreement.hpp:795
+  logic select_3904;
+  assign select_3904 = equal_577_s19_q ? ((x_s19_q[6] & good_known_q) | equal_3902_s19_q) : good_known_q;
+  // hls/stages/agreement.hpp:1317
+  logic and_4081;
+  assign and_4081 = and_2143_s19_q & ({sum_2067_s19_q, index_2_s19_q} == {sum_2053_s19_q, index_s19_q});
 
-  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1409; read in stage 19, written in stage 20: 19 < 20 < 19 + DISTANCE.
+  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1419; read in stage 19, written in stage 20: 19 < 20 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:16079];
@@ -10279,10 +10490,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 16080; i++) map_mem[i] = 2'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_2047_s19_q, index_s19_q};
+  assign map_raddr = {sum_2053_s19_q, index_s19_q};
 `ifndef SYNTHESIS
   logic map_re;
-  assign map_re = s19_en & (and_2054_s19_q & less_2055_s19_q);
+  assign map_re = s19_en & (and_2060_s19_q & less_2061_s19_q);
 `endif
   logic [1:0] map_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -10291,11 +10502,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1614_s19_q, lower_half_s19_q, registration_of_right_s19_q};
+  assign registration_sums_waddr = {sum_1620_s19_q, lower_half_s19_q, registration_of_right_s19_q};
   logic registration_sums_we;
-  assign registration_sums_we = s19_en & and_1673_s19_q;
+  assign registration_sums_we = s19_en & and_1679_s19_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1672_s19_q, sum_1668_s19_q};
+    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1678_s19_q, sum_1674_s19_q};
   end
 `ifndef SYNTHESIS
   logic [3:0] registration_sums_raddr_s16_sim;
@@ -10358,23 +10569,23 @@ module horopter_agreement (
       patches_left_next_1_q <= 5'h0;
       good_known_q <= 1'b0;
     end else if (s19_en) begin
-      moments_left_begins_q <= equal_575_s19_q ? not_2304_s19_q : moments_left_begins_q;
-      moments_right_begins_q <= equal_575_s19_q ? not_2314_s19_q : moments_right_begins_q;
-      moments_ends_q <= equal_575_s19_q & (equal_2292_s19_q & (not_2347 | and_2349));
-      sharpness_sums_detail_0_q <= and_550_s19_q ? select_2373 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_550_s19_q ? select_2385 : sharpness_sums_detail_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2427 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2429 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_less_contrast_0_q <= drew_q ? select_2456 : sharpness_comparing_less_contrast_0_q;
-      sharpness_comparing_less_contrast_1_q <= drew_q ? select_2462 : sharpness_comparing_less_contrast_1_q;
-      registration_moved_q <= not_2905_s19_q & (registration_moved_q | and_2927_s19_q);
-      patches_valid_0_q <= select_3022;
-      patches_valid_1_q <= select_3027;
-      patches_right_next_0_q <= select_3030;
-      patches_right_next_1_q <= select_3033;
-      patches_left_next_0_q <= select_3036;
-      patches_left_next_1_q <= select_3039;
-      good_known_q <= select_3885;
+      moments_left_begins_q <= equal_577_s19_q ? not_2313_s19_q : moments_left_begins_q;
+      moments_right_begins_q <= equal_577_s19_q ? not_2323_s19_q : moments_right_begins_q;
+      moments_ends_q <= equal_577_s19_q & (equal_2301_s19_q & (not_2356 | and_2358));
+      sharpness_sums_detail_0_q <= and_552_s19_q ? select_2382 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_552_s19_q ? select_2394 : sharpness_sums_detail_1_q;
+      sharpness_comparing_contrast_0_q <= so_s19_q ? select_2436 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= so_s19_q ? select_2438 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_less_contrast_0_q <= so_s19_q ? select_2465 : sharpness_comparing_less_contrast_0_q;
+      sharpness_comparing_less_contrast_1_q <= so_s19_q ? select_2471 : sharpness_comparing_less_contrast_1_q;
+      registration_moved_q <= not_2924_s19_q & (registration_moved_q | and_2946_s19_q);
+      patches_valid_0_q <= select_3041;
+      patches_valid_1_q <= select_3046;
+      patches_right_next_0_q <= select_3049;
+      patches_right_next_1_q <= select_3052;
+      patches_left_next_0_q <= select_3055;
+      patches_left_next_1_q <= select_3058;
+      good_known_q <= select_3904;
     end
   end
 
@@ -10387,8 +10598,8 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s19_en) begin
-      census_changes_values_2_left_q <= select_2274;
-      census_changes_values_2_right_q <= select_2275;
+      census_changes_values_2_left_q <= select_2283;
+      census_changes_values_2_right_q <= select_2284;
     end
   end
 
@@ -10415,17 +10626,11 @@ module horopter_agreement (
   logic patches_summed_last_s20_q;
   logic [4:0] patches_summed_down_by_s20_q;
   logic [13:0] product_s20_q;
-  logic done_s20_q;
   logic [6:0] last_s20_q;
-  logic and_550_s20_q;
-  logic equal_575_s20_q;
-  logic not_576_s20_q;
+  logic and_552_s20_q;
+  logic equal_577_s20_q;
+  logic not_578_s20_q;
   logic so_s20_q;
-  logic less_653_s20_q;
-  logic less_654_s20_q;
-  logic less_655_s20_q;
-  logic less_656_s20_q;
-  logic less_657_s20_q;
   logic less_658_s20_q;
   logic less_659_s20_q;
   logic less_660_s20_q;
@@ -10445,97 +10650,104 @@ module horopter_agreement (
   logic less_674_s20_q;
   logic less_675_s20_q;
   logic less_676_s20_q;
-  logic and_684_s20_q;
-  logic and_709_s20_q;
-  logic and_710_s20_q;
-  logic [8:0] sum_732_s20_q;
-  logic and_740_s20_q;
-  logic less_741_s20_q;
-  logic and_746_s20_q;
-  logic less_747_s20_q;
-  logic equal_1608_s20_q;
-  logic equal_1616_s20_q;
-  logic equal_1618_s20_q;
-  logic equal_1620_s20_q;
+  logic less_677_s20_q;
+  logic less_678_s20_q;
+  logic less_679_s20_q;
+  logic less_680_s20_q;
+  logic less_681_s20_q;
+  logic and_689_s20_q;
+  logic and_714_s20_q;
+  logic and_715_s20_q;
+  logic [8:0] sum_737_s20_q;
+  logic and_745_s20_q;
+  logic less_746_s20_q;
+  logic and_751_s20_q;
+  logic less_752_s20_q;
+  logic equal_1614_s20_q;
   logic equal_1622_s20_q;
   logic equal_1624_s20_q;
   logic equal_1626_s20_q;
-  logic equal_1785_s20_q;
-  logic equal_1787_s20_q;
-  logic not_1792_s20_q;
-  logic [4:0] select_1812_s20_q;
-  logic [4:0] select_1815_s20_q;
-  logic and_1825_s20_q;
-  logic [4:0] select_1840_s20_q;
-  logic and_1844_s20_q;
+  logic equal_1628_s20_q;
+  logic equal_1630_s20_q;
+  logic equal_1632_s20_q;
+  logic equal_1791_s20_q;
+  logic equal_1793_s20_q;
+  logic not_1798_s20_q;
+  logic [4:0] select_1818_s20_q;
+  logic [4:0] select_1821_s20_q;
+  logic and_1831_s20_q;
+  logic [4:0] select_1846_s20_q;
+  logic and_1850_s20_q;
   logic [3:0] column_4_s20_q;
-  logic [3:0] select_1859_s20_q;
-  logic select_1860_s20_q;
-  logic and_1867_s20_q;
-  logic not_1988_s20_q;
-  logic and_2054_s20_q;
-  logic less_2055_s20_q;
+  logic [3:0] select_1865_s20_q;
+  logic select_1866_s20_q;
+  logic and_1873_s20_q;
+  logic not_1994_s20_q;
+  logic and_2060_s20_q;
+  logic less_2061_s20_q;
   logic [2:0] index_2_s20_q;
-  logic [10:0] sum_2060_s20_q;
+  logic [10:0] sum_2067_s20_q;
   logic is_seen_s20_q;
-  logic and_2124_s20_q;
-  logic and_2134_s20_q;
-  logic equal_2277_s20_q;
-  logic [8:0] sum_2280_s20_q;
-  logic equal_2292_s20_q;
-  logic not_2323_s20_q;
-  logic and_2344_s20_q;
-  logic equal_2395_s20_q;
-  logic less_2396_s20_q;
-  logic [17:0] select_2408_s20_q;
-  logic [17:0] select_2418_s20_q;
-  logic equal_2439_s20_q;
-  logic and_2591_s20_q;
-  logic and_2638_s20_q;
-  logic [9:0] select_2642_s20_q;
-  logic [9:0] select_2645_s20_q;
-  logic [9:0] select_2652_s20_q;
-  logic and_2673_s20_q;
-  logic and_2693_s20_q;
-  logic equal_2892_s20_q;
-  logic parity_3223_s20_q;
-  logic parity_3352_s20_q;
-  logic and_3353_s20_q;
-  logic or_3357_s20_q;
-  logic or_3361_s20_q;
-  logic or_3368_s20_q;
-  logic or_3372_s20_q;
+  logic and_2132_s20_q;
+  logic and_2143_s20_q;
+  logic equal_2286_s20_q;
+  logic [8:0] sum_2289_s20_q;
+  logic equal_2301_s20_q;
+  logic not_2332_s20_q;
+  logic and_2353_s20_q;
+  logic equal_2404_s20_q;
+  logic less_2405_s20_q;
+  logic [17:0] select_2417_s20_q;
+  logic [17:0] select_2427_s20_q;
+  logic equal_2448_s20_q;
+  logic and_2610_s20_q;
+  logic and_2657_s20_q;
+  logic [9:0] select_2661_s20_q;
+  logic [9:0] select_2664_s20_q;
+  logic [9:0] select_2671_s20_q;
+  logic and_2692_s20_q;
+  logic and_2712_s20_q;
+  logic equal_2911_s20_q;
+  logic parity_3242_s20_q;
+  logic parity_3371_s20_q;
+  logic and_3372_s20_q;
   logic or_3376_s20_q;
-  logic or_3383_s20_q;
+  logic or_3380_s20_q;
   logic or_3387_s20_q;
   logic or_3391_s20_q;
-  logic or_3398_s20_q;
+  logic or_3395_s20_q;
   logic or_3402_s20_q;
   logic or_3406_s20_q;
-  logic parity_3412_s20_q;
-  logic or_3422_s20_q;
-  logic or_3426_s20_q;
-  logic and_3433_s20_q;
-  logic and_3435_s20_q;
-  logic and_3437_s20_q;
-  logic equal_3459_s20_q;
-  logic and_3559_s20_q;
-  logic and_3575_s20_q;
-  logic [14:0] difference_3612_s20_q;
-  logic equal_3652_s20_q;
-  logic less_3772_s20_q;
-  logic or_3864_s20_q;
-  logic select_3872_s20_q;
-  logic equal_3883_s20_q;
-  logic equal_3886_s20_q;
-  logic equal_3888_s20_q;
-  logic equal_3889_s20_q;
-  logic equal_3890_s20_q;
-  logic equal_3891_s20_q;
-  logic and_4045_s20_q;
-  logic and_4060_s20_q;
-  logic [31:0] select_4130_s20_q;
-  logic [9:0] select_4137_s20_q;
+  logic or_3410_s20_q;
+  logic or_3417_s20_q;
+  logic or_3421_s20_q;
+  logic or_3425_s20_q;
+  logic parity_3431_s20_q;
+  logic or_3441_s20_q;
+  logic or_3445_s20_q;
+  logic and_3452_s20_q;
+  logic and_3454_s20_q;
+  logic and_3456_s20_q;
+  logic equal_3478_s20_q;
+  logic and_3578_s20_q;
+  logic and_3594_s20_q;
+  logic [14:0] difference_3631_s20_q;
+  logic equal_3671_s20_q;
+  logic less_3791_s20_q;
+  logic or_3883_s20_q;
+  logic select_3891_s20_q;
+  logic equal_3902_s20_q;
+  logic equal_3905_s20_q;
+  logic equal_3907_s20_q;
+  logic equal_3908_s20_q;
+  logic equal_3909_s20_q;
+  logic equal_3910_s20_q;
+  logic and_4066_s20_q;
+  logic and_4081_s20_q;
+  logic and_4083_s20_q;
+  logic not_4095_s20_q;
+  logic [31:0] select_4151_s20_q;
+  logic [9:0] select_4158_s20_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s20_q <= pixel_0_s19_q;
@@ -10561,17 +10773,11 @@ module horopter_agreement (
       patches_summed_last_s20_q <= patches_summed_last_s19_q;
       patches_summed_down_by_s20_q <= patches_summed_down_by_s19_q;
       product_s20_q <= product_s19_q;
-      done_s20_q <= done_s19_q;
       last_s20_q <= last_s19_q;
-      and_550_s20_q <= and_550_s19_q;
-      equal_575_s20_q <= equal_575_s19_q;
-      not_576_s20_q <= not_576_s19_q;
-      so_s20_q <= drew_q;
-      less_653_s20_q <= less_653_s19_q;
-      less_654_s20_q <= less_654_s19_q;
-      less_655_s20_q <= less_655_s19_q;
-      less_656_s20_q <= less_656_s19_q;
-      less_657_s20_q <= less_657_s19_q;
+      and_552_s20_q <= and_552_s19_q;
+      equal_577_s20_q <= equal_577_s19_q;
+      not_578_s20_q <= not_578_s19_q;
+      so_s20_q <= so_s19_q;
       less_658_s20_q <= less_658_s19_q;
       less_659_s20_q <= less_659_s19_q;
       less_660_s20_q <= less_660_s19_q;
@@ -10591,97 +10797,104 @@ module horopter_agreement (
       less_674_s20_q <= less_674_s19_q;
       less_675_s20_q <= less_675_s19_q;
       less_676_s20_q <= less_676_s19_q;
-      and_684_s20_q <= and_684_s19_q;
-      and_709_s20_q <= and_709_s19_q;
-      and_710_s20_q <= and_710_s19_q;
-      sum_732_s20_q <= sum_732[13:5];
-      and_740_s20_q <= and_740_s19_q;
-      less_741_s20_q <= less_741_s19_q;
-      and_746_s20_q <= (and_709_s19_q & and_736_s19_q) & less_745_s19_q;
-      less_747_s20_q <= less_747_s19_q;
-      equal_1608_s20_q <= equal_1608_s19_q;
-      equal_1616_s20_q <= equal_1616_s19_q;
-      equal_1618_s20_q <= equal_1618_s19_q;
-      equal_1620_s20_q <= equal_1620_s19_q;
+      less_677_s20_q <= less_677_s19_q;
+      less_678_s20_q <= less_678_s19_q;
+      less_679_s20_q <= less_679_s19_q;
+      less_680_s20_q <= less_680_s19_q;
+      less_681_s20_q <= less_681_s19_q;
+      and_689_s20_q <= and_689_s19_q;
+      and_714_s20_q <= and_714_s19_q;
+      and_715_s20_q <= and_715_s19_q;
+      sum_737_s20_q <= sum_737[13:5];
+      and_745_s20_q <= and_745_s19_q;
+      less_746_s20_q <= less_746_s19_q;
+      and_751_s20_q <= (and_714_s19_q & and_741_s19_q) & less_750_s19_q;
+      less_752_s20_q <= less_752_s19_q;
+      equal_1614_s20_q <= equal_1614_s19_q;
       equal_1622_s20_q <= equal_1622_s19_q;
       equal_1624_s20_q <= equal_1624_s19_q;
       equal_1626_s20_q <= equal_1626_s19_q;
-      equal_1785_s20_q <= equal_1785_s19_q;
-      equal_1787_s20_q <= equal_1787_s19_q;
-      not_1792_s20_q <= not_1792_s19_q;
-      select_1812_s20_q <= or_1811_s19_q ? 5'h0 : patches_right_next_0_q[4:0];
-      select_1815_s20_q <= select_1815_s19_q;
-      and_1825_s20_q <= sample_pair_whole_s19_q & and_1824;
-      select_1840_s20_q <= or_1839_s19_q ? 5'h0 : patches_right_next_1_q[4:0];
-      and_1844_s20_q <= sample_pair_whole_s19_q & and_1843;
+      equal_1628_s20_q <= equal_1628_s19_q;
+      equal_1630_s20_q <= equal_1630_s19_q;
+      equal_1632_s20_q <= equal_1632_s19_q;
+      equal_1791_s20_q <= equal_1791_s19_q;
+      equal_1793_s20_q <= equal_1793_s19_q;
+      not_1798_s20_q <= not_1798_s19_q;
+      select_1818_s20_q <= or_1817_s19_q ? 5'h0 : patches_right_next_0_q[4:0];
+      select_1821_s20_q <= select_1821_s19_q;
+      and_1831_s20_q <= sample_pair_whole_s19_q & and_1830;
+      select_1846_s20_q <= or_1845_s19_q ? 5'h0 : patches_right_next_1_q[4:0];
+      and_1850_s20_q <= sample_pair_whole_s19_q & and_1849;
       column_4_s20_q <= column_4;
-      select_1859_s20_q <= select_1859_s19_q;
-      select_1860_s20_q <= or_1852_s19_q ? row_starts_s19_q : patches_left_next_0_q[4];
-      and_1867_s20_q <= and_1867;
-      not_1988_s20_q <= not_1988_s19_q;
-      and_2054_s20_q <= and_2054_s19_q;
-      less_2055_s20_q <= less_2055_s19_q;
+      select_1865_s20_q <= select_1865_s19_q;
+      select_1866_s20_q <= or_1858_s19_q ? row_starts_s19_q : patches_left_next_0_q[4];
+      and_1873_s20_q <= and_1873;
+      not_1994_s20_q <= not_1994_s19_q;
+      and_2060_s20_q <= and_2060_s19_q;
+      less_2061_s20_q <= less_2061_s19_q;
       index_2_s20_q <= index_2_s19_q;
-      sum_2060_s20_q <= sum_2060_s19_q;
+      sum_2067_s20_q <= sum_2067_s19_q;
       is_seen_s20_q <= is_seen;
-      and_2124_s20_q <= is_seen & less_2123_s19_q;
-      and_2134_s20_q <= and_2134_s19_q;
-      equal_2277_s20_q <= equal_2277_s19_q;
-      sum_2280_s20_q <= sum_2280[13:5];
-      equal_2292_s20_q <= equal_2292_s19_q;
-      not_2323_s20_q <= ~moments_ends_q;
-      and_2344_s20_q <= cfg_prove_i & and_2343;
-      equal_2395_s20_q <= equal_2395_s19_q;
-      less_2396_s20_q <= less_2396_s19_q;
-      select_2408_s20_q <= select_2408;
-      select_2418_s20_q <= select_2418;
-      equal_2439_s20_q <= equal_2439_s19_q;
-      and_2591_s20_q <= and_2591_s19_q;
-      and_2638_s20_q <= not_576_s19_q & (drew_q & and_2636);
-      select_2642_s20_q <= select_2642_s19_q;
-      select_2645_s20_q <= select_2645_s19_q;
-      select_2652_s20_q <= select_2652;
-      and_2673_s20_q <= drew_q & (ends_cell_s19_q & (not_2616_s19_q & and_2670));
-      and_2693_s20_q <= and_2693_s19_q;
-      equal_2892_s20_q <= equal_2892_s19_q;
-      parity_3223_s20_q <= parity_3223_s19_q;
-      parity_3352_s20_q <= parity_3352;
-      and_3353_s20_q <= and_3353;
-      or_3357_s20_q <= or_3357;
-      or_3361_s20_q <= or_3361;
-      or_3368_s20_q <= or_3368;
-      or_3372_s20_q <= or_3372;
+      and_2132_s20_q <= is_seen & less_2131_s19_q;
+      and_2143_s20_q <= and_2143_s19_q;
+      equal_2286_s20_q <= equal_2286_s19_q;
+      sum_2289_s20_q <= sum_2289[13:5];
+      equal_2301_s20_q <= equal_2301_s19_q;
+      not_2332_s20_q <= ~moments_ends_q;
+      and_2353_s20_q <= cfg_prove_i & and_2352;
+      equal_2404_s20_q <= equal_2404_s19_q;
+      less_2405_s20_q <= less_2405_s19_q;
+      select_2417_s20_q <= select_2417;
+      select_2427_s20_q <= select_2427;
+      equal_2448_s20_q <= equal_2448_s19_q;
+      and_2610_s20_q <= and_2610_s19_q;
+      and_2657_s20_q <= not_578_s19_q & (so_s19_q & and_2655);
+      select_2661_s20_q <= select_2661_s19_q;
+      select_2664_s20_q <= select_2664_s19_q;
+      select_2671_s20_q <= select_2671;
+      and_2692_s20_q <= so_s19_q & (ends_cell_s19_q & (not_2635_s19_q & and_2689));
+      and_2712_s20_q <= and_2712_s19_q;
+      equal_2911_s20_q <= equal_2911_s19_q;
+      parity_3242_s20_q <= parity_3242_s19_q;
+      parity_3371_s20_q <= parity_3371;
+      and_3372_s20_q <= and_3372;
       or_3376_s20_q <= or_3376;
-      or_3383_s20_q <= or_3383;
+      or_3380_s20_q <= or_3380;
       or_3387_s20_q <= or_3387;
       or_3391_s20_q <= or_3391;
-      or_3398_s20_q <= or_3398;
+      or_3395_s20_q <= or_3395;
       or_3402_s20_q <= or_3402;
       or_3406_s20_q <= or_3406;
-      parity_3412_s20_q <= parity_3412;
-      or_3422_s20_q <= (or_3387 & or_3391) | (or_3383 & (or_3387 | or_3391));
-      or_3426_s20_q <= (or_3402 & or_3406) | (or_3398 & (or_3402 | or_3406));
-      and_3433_s20_q <= and_3353 & (or_3357 | or_3361);
-      and_3435_s20_q <= parity_3394 & parity_3409;
-      and_3437_s20_q <= (^{or_3376, or_3372, or_3368}) & (parity_3394 | parity_3409);
-      equal_3459_s20_q <= equal_3459_s19_q;
-      and_3559_s20_q <= and_3559_s19_q;
-      and_3575_s20_q <= not_3561_s19_q & and_3574;
-      difference_3612_s20_q <= difference_3612;
-      equal_3652_s20_q <= equal_3652_s19_q;
-      less_3772_s20_q <= less_3772_s19_q;
-      or_3864_s20_q <= or_3864_s19_q;
-      select_3872_s20_q <= select_3872_s19_q;
-      equal_3883_s20_q <= equal_3883_s19_q;
-      equal_3886_s20_q <= equal_3886_s19_q;
-      equal_3888_s20_q <= equal_3888_s19_q;
-      equal_3889_s20_q <= equal_3889_s19_q;
-      equal_3890_s20_q <= equal_3890_s19_q;
-      equal_3891_s20_q <= equal_3891_s19_q;
-      and_4045_s20_q <= said_q;
-      and_4060_s20_q <= and_4060;
-      select_4130_s20_q <= select_4130_s19_q;
-      select_4137_s20_q <= select_4137_s19_q;
+      or_3410_s20_q <= or_3410;
+      or_3417_s20_q <= or_3417;
+      or_3421_s20_q <= or_3421;
+      or_3425_s20_q <= or_3425;
+      parity_3431_s20_q <= parity_3431;
+      or_3441_s20_q <= (or_3406 & or_3410) | (or_3402 & (or_3406 | or_3410));
+      or_3445_s20_q <= (or_3421 & or_3425) | (or_3417 & (or_3421 | or_3425));
+      and_3452_s20_q <= and_3372 & (or_3376 | or_3380);
+      and_3454_s20_q <= parity_3413 & parity_3428;
+      and_3456_s20_q <= (^{or_3395, or_3391, or_3387}) & (parity_3413 | parity_3428);
+      equal_3478_s20_q <= equal_3478_s19_q;
+      and_3578_s20_q <= and_3578_s19_q;
+      and_3594_s20_q <= not_3580_s19_q & and_3593;
+      difference_3631_s20_q <= difference_3631;
+      equal_3671_s20_q <= equal_3671_s19_q;
+      less_3791_s20_q <= less_3791_s19_q;
+      or_3883_s20_q <= or_3883_s19_q;
+      select_3891_s20_q <= select_3891_s19_q;
+      equal_3902_s20_q <= equal_3902_s19_q;
+      equal_3905_s20_q <= equal_3905_s19_q;
+      equal_3907_s20_q <= equal_3907_s19_q;
+      equal_3908_s20_q <= equal_3908_s19_q;
+      equal_3909_s20_q <= equal_3909_s19_q;
+      equal_3910_s20_q <= equal_3910_s19_q;
+      and_4066_s20_q <= and_4066_s19_q;
+      and_4081_s20_q <= and_4081;
+      and_4083_s20_q <= and_4083_s19_q;
+      not_4095_s20_q <= not_4095_s19_q;
+      select_4151_s20_q <= select_4151_s19_q;
+      select_4158_s20_q <= select_4158_s19_q;
     end
   end
 
@@ -10695,130 +10908,129 @@ module horopter_agreement (
   logic [13:0] counts_skin_unproven_q;
   logic [13:0] counts_on_skin_q;
   logic patches_frame_ended_q;
-  logic proven_q;
   // hls/stages/moments.hpp:51
-  logic or_2325;
-  assign or_2325 = moments_begins_alone_q | (moments_out_of_step_q & not_2323_s20_q);
+  logic or_2334;
+  assign or_2334 = moments_begins_alone_q | (moments_out_of_step_q & not_2332_s20_q);
   // hls/stages/census.hpp:395
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2408_s20_q};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2417_s20_q};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2411;
-  assign select_2411 = equal_2395_s20_q ? (less_2396_s20_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_2420;
+  assign select_2420 = equal_2404_s20_q ? (less_2405_s20_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:395
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2418_s20_q};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2427_s20_q};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2421;
-  assign select_2421 = equal_2395_s20_q ? (less_2396_s20_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_2640;
-  assign select_2640 = and_2591_s20_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2638_s20_q});
-  logic [13:0] select_2654;
-  assign select_2654 = and_2591_s20_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2652_s20_q});
-  // hls/stages/agreement.hpp:788
-  logic and_2674;
-  assign and_2674 = not_576_s20_q & and_2673_s20_q;
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_2676;
-  assign select_2676 = and_2591_s20_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2674});
+  logic [17:0] select_2430;
+  assign select_2430 = equal_2404_s20_q ? (less_2405_s20_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  // hls/stages/agreement.hpp:933
+  logic [13:0] select_2659;
+  assign select_2659 = and_2610_s20_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2657_s20_q});
+  logic [13:0] select_2673;
+  assign select_2673 = and_2610_s20_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2671_s20_q});
+  // hls/stages/agreement.hpp:795
+  logic and_2693;
+  assign and_2693 = not_578_s20_q & and_2692_s20_q;
+  // hls/stages/agreement.hpp:933
   logic [13:0] select_2695;
-  assign select_2695 = and_2591_s20_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2693_s20_q});
+  assign select_2695 = and_2610_s20_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2693});
+  logic [13:0] select_2714;
+  assign select_2714 = and_2610_s20_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2712_s20_q});
   // hls/stages/count_bits.hpp:24
-  logic parity_3414;
-  assign parity_3414 = ^{or_3406_s20_q, or_3402_s20_q, or_3398_s20_q, or_3391_s20_q, or_3387_s20_q, or_3383_s20_q, or_3376_s20_q, or_3372_s20_q, or_3368_s20_q, or_3361_s20_q, or_3357_s20_q, and_3353_s20_q};
+  logic parity_3433;
+  assign parity_3433 = ^{or_3425_s20_q, or_3421_s20_q, or_3417_s20_q, or_3410_s20_q, or_3406_s20_q, or_3402_s20_q, or_3395_s20_q, or_3391_s20_q, or_3387_s20_q, or_3380_s20_q, or_3376_s20_q, and_3372_s20_q};
   // hls/stages/count_bits.hpp:25
-  logic or_3418;
-  assign or_3418 = (or_3372_s20_q & or_3376_s20_q) | (or_3368_s20_q & (or_3372_s20_q | or_3376_s20_q));
+  logic or_3437;
+  assign or_3437 = (or_3391_s20_q & or_3395_s20_q) | (or_3387_s20_q & (or_3391_s20_q | or_3395_s20_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_3429;
-  assign parity_3429 = ^{or_3426_s20_q, or_3422_s20_q, or_3418};
+  logic parity_3448;
+  assign parity_3448 = ^{or_3445_s20_q, or_3441_s20_q, or_3437};
   // hls/stages/count_bits.hpp:25
-  logic and_3430;
-  assign and_3430 = (^{or_3361_s20_q, or_3357_s20_q, and_3353_s20_q}) & parity_3412_s20_q;
-  logic or_3434;
-  assign or_3434 = (or_3357_s20_q & or_3361_s20_q) | and_3433_s20_q;
-  logic or_3438;
-  assign or_3438 = and_3435_s20_q | and_3437_s20_q;
+  logic and_3449;
+  assign and_3449 = (^{or_3380_s20_q, or_3376_s20_q, and_3372_s20_q}) & parity_3431_s20_q;
+  logic or_3453;
+  assign or_3453 = (or_3376_s20_q & or_3380_s20_q) | and_3452_s20_q;
+  logic or_3457;
+  assign or_3457 = and_3454_s20_q | and_3456_s20_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_3441;
-  assign parity_3441 = ^{or_3438, or_3434, and_3430};
+  logic parity_3460;
+  assign parity_3460 = ^{or_3457, or_3453, and_3449};
   // hls/stages/count_bits.hpp:25
-  logic and_3443;
-  assign and_3443 = parity_3429 & parity_3441;
-  logic or_3447;
-  assign or_3447 = (or_3422_s20_q & or_3426_s20_q) | (or_3418 & (or_3422_s20_q | or_3426_s20_q));
-  logic or_3451;
-  assign or_3451 = (or_3434 & or_3438) | (and_3430 & (or_3434 | or_3438));
+  logic and_3462;
+  assign and_3462 = parity_3448 & parity_3460;
+  logic or_3466;
+  assign or_3466 = (or_3441_s20_q & or_3445_s20_q) | (or_3437 & (or_3441_s20_q | or_3445_s20_q));
+  logic or_3470;
+  assign or_3470 = (or_3453 & or_3457) | (and_3449 & (or_3453 | or_3457));
   // hls/stages/patches.hpp:190
-  logic and_3576;
-  assign and_3576 = and_3559_s20_q & and_3575_s20_q;
+  logic and_3595;
+  assign and_3595 = and_3578_s20_q & and_3594_s20_q;
   // hls/stages/patches.hpp:667
-  logic not_3577;
-  assign not_3577 = ~patches_lower_s20_q;
+  logic not_3596;
+  assign not_3596 = ~patches_lower_s20_q;
   // hls/stages/patches.hpp:611
-  logic less_3613;
-  assign less_3613 = $signed({{8{difference_3583[6]}}, difference_3583}) < $signed(difference_3612_s20_q);
+  logic less_3632;
+  assign less_3632 = $signed({{8{difference_3602[6]}}, difference_3602}) < $signed(difference_3631_s20_q);
   // hls/stages/patches.hpp:610
-  logic less_3618;
-  assign less_3618 = $signed(difference_3612_s20_q) < $signed({9'h0, cfg_patch_limit_i});
-  // hls/stages/agreement.hpp:1130
-  logic less_3653;
-  assign less_3653 = x_s20_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:788
-  logic and_3657;
-  assign and_3657 = equal_575_s20_q & (x_s20_q[6] & (not_1988_s20_q & (equal_3652_s20_q & less_3653)));
-  // hls/stages/agreement.hpp:1142
-  logic and_3662;
-  assign and_3662 = x_s20_q[6] & (not_1988_s20_q & (less_3653 & (x_s20_q[2:0] == 3'h1)));
-  logic and_3669;
-  assign and_3669 = x_s20_q[6] & (not_1988_s20_q & (less_3653 & (x_s20_q[2:0] == 3'h2)));
+  logic less_3637;
+  assign less_3637 = $signed(difference_3631_s20_q) < $signed({9'h0, cfg_patch_limit_i});
+  // hls/stages/agreement.hpp:1138
+  logic less_3672;
+  assign less_3672 = x_s20_q[5:3] < 3'h3;
+  // hls/stages/agreement.hpp:795
   logic and_3676;
-  assign and_3676 = x_s20_q[6] & (not_1988_s20_q & (less_3653 & (x_s20_q[2:0] == 3'h3)));
+  assign and_3676 = equal_577_s20_q & (x_s20_q[6] & (not_1994_s20_q & (equal_3671_s20_q & less_3672)));
+  // hls/stages/agreement.hpp:1150
+  logic and_3681;
+  assign and_3681 = x_s20_q[6] & (not_1994_s20_q & (less_3672 & (x_s20_q[2:0] == 3'h1)));
+  logic and_3688;
+  assign and_3688 = x_s20_q[6] & (not_1994_s20_q & (less_3672 & (x_s20_q[2:0] == 3'h2)));
+  logic and_3695;
+  assign and_3695 = x_s20_q[6] & (not_1994_s20_q & (less_3672 & (x_s20_q[2:0] == 3'h3)));
   // hls/stages/patches.hpp:203
-  logic select_3683;
-  assign select_3683 = (x_s20_q[5:3] == 3'h2) ? x_s20_q[1] : (x_s20_q[0] & (x_s20_q[5:3] == 3'h1));
+  logic select_3702;
+  assign select_3702 = (x_s20_q[5:3] == 3'h2) ? x_s20_q[1] : (x_s20_q[0] & (x_s20_q[5:3] == 3'h1));
   // hls/stages/patches.hpp:206
-  logic [4:0] sum_3710;
-  assign sum_3710 = {2'h0, x_s20_q[2:0]} + 5'h1f;
+  logic [4:0] sum_3729;
+  assign sum_3729 = {2'h0, x_s20_q[2:0]} + 5'h1f;
   // hls/stages/patches.hpp:189
-  logic [5:0] select_3727;
-  assign select_3727 = ($signed(difference_3612_s20_q[14:4]) < $signed(11'h7ff)) ? 6'h30 : difference_3612_s20_q[5:0];
-  logic [5:0] select_3728;
-  assign select_3728 = ($signed(15'h10) < $signed(difference_3612_s20_q)) ? 6'h10 : select_3727;
-  // hls/stages/agreement.hpp:788
-  logic and_3735;
-  assign and_3735 = equal_575_s20_q & (x_s20_q[6] & (not_1988_s20_q & (equal_2892_s20_q & less_3653)));
-  // hls/stages/agreement.hpp:1142
-  logic and_3739;
-  assign and_3739 = x_s20_q[6] & (not_1988_s20_q & (less_3653 & (x_s20_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:1125
-  logic [13:0] select_3893;
-  assign select_3893 = equal_3890_s20_q ? counts_skin_unproven_q : (equal_3891_s20_q ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_3895;
-  assign select_3895 = equal_3889_s20_q ? counts_regions_bad_q : (equal_3886_s20_q ? counts_nearer_s20_q : select_3893);
+  logic [5:0] select_3746;
+  assign select_3746 = ($signed(difference_3631_s20_q[14:4]) < $signed(11'h7ff)) ? 6'h30 : difference_3631_s20_q[5:0];
+  logic [5:0] select_3747;
+  assign select_3747 = ($signed(15'h10) < $signed(difference_3631_s20_q)) ? 6'h10 : select_3746;
+  // hls/stages/agreement.hpp:795
+  logic and_3754;
+  assign and_3754 = equal_577_s20_q & (x_s20_q[6] & (not_1994_s20_q & (equal_2911_s20_q & less_3672)));
+  // hls/stages/agreement.hpp:1150
+  logic and_3758;
+  assign and_3758 = x_s20_q[6] & (not_1994_s20_q & (less_3672 & (x_s20_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:1133
+  logic [13:0] select_3912;
+  assign select_3912 = equal_3909_s20_q ? counts_skin_unproven_q : (equal_3910_s20_q ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_3914;
+  assign select_3914 = equal_3908_s20_q ? counts_regions_bad_q : (equal_3905_s20_q ? counts_nearer_s20_q : select_3912);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_3888_s20_q ? counts_on_skin_q : select_3895;
-  // hls/stages/agreement.hpp:788
-  logic and_4121;
-  assign and_4121 = equal_575_s20_q & (x_s20_q[6] & (not_1988_s20_q | (4'hc < x_s20_q[5:2])));
-  // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4131;
-  assign select_4131 = equal_1626_s20_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4130_s20_q;
-  logic [31:0] select_4132;
-  assign select_4132 = equal_1624_s20_q ? {8'h0, sharpness_sums_detail_0_s20_q} : select_4131;
-  logic [31:0] select_4133;
-  assign select_4133 = equal_1622_s20_q ? {8'h0, sharpness_sums_detail_1_s20_q} : select_4132;
-  logic [31:0] select_4134;
-  assign select_4134 = equal_1620_s20_q ? {8'h0, sharpness_sums_contrast_0_s20_q} : select_4133;
-  logic [31:0] select_4135;
-  assign select_4135 = equal_1618_s20_q ? {8'h0, sharpness_sums_contrast_1_s20_q} : select_4134;
+  assign before_v_4 = equal_3907_s20_q ? counts_on_skin_q : select_3914;
+  // hls/stages/agreement.hpp:795
+  logic and_4142;
+  assign and_4142 = equal_577_s20_q & (x_s20_q[6] & (not_1994_s20_q | (4'hc < x_s20_q[5:2])));
+  // hls/stages/agreement.hpp:1148
+  logic [31:0] select_4152;
+  assign select_4152 = equal_1632_s20_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4151_s20_q;
+  logic [31:0] select_4153;
+  assign select_4153 = equal_1630_s20_q ? {8'h0, sharpness_sums_detail_0_s20_q} : select_4152;
+  logic [31:0] select_4154;
+  assign select_4154 = equal_1628_s20_q ? {8'h0, sharpness_sums_detail_1_s20_q} : select_4153;
+  logic [31:0] select_4155;
+  assign select_4155 = equal_1626_s20_q ? {8'h0, sharpness_sums_contrast_0_s20_q} : select_4154;
+  logic [31:0] select_4156;
+  assign select_4156 = equal_1624_s20_q ? {8'h0, sharpness_sums_contrast_1_s20_q} : select_4155;
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
-  assign patches_right_0_waddr = {select_1815_s20_q, select_1812_s20_q};
+  assign patches_right_0_waddr = {select_1821_s20_q, select_1818_s20_q};
   logic patches_right_0_we;
-  assign patches_right_0_we = s20_en & and_1825_s20_q;
+  assign patches_right_0_we = s20_en & and_1831_s20_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_0_we) patches_right_0_mem[patches_right_0_waddr] <= sample_pair_pixel_1_s20_q;
   end
@@ -10927,9 +11139,9 @@ module horopter_agreement (
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_1815_s20_q, select_1840_s20_q};
+  assign patches_right_1_waddr = {select_1821_s20_q, select_1846_s20_q};
   logic patches_right_1_we;
-  assign patches_right_1_we = s20_en & and_1844_s20_q;
+  assign patches_right_1_we = s20_en & and_1850_s20_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_1_we) patches_right_1_mem[patches_right_1_waddr] <= sample_pair_pixel_1_s20_q;
   end
@@ -11038,9 +11250,9 @@ module horopter_agreement (
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_1860_s20_q, select_1859_s20_q, column_4_s20_q};
+  assign patches_left_waddr = {select_1866_s20_q, select_1865_s20_q, column_4_s20_q};
   logic patches_left_we;
-  assign patches_left_we = s20_en & and_1867_s20_q;
+  assign patches_left_we = s20_en & and_1873_s20_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_left_we) patches_left_mem[patches_left_waddr] <= sample_pair_pixel_0_s20_q;
   end
@@ -11141,11 +11353,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_2060_s20_q, index_2_s20_q};
+  assign map_waddr = {sum_2067_s20_q, index_2_s20_q};
   logic map_we;
-  assign map_we = s20_en & and_2134_s20_q;
+  assign map_we = s20_en & and_2143_s20_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_2124_s20_q, is_seen_s20_q};
+    if (map_we) map_mem[map_waddr] <= {and_2132_s20_q, is_seen_s20_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -11170,18 +11382,16 @@ module horopter_agreement (
       counts_skin_unproven_q <= 14'h0;
       counts_on_skin_q <= 14'h0;
       patches_frame_ended_q <= 1'b0;
-      proven_q <= 1'b0;
     end else if (s20_en) begin
-      moments_out_of_step_q <= or_2325;
-      moments_begins_alone_q <= equal_575_s20_q & (equal_2292_s20_q & and_2344_s20_q);
-      sharpness_comparing_rest_0_q <= so_s20_q ? select_2411 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= so_s20_q ? select_2421 : sharpness_comparing_rest_1_q;
-      counts_unproven_q <= select_2640;
-      counts_regions_bad_q <= select_2654;
-      counts_skin_unproven_q <= select_2676;
-      counts_on_skin_q <= select_2695;
-      patches_frame_ended_q <= equal_575_s20_q & equal_2292_s20_q;
-      proven_q <= marks_first_s20_q ? done_s20_q : proven_q;
+      moments_out_of_step_q <= or_2334;
+      moments_begins_alone_q <= equal_577_s20_q & (equal_2301_s20_q & and_2353_s20_q);
+      sharpness_comparing_rest_0_q <= so_s20_q ? select_2420 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= so_s20_q ? select_2430 : sharpness_comparing_rest_1_q;
+      counts_unproven_q <= select_2659;
+      counts_regions_bad_q <= select_2673;
+      counts_skin_unproven_q <= select_2695;
+      counts_on_skin_q <= select_2714;
+      patches_frame_ended_q <= equal_577_s20_q & equal_2301_s20_q;
     end
   end
 
@@ -11201,14 +11411,9 @@ module horopter_agreement (
   logic patches_frame_ended_s21_q;
   logic [13:0] product_s21_q;
   logic [6:0] last_s21_q;
-  logic and_550_s21_q;
-  logic equal_575_s21_q;
+  logic and_552_s21_q;
+  logic equal_577_s21_q;
   logic so_s21_q;
-  logic less_653_s21_q;
-  logic less_654_s21_q;
-  logic less_655_s21_q;
-  logic less_656_s21_q;
-  logic less_657_s21_q;
   logic less_658_s21_q;
   logic less_659_s21_q;
   logic less_660_s21_q;
@@ -11228,74 +11433,80 @@ module horopter_agreement (
   logic less_674_s21_q;
   logic less_675_s21_q;
   logic less_676_s21_q;
-  logic and_684_s21_q;
-  logic and_709_s21_q;
-  logic and_710_s21_q;
-  logic less_733_s21_q;
-  logic and_740_s21_q;
-  logic less_741_s21_q;
-  logic and_746_s21_q;
-  logic less_747_s21_q;
-  logic equal_1608_s21_q;
-  logic equal_1616_s21_q;
-  logic equal_1785_s21_q;
-  logic equal_1787_s21_q;
-  logic and_2054_s21_q;
-  logic less_2055_s21_q;
+  logic less_677_s21_q;
+  logic less_678_s21_q;
+  logic less_679_s21_q;
+  logic less_680_s21_q;
+  logic less_681_s21_q;
+  logic and_689_s21_q;
+  logic and_714_s21_q;
+  logic and_715_s21_q;
+  logic less_738_s21_q;
+  logic and_745_s21_q;
+  logic less_746_s21_q;
+  logic and_751_s21_q;
+  logic less_752_s21_q;
+  logic equal_1614_s21_q;
+  logic equal_1622_s21_q;
+  logic equal_1791_s21_q;
+  logic equal_1793_s21_q;
+  logic and_2060_s21_q;
+  logic less_2061_s21_q;
   logic [1:0] map_rdata_s21_q;
   logic is_seen_s21_q;
-  logic and_2124_s21_q;
-  logic equal_2277_s21_q;
-  logic and_2282_s21_q;
-  logic equal_2395_s21_q;
+  logic and_2132_s21_q;
+  logic equal_2286_s21_q;
+  logic and_2291_s21_q;
+  logic equal_2404_s21_q;
   logic sum_s21_q;
   logic sum_2_s21_q;
-  logic equal_2439_s21_q;
-  logic select_2457_s21_q;
-  logic select_2463_s21_q;
-  logic [9:0] select_2642_s21_q;
-  logic [9:0] select_2645_s21_q;
-  logic parity_3223_s21_q;
-  logic parity_3352_s21_q;
-  logic parity_3414_s21_q;
-  logic xor_3442_s21_q;
-  logic parity_3454_s21_q;
-  logic and_3455_s21_q;
-  logic and_3457_s21_q;
-  logic equal_3459_s21_q;
-  logic and_3579_s21_q;
-  logic not_3614_s21_q;
-  logic not_3619_s21_q;
-  logic and_3623_s21_q;
-  logic and_3633_s21_q;
-  logic and_3643_s21_q;
-  logic equal_3652_s21_q;
-  logic and_3657_s21_q;
-  logic and_3663_s21_q;
-  logic and_3670_s21_q;
-  logic and_3677_s21_q;
-  logic and_3686_s21_q;
-  logic and_3713_s21_q;
-  logic [5:0] select_3729_s21_q;
-  logic and_3735_s21_q;
-  logic and_3740_s21_q;
-  logic and_3773_s21_q;
-  logic or_3864_s21_q;
-  logic select_3872_s21_q;
-  logic equal_3883_s21_q;
-  logic and_3887_s21_q;
+  logic equal_2448_s21_q;
+  logic select_2466_s21_q;
+  logic select_2472_s21_q;
+  logic [9:0] select_2661_s21_q;
+  logic [9:0] select_2664_s21_q;
+  logic parity_3242_s21_q;
+  logic parity_3371_s21_q;
+  logic parity_3433_s21_q;
+  logic xor_3461_s21_q;
+  logic parity_3473_s21_q;
+  logic and_3474_s21_q;
+  logic and_3476_s21_q;
+  logic equal_3478_s21_q;
+  logic and_3598_s21_q;
+  logic not_3633_s21_q;
+  logic not_3638_s21_q;
+  logic and_3642_s21_q;
+  logic and_3652_s21_q;
+  logic and_3662_s21_q;
+  logic equal_3671_s21_q;
+  logic and_3676_s21_q;
+  logic and_3682_s21_q;
+  logic and_3689_s21_q;
+  logic and_3696_s21_q;
+  logic and_3705_s21_q;
+  logic and_3732_s21_q;
+  logic [5:0] select_3748_s21_q;
+  logic and_3754_s21_q;
+  logic and_3759_s21_q;
+  logic and_3792_s21_q;
+  logic or_3883_s21_q;
+  logic select_3891_s21_q;
+  logic equal_3902_s21_q;
+  logic and_3906_s21_q;
   logic [13:0] before_v_4_s21_q;
-  logic not_3932_s21_q;
-  logic or_3936_s21_q;
-  logic and_3941_s21_q;
-  logic less_3942_s21_q;
-  logic and_4045_s21_q;
-  logic and_4060_s21_q;
-  logic not_4074_s21_q;
-  logic and_4121_s21_q;
-  logic [5:0] select_4123_s21_q;
-  logic [31:0] select_4135_s21_q;
-  logic [9:0] select_4137_s21_q;
+  logic not_3951_s21_q;
+  logic or_3955_s21_q;
+  logic and_3960_s21_q;
+  logic less_3961_s21_q;
+  logic and_4066_s21_q;
+  logic and_4081_s21_q;
+  logic and_4083_s21_q;
+  logic not_4095_s21_q;
+  logic and_4142_s21_q;
+  logic [5:0] select_4144_s21_q;
+  logic [31:0] select_4156_s21_q;
+  logic [9:0] select_4158_s21_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s21_q <= pixel_0_s20_q;
@@ -11314,14 +11525,9 @@ module horopter_agreement (
       patches_frame_ended_s21_q <= patches_frame_ended_q;
       product_s21_q <= product_s20_q;
       last_s21_q <= last_s20_q;
-      and_550_s21_q <= and_550_s20_q;
-      equal_575_s21_q <= equal_575_s20_q;
+      and_552_s21_q <= and_552_s20_q;
+      equal_577_s21_q <= equal_577_s20_q;
       so_s21_q <= so_s20_q;
-      less_653_s21_q <= less_653_s20_q;
-      less_654_s21_q <= less_654_s20_q;
-      less_655_s21_q <= less_655_s20_q;
-      less_656_s21_q <= less_656_s20_q;
-      less_657_s21_q <= less_657_s20_q;
       less_658_s21_q <= less_658_s20_q;
       less_659_s21_q <= less_659_s20_q;
       less_660_s21_q <= less_660_s20_q;
@@ -11341,74 +11547,80 @@ module horopter_agreement (
       less_674_s21_q <= less_674_s20_q;
       less_675_s21_q <= less_675_s20_q;
       less_676_s21_q <= less_676_s20_q;
-      and_684_s21_q <= and_684_s20_q;
-      and_709_s21_q <= and_709_s20_q;
-      and_710_s21_q <= and_710_s20_q;
-      less_733_s21_q <= 9'h4 < sum_732_s20_q;
-      and_740_s21_q <= and_740_s20_q;
-      less_741_s21_q <= less_741_s20_q;
-      and_746_s21_q <= and_746_s20_q;
-      less_747_s21_q <= less_747_s20_q;
-      equal_1608_s21_q <= equal_1608_s20_q;
-      equal_1616_s21_q <= equal_1616_s20_q;
-      equal_1785_s21_q <= equal_1785_s20_q;
-      equal_1787_s21_q <= equal_1787_s20_q;
-      and_2054_s21_q <= and_2054_s20_q;
-      less_2055_s21_q <= less_2055_s20_q;
+      less_677_s21_q <= less_677_s20_q;
+      less_678_s21_q <= less_678_s20_q;
+      less_679_s21_q <= less_679_s20_q;
+      less_680_s21_q <= less_680_s20_q;
+      less_681_s21_q <= less_681_s20_q;
+      and_689_s21_q <= and_689_s20_q;
+      and_714_s21_q <= and_714_s20_q;
+      and_715_s21_q <= and_715_s20_q;
+      less_738_s21_q <= 9'h4 < sum_737_s20_q;
+      and_745_s21_q <= and_745_s20_q;
+      less_746_s21_q <= less_746_s20_q;
+      and_751_s21_q <= and_751_s20_q;
+      less_752_s21_q <= less_752_s20_q;
+      equal_1614_s21_q <= equal_1614_s20_q;
+      equal_1622_s21_q <= equal_1622_s20_q;
+      equal_1791_s21_q <= equal_1791_s20_q;
+      equal_1793_s21_q <= equal_1793_s20_q;
+      and_2060_s21_q <= and_2060_s20_q;
+      less_2061_s21_q <= less_2061_s20_q;
       map_rdata_s21_q <= map_rdata_q;
       is_seen_s21_q <= is_seen_s20_q;
-      and_2124_s21_q <= and_2124_s20_q;
-      equal_2277_s21_q <= equal_2277_s20_q;
-      and_2282_s21_q <= and_709_s20_q & (9'h4 < sum_2280_s20_q);
-      equal_2395_s21_q <= equal_2395_s20_q;
+      and_2132_s21_q <= and_2132_s20_q;
+      equal_2286_s21_q <= equal_2286_s20_q;
+      and_2291_s21_q <= and_714_s20_q & (9'h4 < sum_2289_s20_q);
+      equal_2404_s21_q <= equal_2404_s20_q;
       sum_s21_q <= sum[0];
       sum_2_s21_q <= sum_2[0];
-      equal_2439_s21_q <= equal_2439_s20_q;
-      select_2457_s21_q <= sharpness_comparing_less_contrast_0_q;
-      select_2463_s21_q <= sharpness_comparing_less_contrast_1_q;
-      select_2642_s21_q <= select_2642_s20_q;
-      select_2645_s21_q <= select_2645_s20_q;
-      parity_3223_s21_q <= parity_3223_s20_q;
-      parity_3352_s21_q <= parity_3352_s20_q;
-      parity_3414_s21_q <= parity_3414;
-      xor_3442_s21_q <= parity_3429 ^ parity_3441;
-      parity_3454_s21_q <= ^{or_3451, or_3447, and_3443};
-      and_3455_s21_q <= or_3447 & or_3451;
-      and_3457_s21_q <= and_3443 & (or_3447 | or_3451);
-      equal_3459_s21_q <= equal_3459_s20_q;
-      and_3579_s21_q <= and_3576 & (not_1792_s20_q & not_3577);
-      not_3614_s21_q <= ~less_3613;
-      not_3619_s21_q <= ~less_3618;
-      and_3623_s21_q <= and_3576 & (patches_second_s20_q & not_3577);
-      and_3633_s21_q <= and_3576 & (patches_lower_s20_q & not_1792_s20_q);
-      and_3643_s21_q <= and_3576 & (patches_lower_s20_q & patches_second_s20_q);
-      equal_3652_s21_q <= equal_3652_s20_q;
-      and_3657_s21_q <= and_3657;
-      and_3663_s21_q <= equal_575_s20_q & and_3662;
-      and_3670_s21_q <= equal_575_s20_q & and_3669;
-      and_3677_s21_q <= equal_575_s20_q & and_3676;
-      and_3686_s21_q <= x_s20_q[6] & (not_1988_s20_q & (less_3653 & select_3683));
-      and_3713_s21_q <= not_1988_s20_q & (less_3653 & (sum_3710[4:2] == 3'h0));
-      select_3729_s21_q <= and_3576 ? select_3728 : 6'h0;
-      and_3735_s21_q <= and_3735;
-      and_3740_s21_q <= equal_575_s20_q & and_3739;
-      and_3773_s21_q <= less_3772_s20_q & and_3576;
-      or_3864_s21_q <= or_3864_s20_q;
-      select_3872_s21_q <= select_3872_s20_q;
-      equal_3883_s21_q <= equal_3883_s20_q;
-      and_3887_s21_q <= equal_3886_s20_q & equal_3652_s20_q;
+      equal_2448_s21_q <= equal_2448_s20_q;
+      select_2466_s21_q <= sharpness_comparing_less_contrast_0_q;
+      select_2472_s21_q <= sharpness_comparing_less_contrast_1_q;
+      select_2661_s21_q <= select_2661_s20_q;
+      select_2664_s21_q <= select_2664_s20_q;
+      parity_3242_s21_q <= parity_3242_s20_q;
+      parity_3371_s21_q <= parity_3371_s20_q;
+      parity_3433_s21_q <= parity_3433;
+      xor_3461_s21_q <= parity_3448 ^ parity_3460;
+      parity_3473_s21_q <= ^{or_3470, or_3466, and_3462};
+      and_3474_s21_q <= or_3466 & or_3470;
+      and_3476_s21_q <= and_3462 & (or_3466 | or_3470);
+      equal_3478_s21_q <= equal_3478_s20_q;
+      and_3598_s21_q <= and_3595 & (not_1798_s20_q & not_3596);
+      not_3633_s21_q <= ~less_3632;
+      not_3638_s21_q <= ~less_3637;
+      and_3642_s21_q <= and_3595 & (patches_second_s20_q & not_3596);
+      and_3652_s21_q <= and_3595 & (patches_lower_s20_q & not_1798_s20_q);
+      and_3662_s21_q <= and_3595 & (patches_lower_s20_q & patches_second_s20_q);
+      equal_3671_s21_q <= equal_3671_s20_q;
+      and_3676_s21_q <= and_3676;
+      and_3682_s21_q <= equal_577_s20_q & and_3681;
+      and_3689_s21_q <= equal_577_s20_q & and_3688;
+      and_3696_s21_q <= equal_577_s20_q & and_3695;
+      and_3705_s21_q <= x_s20_q[6] & (not_1994_s20_q & (less_3672 & select_3702));
+      and_3732_s21_q <= not_1994_s20_q & (less_3672 & (sum_3729[4:2] == 3'h0));
+      select_3748_s21_q <= and_3595 ? select_3747 : 6'h0;
+      and_3754_s21_q <= and_3754;
+      and_3759_s21_q <= equal_577_s20_q & and_3758;
+      and_3792_s21_q <= less_3791_s20_q & and_3595;
+      or_3883_s21_q <= or_3883_s20_q;
+      select_3891_s21_q <= select_3891_s20_q;
+      equal_3902_s21_q <= equal_3902_s20_q;
+      and_3906_s21_q <= equal_3905_s20_q & equal_3671_s20_q;
       before_v_4_s21_q <= before_v_4;
-      not_3932_s21_q <= ~(equal_3891_s20_q & equal_3652_s20_q);
-      or_3936_s21_q <= (equal_3891_s20_q | equal_3890_s20_q) | (x_s20_q[6:3] == 4'hf);
-      and_3941_s21_q <= equal_3888_s20_q & equal_3652_s20_q;
-      less_3942_s21_q <= {4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q;
-      and_4045_s21_q <= and_4045_s20_q;
-      and_4060_s21_q <= and_4060_s20_q;
-      not_4074_s21_q <= ~proven_q;
-      and_4121_s21_q <= and_4121;
-      select_4123_s21_q <= equal_575_s20_q ? (x_s20_q[6] ? x_s20_q[5:0] : 6'h0) : 6'h0;
-      select_4135_s21_q <= select_4135;
-      select_4137_s21_q <= select_4137_s20_q;
+      not_3951_s21_q <= ~(equal_3910_s20_q & equal_3671_s20_q);
+      or_3955_s21_q <= (equal_3910_s20_q | equal_3909_s20_q) | (x_s20_q[6:3] == 4'hf);
+      and_3960_s21_q <= equal_3907_s20_q & equal_3671_s20_q;
+      less_3961_s21_q <= {4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q;
+      and_4066_s21_q <= and_4066_s20_q;
+      and_4081_s21_q <= and_4081_s20_q;
+      and_4083_s21_q <= and_4083_s20_q;
+      not_4095_s21_q <= not_4095_s20_q;
+      and_4142_s21_q <= and_4142;
+      select_4144_s21_q <= equal_577_s20_q ? (x_s20_q[6] ? x_s20_q[5:0] : 6'h0) : 6'h0;
+      select_4156_s21_q <= select_4156;
+      select_4158_s21_q <= select_4158_s20_q;
     end
   end
 
@@ -11476,264 +11688,261 @@ module horopter_agreement (
   logic [9:0] patches_age_q;
   logic hides_q;
   // hls/stages/census.hpp:317
-  logic and_734;
-  assign and_734 = and_684_s21_q & less_733_s21_q;
+  logic and_739;
+  assign and_739 = and_689_s21_q & less_738_s21_q;
   // hls/stages/census.hpp:324
-  logic and_2283;
-  assign and_2283 = and_709_s21_q & less_733_s21_q;
+  logic and_2292;
+  assign and_2292 = and_714_s21_q & less_738_s21_q;
   // hls/stages/census.hpp:325
-  logic [19:0] sum_2284;
-  assign sum_2284 = census_left_misses_q + {{17{and_2283}}, and_2282_s21_q, 1'b0, and_2282_s21_q};
-  // hls/stages/agreement.hpp:520
-  logic [19:0] select_2286;
-  assign select_2286 = and_550_s21_q ? (equal_2277_s21_q ? 20'h0 : sum_2284) : census_left_misses_q;
+  logic [19:0] sum_2293;
+  assign sum_2293 = census_left_misses_q + {{17{and_2292}}, and_2291_s21_q, 1'b0, and_2291_s21_q};
+  // hls/stages/agreement.hpp:527
+  logic [19:0] select_2295;
+  assign select_2295 = and_552_s21_q ? (equal_2286_s21_q ? 20'h0 : sum_2293) : census_left_misses_q;
   // hls/stages/agreement.hpp:216
-  logic [2:0] select_2423;
-  assign select_2423 = equal_2395_s21_q ? {sharpness_comparing_product_0_q[1:0], sum_s21_q} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2425;
-  assign select_2425 = equal_2395_s21_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s21_q} : sharpness_comparing_product_1_q;
+  logic [2:0] select_2432;
+  assign select_2432 = equal_2404_s21_q ? {sharpness_comparing_product_0_q[1:0], sum_s21_q} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2434;
+  assign select_2434 = equal_2404_s21_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s21_q} : sharpness_comparing_product_1_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s21_q});
   // hls/stages/agreement.hpp:216
-  logic select_2434;
-  assign select_2434 = so_s21_q ? (equal_2395_s21_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2443;
+  assign select_2443 = so_s21_q ? (equal_2404_s21_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s21_q});
   // hls/stages/agreement.hpp:216
-  logic select_2437;
-  assign select_2437 = equal_2395_s21_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
+  logic select_2446;
+  assign select_2446 = equal_2404_s21_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:403
-  logic xor_2440;
-  assign xor_2440 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic xor_2446;
-  assign xor_2446 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic xor_2449;
+  assign xor_2449 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic xor_2455;
+  assign xor_2455 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
   // hls/stages/count_bits.hpp:27
-  logic or_3458;
-  assign or_3458 = and_3455_s21_q | and_3457_s21_q;
+  logic or_3477;
+  assign or_3477 = and_3474_s21_q | and_3476_s21_q;
   // hls/stages/patches.hpp:529
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3458, parity_3454_s21_q, xor_3442_s21_q, parity_3414_s21_q, parity_3352_s21_q, parity_3223_s21_q} + (equal_3459_s21_q ? 10'h0 : patches_sums_values_16_q);
+  assign sum_3 = {4'h0, or_3477, parity_3473_s21_q, xor_3461_s21_q, parity_3433_s21_q, parity_3371_s21_q, parity_3242_s21_q} + (equal_3478_s21_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3463;
-  assign select_3463 = equal_1785_s21_q ? patches_sums_values_0_q : (equal_1787_s21_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3464;
-  assign select_3464 = equal_1787_s21_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3466;
-  assign select_3466 = equal_1787_s21_q ? patches_sums_values_1_q : patches_sums_values_2_q;
-  logic [9:0] select_3468;
-  assign select_3468 = equal_1787_s21_q ? patches_sums_values_2_q : patches_sums_values_3_q;
-  logic [9:0] select_3470;
-  assign select_3470 = equal_1787_s21_q ? patches_sums_values_3_q : patches_sums_values_4_q;
-  logic [9:0] select_3472;
-  assign select_3472 = equal_1787_s21_q ? patches_sums_values_4_q : patches_sums_values_5_q;
-  logic [9:0] select_3474;
-  assign select_3474 = equal_1787_s21_q ? patches_sums_values_5_q : patches_sums_values_6_q;
-  logic [9:0] select_3476;
-  assign select_3476 = equal_1787_s21_q ? patches_sums_values_6_q : patches_sums_values_7_q;
-  logic [9:0] select_3478;
-  assign select_3478 = equal_1787_s21_q ? patches_sums_values_7_q : patches_sums_values_8_q;
-  logic [9:0] select_3480;
-  assign select_3480 = equal_1787_s21_q ? patches_sums_values_8_q : patches_sums_values_9_q;
   logic [9:0] select_3482;
-  assign select_3482 = equal_1787_s21_q ? patches_sums_values_9_q : patches_sums_values_10_q;
-  logic [9:0] select_3484;
-  assign select_3484 = equal_1787_s21_q ? patches_sums_values_10_q : patches_sums_values_11_q;
-  logic [9:0] select_3486;
-  assign select_3486 = equal_1787_s21_q ? patches_sums_values_11_q : patches_sums_values_12_q;
-  logic [9:0] select_3488;
-  assign select_3488 = equal_1787_s21_q ? patches_sums_values_12_q : patches_sums_values_13_q;
-  logic [9:0] select_3490;
-  assign select_3490 = equal_1787_s21_q ? patches_sums_values_13_q : patches_sums_values_14_q;
-  logic [9:0] select_3492;
-  assign select_3492 = equal_1787_s21_q ? patches_sums_values_14_q : patches_sums_values_15_q;
-  logic [9:0] select_3494;
-  assign select_3494 = equal_1787_s21_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  assign select_3482 = equal_1791_s21_q ? patches_sums_values_0_q : (equal_1793_s21_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3483;
+  assign select_3483 = equal_1793_s21_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3485;
+  assign select_3485 = equal_1793_s21_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3487;
+  assign select_3487 = equal_1793_s21_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  logic [9:0] select_3489;
+  assign select_3489 = equal_1793_s21_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  logic [9:0] select_3491;
+  assign select_3491 = equal_1793_s21_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  logic [9:0] select_3493;
+  assign select_3493 = equal_1793_s21_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  logic [9:0] select_3495;
+  assign select_3495 = equal_1793_s21_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  logic [9:0] select_3497;
+  assign select_3497 = equal_1793_s21_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  logic [9:0] select_3499;
+  assign select_3499 = equal_1793_s21_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  logic [9:0] select_3501;
+  assign select_3501 = equal_1793_s21_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3503;
+  assign select_3503 = equal_1793_s21_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3505;
+  assign select_3505 = equal_1793_s21_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3507;
+  assign select_3507 = equal_1793_s21_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3509;
+  assign select_3509 = equal_1793_s21_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3511;
+  assign select_3511 = equal_1793_s21_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3513;
+  assign select_3513 = equal_1793_s21_q ? patches_sums_values_15_q : patches_sums_values_16_q;
   // hls/stages/patches.hpp:669
-  logic [7:0] sum_3581;
-  assign sum_3581 = {7'h0, and_3579_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  logic [7:0] sum_3600;
+  assign sum_3600 = {7'h0, and_3598_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:670
-  logic and_3615;
-  assign and_3615 = not_3614_s21_q & and_3579_s21_q;
-  logic [7:0] sum_3616;
-  assign sum_3616 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3615};
-  // hls/stages/patches.hpp:671
-  logic and_3620;
-  assign and_3620 = not_3619_s21_q & and_3579_s21_q;
-  logic [7:0] sum_3621;
-  assign sum_3621 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3620};
-  // hls/stages/patches.hpp:669
-  logic [7:0] sum_3625;
-  assign sum_3625 = {7'h0, and_3623_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:670
-  logic and_3627;
-  assign and_3627 = not_3614_s21_q & and_3623_s21_q;
-  logic [7:0] sum_3628;
-  assign sum_3628 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3627};
-  // hls/stages/patches.hpp:671
-  logic and_3630;
-  assign and_3630 = not_3619_s21_q & and_3623_s21_q;
-  logic [7:0] sum_3631;
-  assign sum_3631 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3630};
-  // hls/stages/patches.hpp:669
+  logic and_3634;
+  assign and_3634 = not_3633_s21_q & and_3598_s21_q;
   logic [7:0] sum_3635;
-  assign sum_3635 = {7'h0, and_3633_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:670
-  logic and_3637;
-  assign and_3637 = not_3614_s21_q & and_3633_s21_q;
-  logic [7:0] sum_3638;
-  assign sum_3638 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3637};
+  assign sum_3635 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3634};
   // hls/stages/patches.hpp:671
-  logic and_3640;
-  assign and_3640 = not_3619_s21_q & and_3633_s21_q;
-  logic [7:0] sum_3641;
-  assign sum_3641 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3640};
+  logic and_3639;
+  assign and_3639 = not_3638_s21_q & and_3598_s21_q;
+  logic [7:0] sum_3640;
+  assign sum_3640 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3639};
   // hls/stages/patches.hpp:669
-  logic [7:0] sum_3645;
-  assign sum_3645 = {7'h0, and_3643_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  logic [7:0] sum_3644;
+  assign sum_3644 = {7'h0, and_3642_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
   // hls/stages/patches.hpp:670
-  logic and_3647;
-  assign and_3647 = not_3614_s21_q & and_3643_s21_q;
-  logic [7:0] sum_3648;
-  assign sum_3648 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3647};
+  logic and_3646;
+  assign and_3646 = not_3633_s21_q & and_3642_s21_q;
+  logic [7:0] sum_3647;
+  assign sum_3647 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3646};
   // hls/stages/patches.hpp:671
-  logic and_3650;
-  assign and_3650 = not_3619_s21_q & and_3643_s21_q;
-  logic [7:0] sum_3651;
-  assign sum_3651 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3650};
+  logic and_3649;
+  assign and_3649 = not_3638_s21_q & and_3642_s21_q;
+  logic [7:0] sum_3650;
+  assign sum_3650 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3649};
+  // hls/stages/patches.hpp:669
+  logic [7:0] sum_3654;
+  assign sum_3654 = {7'h0, and_3652_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:670
+  logic and_3656;
+  assign and_3656 = not_3633_s21_q & and_3652_s21_q;
+  logic [7:0] sum_3657;
+  assign sum_3657 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3656};
+  // hls/stages/patches.hpp:671
+  logic and_3659;
+  assign and_3659 = not_3638_s21_q & and_3652_s21_q;
+  logic [7:0] sum_3660;
+  assign sum_3660 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3659};
+  // hls/stages/patches.hpp:669
+  logic [7:0] sum_3664;
+  assign sum_3664 = {7'h0, and_3662_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:670
+  logic and_3666;
+  assign and_3666 = not_3633_s21_q & and_3662_s21_q;
+  logic [7:0] sum_3667;
+  assign sum_3667 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3666};
+  // hls/stages/patches.hpp:671
+  logic and_3669;
+  assign and_3669 = not_3638_s21_q & and_3662_s21_q;
+  logic [7:0] sum_3670;
+  assign sum_3670 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3669};
   // hls/stages/patches.hpp:633
-  logic [7:0] or_3665;
-  assign or_3665 = (and_3657_s21_q ? patches_quarters_0_places_q : 8'h0) | (and_3663_s21_q ? patches_quarters_1_places_q : 8'h0);
-  logic [7:0] or_3679;
-  assign or_3679 = (or_3665 | (and_3670_s21_q ? patches_quarters_2_places_q : 8'h0)) | (and_3677_s21_q ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/agreement.hpp:788
-  logic and_3687;
-  assign and_3687 = equal_575_s21_q & and_3686_s21_q;
+  logic [7:0] or_3684;
+  assign or_3684 = (and_3676_s21_q ? patches_quarters_0_places_q : 8'h0) | (and_3682_s21_q ? patches_quarters_1_places_q : 8'h0);
+  logic [7:0] or_3698;
+  assign or_3698 = (or_3684 | (and_3689_s21_q ? patches_quarters_2_places_q : 8'h0)) | (and_3696_s21_q ? patches_quarters_3_places_q : 8'h0);
+  // hls/stages/agreement.hpp:795
+  logic and_3706;
+  assign and_3706 = equal_577_s21_q & and_3705_s21_q;
   // hls/stages/patches.hpp:634
-  logic [7:0] select_3689;
-  assign select_3689 = and_3657_s21_q ? (and_3687 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
-  logic [7:0] select_3691;
-  assign select_3691 = and_3663_s21_q ? (and_3687 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_3694;
-  assign select_3694 = and_3670_s21_q ? (and_3687 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_3697;
-  assign select_3697 = and_3677_s21_q ? (and_3687 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
-  // hls/stages/patches.hpp:635
-  logic [7:0] select_3700;
-  assign select_3700 = and_3657_s21_q ? (and_3687 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
-  logic [7:0] select_3702;
-  assign select_3702 = and_3663_s21_q ? (and_3687 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_3705;
-  assign select_3705 = and_3670_s21_q ? (and_3687 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
   logic [7:0] select_3708;
-  assign select_3708 = and_3677_s21_q ? (and_3687 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
-  // hls/stages/agreement.hpp:788
-  logic and_3715;
-  assign and_3715 = equal_575_s21_q & (x_s21_q & and_3713_s21_q);
-  // hls/stages/patches.hpp:628
-  logic [7:0] sum_3717;
-  assign sum_3717 = patches_word_places_q + (and_3663_s21_q ? 8'h0 : patches_sum_places_q);
-  // hls/stages/patches.hpp:630
+  assign select_3708 = and_3676_s21_q ? (and_3706 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_3710;
+  assign select_3710 = and_3682_s21_q ? (and_3706 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_3713;
+  assign select_3713 = and_3689_s21_q ? (and_3706 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_3716;
+  assign select_3716 = and_3696_s21_q ? (and_3706 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  // hls/stages/patches.hpp:635
+  logic [7:0] select_3719;
+  assign select_3719 = and_3676_s21_q ? (and_3706 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
   logic [7:0] select_3721;
-  assign select_3721 = and_3715 ? (patches_word_up_q + (and_3663_s21_q ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] sum_3723;
-  assign sum_3723 = patches_word_down_q + (and_3663_s21_q ? 8'h0 : patches_sum_down_q);
+  assign select_3721 = and_3682_s21_q ? (and_3706 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_3724;
+  assign select_3724 = and_3689_s21_q ? (and_3706 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_3727;
+  assign select_3727 = and_3696_s21_q ? (and_3706 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  // hls/stages/agreement.hpp:795
+  logic and_3734;
+  assign and_3734 = equal_577_s21_q & (x_s21_q & and_3732_s21_q);
+  // hls/stages/patches.hpp:628
+  logic [7:0] sum_3736;
+  assign sum_3736 = patches_word_places_q + (and_3682_s21_q ? 8'h0 : patches_sum_places_q);
+  // hls/stages/patches.hpp:630
+  logic [7:0] select_3740;
+  assign select_3740 = and_3734 ? (patches_word_up_q + (and_3682_s21_q ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] sum_3742;
+  assign sum_3742 = patches_word_down_q + (and_3682_s21_q ? 8'h0 : patches_sum_down_q);
   // hls/stages/patches.hpp:673
-  logic [11:0] sum_3730;
-  assign sum_3730 = patches_across_q + {{6{select_3729_s21_q[5]}}, select_3729_s21_q};
+  logic [11:0] sum_3749;
+  assign sum_3749 = patches_across_q + {{6{select_3748_s21_q[5]}}, select_3748_s21_q};
   // hls/stages/patches.hpp:674
-  logic [11:0] select_3731;
-  assign select_3731 = patches_round_ends_q ? {{6{select_3729_s21_q[5]}}, select_3729_s21_q} : sum_3730;
+  logic [11:0] select_3750;
+  assign select_3750 = patches_round_ends_q ? {{6{select_3748_s21_q[5]}}, select_3748_s21_q} : sum_3749;
   // hls/stages/patches.hpp:657
-  logic [7:0] select_3742;
-  assign select_3742 = and_3735_s21_q ? (and_3740_s21_q ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  logic [7:0] select_3761;
+  assign select_3761 = and_3754_s21_q ? (and_3759_s21_q ? patches_sum_places_q : patches_places_q) : patches_places_q;
   // hls/stages/patches.hpp:659
-  logic or_3746;
-  assign or_3746 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  logic or_3765;
+  assign or_3765 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
   // hls/stages/patches.hpp:660
-  logic or_3749;
-  assign or_3749 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  logic or_3768;
+  assign or_3768 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
   // hls/stages/patches.hpp:661
-  logic [8:0] sum_3750;
-  assign sum_3750 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  logic [8:0] sum_3769;
+  assign sum_3769 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
   // hls/stages/patches.hpp:656
-  logic select_3752;
-  assign select_3752 = and_3735_s21_q ? (and_3740_s21_q ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  logic select_3771;
+  assign select_3771 = and_3754_s21_q ? (and_3759_s21_q ? patches_enough_q : patches_complete_q) : patches_complete_q;
   // hls/stages/patches.hpp:192
-  logic and_3755;
-  assign and_3755 = patches_enough_q & patches_mostly_q;
+  logic and_3774;
+  assign and_3774 = patches_enough_q & patches_mostly_q;
   // hls/stages/patches.hpp:656
-  logic [2:0] select_3756;
-  assign select_3756 = and_3735_s21_q ? {and_3755, patches_found_q[2:1]} : patches_found_q;
-  logic [2:0] select_3758;
-  assign select_3758 = and_3735_s21_q ? (and_3740_s21_q ? {and_3755, patches_found_q[2:1]} : select_3756) : patches_found_q;
+  logic [2:0] select_3775;
+  assign select_3775 = and_3754_s21_q ? {and_3774, patches_found_q[2:1]} : patches_found_q;
+  logic [2:0] select_3777;
+  assign select_3777 = and_3754_s21_q ? (and_3759_s21_q ? {and_3774, patches_found_q[2:1]} : select_3775) : patches_found_q;
   // hls/stages/patches.hpp:655
-  logic or_3761;
-  assign or_3761 = patches_partly_q | (patches_doubted_q & (~and_3740_s21_q));
+  logic or_3780;
+  assign or_3780 = patches_partly_q | (patches_doubted_q & (~and_3759_s21_q));
   // hls/stages/patches.hpp:656
-  logic select_3763;
-  assign select_3763 = and_3740_s21_q ? or_3761 : (and_3735_s21_q ? or_3761 : patches_doubted_q);
+  logic select_3782;
+  assign select_3782 = and_3759_s21_q ? or_3780 : (and_3754_s21_q ? or_3780 : patches_doubted_q);
   // hls/stages/patches.hpp:654
-  logic select_3765;
-  assign select_3765 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  logic select_3784;
+  assign select_3784 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
   // hls/stages/patches.hpp:643
-  logic [7:0] select_3769;
-  assign select_3769 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  logic [7:0] select_3788;
+  assign select_3788 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
   // hls/stages/patches.hpp:674
-  logic [7:0] sum_3774;
-  assign sum_3774 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3773_s21_q};
+  logic [7:0] sum_3793;
+  assign sum_3793 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3792_s21_q};
   // hls/stages/patches.hpp:645
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
   // hls/stages/patches.hpp:646
-  logic select_3797;
-  assign select_3797 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  logic select_3816;
+  assign select_3816 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:647
-  logic and_3803;
-  assign and_3803 = patches_frame_ended_s21_q & (~patches_age_q[9]);
-  logic [9:0] sum_3804;
-  assign sum_3804 = patches_age_q + {9'h0, and_3803};
-  logic [9:0] select_3807;
-  assign select_3807 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3804)) : sum_3804;
-  // hls/stages/agreement.hpp:1222
+  logic and_3822;
+  assign and_3822 = patches_frame_ended_s21_q & (~patches_age_q[9]);
+  logic [9:0] sum_3823;
+  assign sum_3823 = patches_age_q + {9'h0, and_3822};
+  logic [9:0] select_3826;
+  assign select_3826 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3823)) : sum_3823;
+  // hls/stages/agreement.hpp:1230
   logic [14:0] over;
   assign over = {1'b0, product_s21_q} - {1'b0, before_v_4_s21_q};
-  // hls/stages/agreement.hpp:1230
-  logic select_3898;
-  assign select_3898 = and_3887_s21_q ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1308
-  logic [1:0] select_4061;
-  assign select_4061 = and_4060_s21_q ? {and_2124_s21_q, is_seen_s21_q} : map_rdata_s21_q;
-  // hls/stages/agreement.hpp:1309
-  logic and_4062;
-  assign and_4062 = proven_q & less_4050;
-  // hls/stages/agreement.hpp:1239
-  logic or_4075;
-  assign or_4075 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4074_s21_q;
-  // hls/stages/agreement.hpp:788
-  logic and_4090;
-  assign and_4090 = equal_3883_s21_q & (cfg_prove_i & (registration_moved_s21_q | patches_moved_q));
+  // hls/stages/agreement.hpp:1238
+  logic select_3917;
+  assign select_3917 = and_3906_s21_q ? over[14] : hides_q;
+  // hls/stages/agreement.hpp:1317
+  logic [1:0] select_4082;
+  assign select_4082 = and_4081_s21_q ? {and_2132_s21_q, is_seen_s21_q} : map_rdata_s21_q;
+  // hls/stages/agreement.hpp:1247
+  logic or_4096;
+  assign or_4096 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4095_s21_q;
+  // hls/stages/agreement.hpp:795
+  logic and_4111;
+  assign and_4111 = equal_3902_s21_q & (cfg_prove_i & (registration_moved_s21_q | patches_moved_q));
+  // hls/stages/agreement.hpp:1158
+  logic or_4114;
+  assign or_4114 = select_2466_s21_q | ($signed(20'h0) < $signed(census_left_misses_q));
+  // hls/stages/agreement.hpp:795
+  logic and_4138;
+  assign and_4138 = equal_577_s21_q & (equal_3902_s21_q & (cfg_prove_i & moments_out_of_step_q));
+  // hls/stages/agreement.hpp:1148
+  logic [31:0] select_4157;
+  assign select_4157 = equal_1622_s21_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4156_s21_q;
   // hls/stages/agreement.hpp:1150
-  logic or_4093;
-  assign or_4093 = select_2457_s21_q | ($signed(20'h0) < $signed(census_left_misses_q));
-  // hls/stages/agreement.hpp:788
-  logic and_4117;
-  assign and_4117 = equal_575_s21_q & (equal_3883_s21_q & (cfg_prove_i & moments_out_of_step_q));
-  // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4136;
-  assign select_4136 = equal_1616_s21_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4135_s21_q;
-  // hls/stages/agreement.hpp:1142
-  logic [31:0] select_4138;
-  assign select_4138 = equal_1608_s21_q ? select_4136 : {2'h0, select_4137_s21_q, select_2645_s21_q, select_2642_s21_q};
+  logic [31:0] select_4159;
+  assign select_4159 = equal_1614_s21_q ? select_4157 : {2'h0, select_4158_s21_q, select_2664_s21_q, select_2661_s21_q};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
   assign fresh_waddr = last_s21_q;
   logic fresh_we;
-  assign fresh_we = s21_en & and_550_s21_q;
+  assign fresh_we = s21_en & and_552_s21_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (fresh_we) fresh_mem[fresh_waddr] <= {less_747_s21_q, and_746_s21_q, less_741_s21_q, and_740_s21_q, census_columns_values_1_cell_2_of_skin_s21_q, and_734, and_710_s21_q, and_709_s21_q, and_684_s21_q, less_676_s21_q, less_675_s21_q, less_674_s21_q, less_673_s21_q, less_672_s21_q, less_671_s21_q, less_670_s21_q, less_669_s21_q, less_668_s21_q, less_667_s21_q, less_666_s21_q, less_665_s21_q, less_664_s21_q, less_663_s21_q, less_662_s21_q, less_661_s21_q, less_660_s21_q, less_659_s21_q, less_658_s21_q, less_657_s21_q, less_656_s21_q, less_655_s21_q, less_654_s21_q, less_653_s21_q};
+    if (fresh_we) fresh_mem[fresh_waddr] <= {less_752_s21_q, and_751_s21_q, less_746_s21_q, and_745_s21_q, census_columns_values_1_cell_2_of_skin_s21_q, and_739, and_715_s21_q, and_714_s21_q, and_689_s21_q, less_681_s21_q, less_680_s21_q, less_679_s21_q, less_678_s21_q, less_677_s21_q, less_676_s21_q, less_675_s21_q, less_674_s21_q, less_673_s21_q, less_672_s21_q, less_671_s21_q, less_670_s21_q, less_669_s21_q, less_668_s21_q, less_667_s21_q, less_666_s21_q, less_665_s21_q, less_664_s21_q, less_663_s21_q, less_662_s21_q, less_661_s21_q, less_660_s21_q, less_659_s21_q, less_658_s21_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] fresh_raddr_s7_sim;
@@ -11929,68 +12138,68 @@ module horopter_agreement (
       patches_age_q <= 10'h200;
       hides_q <= 1'b0;
     end else if (s21_en) begin
-      census_left_misses_q <= select_2286;
-      sharpness_comparing_product_0_q <= so_s21_q ? select_2423 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= so_s21_q ? select_2425 : sharpness_comparing_product_1_q;
-      sharpness_comparing_carry_0_q <= select_2434;
-      sharpness_comparing_carry_1_q <= so_s21_q ? select_2437 : sharpness_comparing_carry_1_q;
-      patches_sums_values_0_q <= select_3463;
-      patches_sums_values_1_q <= equal_1785_s21_q ? patches_sums_values_1_q : select_3464;
-      patches_sums_values_2_q <= equal_1785_s21_q ? patches_sums_values_2_q : select_3466;
-      patches_sums_values_3_q <= equal_1785_s21_q ? patches_sums_values_3_q : select_3468;
-      patches_sums_values_4_q <= equal_1785_s21_q ? patches_sums_values_4_q : select_3470;
-      patches_sums_values_5_q <= equal_1785_s21_q ? patches_sums_values_5_q : select_3472;
-      patches_sums_values_6_q <= equal_1785_s21_q ? patches_sums_values_6_q : select_3474;
-      patches_sums_values_7_q <= equal_1785_s21_q ? patches_sums_values_7_q : select_3476;
-      patches_sums_values_8_q <= equal_1785_s21_q ? patches_sums_values_8_q : select_3478;
-      patches_sums_values_9_q <= equal_1785_s21_q ? patches_sums_values_9_q : select_3480;
-      patches_sums_values_10_q <= equal_1785_s21_q ? patches_sums_values_10_q : select_3482;
-      patches_sums_values_11_q <= equal_1785_s21_q ? patches_sums_values_11_q : select_3484;
-      patches_sums_values_12_q <= equal_1785_s21_q ? patches_sums_values_12_q : select_3486;
-      patches_sums_values_13_q <= equal_1785_s21_q ? patches_sums_values_13_q : select_3488;
-      patches_sums_values_14_q <= equal_1785_s21_q ? patches_sums_values_14_q : select_3490;
-      patches_sums_values_15_q <= equal_1785_s21_q ? patches_sums_values_15_q : select_3492;
-      patches_sums_values_16_q <= equal_1785_s21_q ? patches_sums_values_16_q : select_3494;
-      patches_quarters_0_places_q <= sum_3581;
-      patches_quarters_0_up_q <= sum_3616;
-      patches_quarters_0_down_q <= sum_3621;
-      patches_quarters_1_places_q <= sum_3625;
-      patches_quarters_1_up_q <= sum_3628;
-      patches_quarters_1_down_q <= sum_3631;
-      patches_quarters_2_places_q <= sum_3635;
-      patches_quarters_2_up_q <= sum_3638;
-      patches_quarters_2_down_q <= sum_3641;
-      patches_quarters_3_places_q <= sum_3645;
-      patches_quarters_3_up_q <= sum_3648;
-      patches_quarters_3_down_q <= sum_3651;
-      patches_word_places_q <= or_3679;
-      patches_word_up_q <= ((select_3689 | select_3691) | select_3694) | select_3697;
-      patches_word_down_q <= ((select_3700 | select_3702) | select_3705) | select_3708;
-      patches_sum_places_q <= and_3715 ? sum_3717 : patches_sum_places_q;
-      patches_sum_up_q <= select_3721;
-      patches_sum_down_q <= and_3715 ? sum_3723 : patches_sum_down_q;
-      patches_across_q <= select_3731;
-      patches_places_q <= select_3742;
+      census_left_misses_q <= select_2295;
+      sharpness_comparing_product_0_q <= so_s21_q ? select_2432 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= so_s21_q ? select_2434 : sharpness_comparing_product_1_q;
+      sharpness_comparing_carry_0_q <= select_2443;
+      sharpness_comparing_carry_1_q <= so_s21_q ? select_2446 : sharpness_comparing_carry_1_q;
+      patches_sums_values_0_q <= select_3482;
+      patches_sums_values_1_q <= equal_1791_s21_q ? patches_sums_values_1_q : select_3483;
+      patches_sums_values_2_q <= equal_1791_s21_q ? patches_sums_values_2_q : select_3485;
+      patches_sums_values_3_q <= equal_1791_s21_q ? patches_sums_values_3_q : select_3487;
+      patches_sums_values_4_q <= equal_1791_s21_q ? patches_sums_values_4_q : select_3489;
+      patches_sums_values_5_q <= equal_1791_s21_q ? patches_sums_values_5_q : select_3491;
+      patches_sums_values_6_q <= equal_1791_s21_q ? patches_sums_values_6_q : select_3493;
+      patches_sums_values_7_q <= equal_1791_s21_q ? patches_sums_values_7_q : select_3495;
+      patches_sums_values_8_q <= equal_1791_s21_q ? patches_sums_values_8_q : select_3497;
+      patches_sums_values_9_q <= equal_1791_s21_q ? patches_sums_values_9_q : select_3499;
+      patches_sums_values_10_q <= equal_1791_s21_q ? patches_sums_values_10_q : select_3501;
+      patches_sums_values_11_q <= equal_1791_s21_q ? patches_sums_values_11_q : select_3503;
+      patches_sums_values_12_q <= equal_1791_s21_q ? patches_sums_values_12_q : select_3505;
+      patches_sums_values_13_q <= equal_1791_s21_q ? patches_sums_values_13_q : select_3507;
+      patches_sums_values_14_q <= equal_1791_s21_q ? patches_sums_values_14_q : select_3509;
+      patches_sums_values_15_q <= equal_1791_s21_q ? patches_sums_values_15_q : select_3511;
+      patches_sums_values_16_q <= equal_1791_s21_q ? patches_sums_values_16_q : select_3513;
+      patches_quarters_0_places_q <= sum_3600;
+      patches_quarters_0_up_q <= sum_3635;
+      patches_quarters_0_down_q <= sum_3640;
+      patches_quarters_1_places_q <= sum_3644;
+      patches_quarters_1_up_q <= sum_3647;
+      patches_quarters_1_down_q <= sum_3650;
+      patches_quarters_2_places_q <= sum_3654;
+      patches_quarters_2_up_q <= sum_3657;
+      patches_quarters_2_down_q <= sum_3660;
+      patches_quarters_3_places_q <= sum_3664;
+      patches_quarters_3_up_q <= sum_3667;
+      patches_quarters_3_down_q <= sum_3670;
+      patches_word_places_q <= or_3698;
+      patches_word_up_q <= ((select_3708 | select_3710) | select_3713) | select_3716;
+      patches_word_down_q <= ((select_3719 | select_3721) | select_3724) | select_3727;
+      patches_sum_places_q <= and_3734 ? sum_3736 : patches_sum_places_q;
+      patches_sum_up_q <= select_3740;
+      patches_sum_down_q <= and_3734 ? sum_3742 : patches_sum_down_q;
+      patches_across_q <= select_3750;
+      patches_places_q <= select_3761;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_3746;
-      patches_partly_q <= or_3749;
-      patches_clear_limit_q <= sum_3750[8:2];
-      patches_complete_q <= select_3752;
+      patches_mostly_q <= or_3765;
+      patches_partly_q <= or_3768;
+      patches_clear_limit_q <= sum_3769[8:2];
+      patches_complete_q <= select_3771;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= select_3758;
-      patches_doubted_q <= and_3735_s21_q ? select_3763 : patches_doubted_q;
-      patches_doubted_before_q <= select_3765;
+      patches_found_q <= select_3777;
+      patches_doubted_q <= and_3754_s21_q ? select_3782 : patches_doubted_q;
+      patches_doubted_before_q <= select_3784;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_3769;
-      patches_on_skin_q <= sum_3774;
+      patches_round_on_skin_q <= select_3788;
+      patches_on_skin_q <= sum_3793;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_3797;
+      patches_moved_q <= select_3816;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_3807;
-      hides_q <= equal_575_s21_q ? select_3898 : hides_q;
+      patches_age_q <= select_3826;
+      hides_q <= equal_577_s21_q ? select_3917 : hides_q;
     end
   end
 
@@ -12007,35 +12216,35 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s22_q;
   logic patches_round_ends_s22_q;
   logic [7:0] patches_on_skin_s22_q;
-  logic equal_575_s22_q;
+  logic equal_577_s22_q;
   logic so_s22_q;
-  logic and_2054_s22_q;
-  logic less_2055_s22_q;
-  logic equal_2395_s22_q;
-  logic or_2441_s22_q;
-  logic and_2442_s22_q;
-  logic or_2447_s22_q;
-  logic and_2448_s22_q;
-  logic select_2463_s22_q;
-  logic or_3864_s22_q;
-  logic select_3872_s22_q;
-  logic equal_3883_s22_q;
-  logic select_3898_s22_q;
-  logic and_3930_s22_q;
-  logic not_3932_s22_q;
-  logic or_3936_s22_q;
-  logic and_3941_s22_q;
-  logic and_3943_s22_q;
-  logic and_4045_s22_q;
-  logic and_4063_s22_q;
+  logic and_2060_s22_q;
+  logic less_2061_s22_q;
+  logic equal_2404_s22_q;
+  logic or_2450_s22_q;
+  logic and_2451_s22_q;
+  logic or_2456_s22_q;
+  logic and_2457_s22_q;
+  logic select_2472_s22_q;
+  logic or_3883_s22_q;
+  logic select_3891_s22_q;
+  logic equal_3902_s22_q;
+  logic select_3917_s22_q;
+  logic and_3949_s22_q;
+  logic not_3951_s22_q;
+  logic or_3955_s22_q;
+  logic and_3960_s22_q;
+  logic and_3962_s22_q;
   logic and_4066_s22_q;
-  logic and_4078_s22_q;
-  logic and_4091_s22_q;
-  logic or_4093_s22_q;
-  logic and_4117_s22_q;
-  logic and_4121_s22_q;
-  logic [5:0] select_4123_s22_q;
-  logic [31:0] select_4140_s22_q;
+  logic and_4084_s22_q;
+  logic and_4087_s22_q;
+  logic and_4099_s22_q;
+  logic and_4112_s22_q;
+  logic or_4114_s22_q;
+  logic and_4138_s22_q;
+  logic and_4142_s22_q;
+  logic [5:0] select_4144_s22_q;
+  logic [31:0] select_4161_s22_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s22_q <= pixel_0_s21_q;
@@ -12051,35 +12260,35 @@ module horopter_agreement (
       patches_summed_down_by_s22_q <= patches_summed_down_by_s21_q;
       patches_round_ends_s22_q <= patches_round_ends_q;
       patches_on_skin_s22_q <= patches_on_skin_q;
-      equal_575_s22_q <= equal_575_s21_q;
+      equal_577_s22_q <= equal_577_s21_q;
       so_s22_q <= so_s21_q;
-      and_2054_s22_q <= and_2054_s21_q;
-      less_2055_s22_q <= less_2055_s21_q;
-      equal_2395_s22_q <= equal_2395_s21_q;
-      or_2441_s22_q <= equal_2439_s21_q | xor_2440;
-      and_2442_s22_q <= five_times[0] & xor_2440;
-      or_2447_s22_q <= equal_2439_s21_q | xor_2446;
-      and_2448_s22_q <= five_times_2[0] & xor_2446;
-      select_2463_s22_q <= select_2463_s21_q;
-      or_3864_s22_q <= or_3864_s21_q;
-      select_3872_s22_q <= select_3872_s21_q;
-      equal_3883_s22_q <= equal_3883_s21_q;
-      select_3898_s22_q <= select_3898;
-      and_3930_s22_q <= over[14] & equal_3652_s21_q;
-      not_3932_s22_q <= not_3932_s21_q;
-      or_3936_s22_q <= or_3936_s21_q;
-      and_3941_s22_q <= and_3941_s21_q;
-      and_3943_s22_q <= over[14] & less_3942_s21_q;
-      and_4045_s22_q <= and_4045_s21_q;
-      and_4063_s22_q <= select_4061[0] & and_4062;
-      and_4066_s22_q <= select_4061[1] & and_4062;
-      and_4078_s22_q <= equal_575_s21_q & (equal_3883_s21_q & (cfg_prove_i & or_4075));
-      and_4091_s22_q <= equal_575_s21_q & and_4090;
-      or_4093_s22_q <= or_4093;
-      and_4117_s22_q <= and_4117;
-      and_4121_s22_q <= and_4121_s21_q;
-      select_4123_s22_q <= select_4123_s21_q;
-      select_4140_s22_q <= equal_575_s21_q ? (x_s21_q ? select_4138 : 32'h0) : 32'h0;
+      and_2060_s22_q <= and_2060_s21_q;
+      less_2061_s22_q <= less_2061_s21_q;
+      equal_2404_s22_q <= equal_2404_s21_q;
+      or_2450_s22_q <= equal_2448_s21_q | xor_2449;
+      and_2451_s22_q <= five_times[0] & xor_2449;
+      or_2456_s22_q <= equal_2448_s21_q | xor_2455;
+      and_2457_s22_q <= five_times_2[0] & xor_2455;
+      select_2472_s22_q <= select_2472_s21_q;
+      or_3883_s22_q <= or_3883_s21_q;
+      select_3891_s22_q <= select_3891_s21_q;
+      equal_3902_s22_q <= equal_3902_s21_q;
+      select_3917_s22_q <= select_3917;
+      and_3949_s22_q <= over[14] & equal_3671_s21_q;
+      not_3951_s22_q <= not_3951_s21_q;
+      or_3955_s22_q <= or_3955_s21_q;
+      and_3960_s22_q <= and_3960_s21_q;
+      and_3962_s22_q <= over[14] & less_3961_s21_q;
+      and_4066_s22_q <= and_4066_s21_q;
+      and_4084_s22_q <= select_4082[0] & and_4083_s21_q;
+      and_4087_s22_q <= select_4082[1] & and_4083_s21_q;
+      and_4099_s22_q <= equal_577_s21_q & (equal_3902_s21_q & (cfg_prove_i & or_4096));
+      and_4112_s22_q <= equal_577_s21_q & and_4111;
+      or_4114_s22_q <= or_4114;
+      and_4138_s22_q <= and_4138;
+      and_4142_s22_q <= and_4142_s21_q;
+      select_4144_s22_q <= select_4144_s21_q;
+      select_4161_s22_q <= equal_577_s21_q ? (x_s21_q ? select_4159 : 32'h0) : 32'h0;
     end
   end
 
@@ -12096,71 +12305,71 @@ module horopter_agreement (
   logic seen_q;
   logic nearer_q;
   // hls/stages/patches.hpp:186
-  logic less_1970;
-  assign less_1970 = patches_sums_values_0_s22_q < patches_best_differing_q;
+  logic less_1976;
+  assign less_1976 = patches_sums_values_0_s22_q < patches_best_differing_q;
   // hls/stages/patches.hpp:187
-  logic not_1971;
-  assign not_1971 = ~less_1970;
-  logic [1:0] select_1972;
-  assign select_1972 = patches_summed_first_s22_q ? 2'h2 : {less_1970, not_1971};
-  logic [12:0] select_1974;
-  assign select_1974 = select_1972[0] ? {4'h0, patches_summed_first_s22_q, 3'h0, patches_summed_row_column_s22_q} : {patches_summed_row_column_s22_q, patches_sums_values_0_s22_q[7:0]};
-  logic [14:0] select_1975;
-  assign select_1975 = select_1972[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
-  logic [14:0] select_1976;
-  assign select_1976 = (select_1972 == 2'h2) ? {select_1974[12:8], patches_sums_values_0_s22_q[9:8], select_1974[7:0]} : select_1975;
+  logic not_1977;
+  assign not_1977 = ~less_1976;
+  logic [1:0] select_1978;
+  assign select_1978 = patches_summed_first_s22_q ? 2'h2 : {less_1976, not_1977};
+  logic [12:0] select_1980;
+  assign select_1980 = select_1978[0] ? {4'h0, patches_summed_first_s22_q, 3'h0, patches_summed_row_column_s22_q} : {patches_summed_row_column_s22_q, patches_sums_values_0_s22_q[7:0]};
+  logic [14:0] select_1981;
+  assign select_1981 = select_1978[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
+  logic [14:0] select_1982;
+  assign select_1982 = (select_1978 == 2'h2) ? {select_1980[12:8], patches_sums_values_0_s22_q[9:8], select_1980[7:0]} : select_1981;
   // hls/stages/census.hpp:403
-  logic select_2443;
-  assign select_2443 = or_2441_s22_q ? and_2442_s22_q : sharpness_comparing_less_detail_0_q;
+  logic select_2452;
+  assign select_2452 = or_2450_s22_q ? and_2451_s22_q : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2444;
-  assign select_2444 = equal_2395_s22_q ? select_2443 : sharpness_comparing_less_detail_0_q;
-  logic select_2445;
-  assign select_2445 = so_s22_q ? select_2444 : sharpness_comparing_less_detail_0_q;
+  logic select_2453;
+  assign select_2453 = equal_2404_s22_q ? select_2452 : sharpness_comparing_less_detail_0_q;
+  logic select_2454;
+  assign select_2454 = so_s22_q ? select_2453 : sharpness_comparing_less_detail_0_q;
   // hls/stages/census.hpp:403
-  logic select_2449;
-  assign select_2449 = or_2447_s22_q ? and_2448_s22_q : sharpness_comparing_less_detail_1_q;
+  logic select_2458;
+  assign select_2458 = or_2456_s22_q ? and_2457_s22_q : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2450;
-  assign select_2450 = equal_2395_s22_q ? select_2449 : sharpness_comparing_less_detail_1_q;
-  logic select_2451;
-  assign select_2451 = so_s22_q ? select_2450 : sharpness_comparing_less_detail_1_q;
+  logic select_2459;
+  assign select_2459 = equal_2404_s22_q ? select_2458 : sharpness_comparing_less_detail_1_q;
+  logic select_2460;
+  assign select_2460 = so_s22_q ? select_2459 : sharpness_comparing_less_detail_1_q;
   // hls/stages/patches.hpp:663
-  logic [12:0] product_3779;
-  assign product_3779 = {8'h0, patches_on_skin_limit_q} * {5'h0, patches_places_q};
-  // hls/stages/agreement.hpp:1148
-  logic not_3899;
-  assign not_3899 = ~hidden_for_q[7];
-  logic [7:0] select_3901;
-  assign select_3901 = select_3898_s22_q ? (hidden_for_q + {7'h0, not_3899}) : 8'h0;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_3903;
-  assign select_3903 = equal_575_s22_q ? (equal_3883_s22_q ? select_3901 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:1228
-  logic and_3933;
-  assign and_3933 = too_much_q & not_3932_s22_q;
-  // hls/stages/agreement.hpp:1229
-  logic select_3938;
-  assign select_3938 = and_3930_s22_q ? (and_3933 | or_3936_s22_q) : and_3933;
-  // hls/stages/agreement.hpp:1231
-  logic select_3944;
-  assign select_3944 = and_3941_s22_q ? and_3943_s22_q : overlooks_q;
-  // hls/stages/agreement.hpp:438
-  logic select_4065;
-  assign select_4065 = and_2054_s22_q ? (less_2055_s22_q ? and_4063_s22_q : seen_q) : seen_q;
-  logic select_4068;
-  assign select_4068 = and_2054_s22_q ? (less_2055_s22_q ? and_4066_s22_q : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:788
-  logic and_4081;
-  assign and_4081 = equal_575_s22_q & (equal_3883_s22_q & (cfg_prove_i & or_3864_s22_q));
-  // hls/stages/agreement.hpp:1241
-  logic not_4083;
-  assign not_4083 = ~(or_3864_s22_q | not_2347);
-  // hls/stages/agreement.hpp:788
-  logic and_4086;
-  assign and_4086 = equal_3883_s22_q & (not_4083 & (select_3872_s22_q | select_3938));
-  logic and_4100;
-  assign and_4100 = equal_3883_s22_q & (not_4083 & (select_2451 | select_2463_s22_q));
+  logic [12:0] product_3798;
+  assign product_3798 = {8'h0, patches_on_skin_limit_q} * {5'h0, patches_places_q};
+  // hls/stages/agreement.hpp:1156
+  logic not_3918;
+  assign not_3918 = ~hidden_for_q[7];
+  logic [7:0] select_3920;
+  assign select_3920 = select_3917_s22_q ? (hidden_for_q + {7'h0, not_3918}) : 8'h0;
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_3922;
+  assign select_3922 = equal_577_s22_q ? (equal_3902_s22_q ? select_3920 : hidden_for_q) : hidden_for_q;
+  // hls/stages/agreement.hpp:1236
+  logic and_3952;
+  assign and_3952 = too_much_q & not_3951_s22_q;
+  // hls/stages/agreement.hpp:1237
+  logic select_3957;
+  assign select_3957 = and_3949_s22_q ? (and_3952 | or_3955_s22_q) : and_3952;
+  // hls/stages/agreement.hpp:1239
+  logic select_3963;
+  assign select_3963 = and_3960_s22_q ? and_3962_s22_q : overlooks_q;
+  // hls/stages/agreement.hpp:442
+  logic select_4086;
+  assign select_4086 = and_2060_s22_q ? (less_2061_s22_q ? and_4084_s22_q : seen_q) : seen_q;
+  logic select_4089;
+  assign select_4089 = and_2060_s22_q ? (less_2061_s22_q ? and_4087_s22_q : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:795
+  logic and_4102;
+  assign and_4102 = equal_577_s22_q & (equal_3902_s22_q & (cfg_prove_i & or_3883_s22_q));
+  // hls/stages/agreement.hpp:1249
+  logic not_4104;
+  assign not_4104 = ~(or_3883_s22_q | not_2356);
+  // hls/stages/agreement.hpp:795
+  logic and_4107;
+  assign and_4107 = equal_3902_s22_q & (not_4104 & (select_3891_s22_q | select_3957));
+  logic and_4121;
+  assign and_4121 = equal_3902_s22_q & (not_4104 & (select_2460 | select_2472_s22_q));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -12175,16 +12384,16 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s22_en) begin
-      sharpness_comparing_less_detail_0_q <= select_2445;
-      sharpness_comparing_less_detail_1_q <= select_2451;
-      patches_best_differing_q <= select_1976[9:0];
-      patches_best_column_q <= select_1976[14:10];
+      sharpness_comparing_less_detail_0_q <= select_2454;
+      sharpness_comparing_less_detail_1_q <= select_2460;
+      patches_best_differing_q <= select_1982[9:0];
+      patches_best_column_q <= select_1982[14:10];
       patches_on_skin_limit_q <= cfg_on_skin_limit_i;
-      hidden_for_q <= select_3903;
-      too_much_q <= equal_575_s22_q ? select_3938 : too_much_q;
-      overlooks_q <= equal_575_s22_q ? select_3944 : overlooks_q;
-      seen_q <= select_4065;
-      nearer_q <= select_4068;
+      hidden_for_q <= select_3922;
+      too_much_q <= equal_577_s22_q ? select_3957 : too_much_q;
+      overlooks_q <= equal_577_s22_q ? select_3963 : overlooks_q;
+      seen_q <= select_4086;
+      nearer_q <= select_4089;
     end
   end
 
@@ -12210,22 +12419,22 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s23_q;
   logic patches_round_ends_s23_q;
   logic [7:0] patches_on_skin_s23_q;
-  logic equal_575_s23_q;
-  logic [7:0] product_3779_s23_q;
-  logic equal_3883_s23_q;
-  logic and_4045_s23_q;
-  logic and_4078_s23_q;
-  logic and_4081_s23_q;
-  logic and_4087_s23_q;
-  logic and_4091_s23_q;
-  logic and_4096_s23_q;
-  logic and_4100_s23_q;
-  logic not_4105_s23_q;
-  logic or_4111_s23_q;
+  logic equal_577_s23_q;
+  logic [7:0] product_3798_s23_q;
+  logic equal_3902_s23_q;
+  logic and_4066_s23_q;
+  logic and_4099_s23_q;
+  logic and_4102_s23_q;
+  logic and_4108_s23_q;
+  logic and_4112_s23_q;
   logic and_4117_s23_q;
   logic and_4121_s23_q;
-  logic [5:0] select_4123_s23_q;
-  logic [31:0] select_4140_s23_q;
+  logic not_4126_s23_q;
+  logic or_4132_s23_q;
+  logic and_4138_s23_q;
+  logic and_4142_s23_q;
+  logic [5:0] select_4144_s23_q;
+  logic [31:0] select_4161_s23_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s23_q <= pixel_0_s22_q;
@@ -12238,22 +12447,22 @@ module horopter_agreement (
       patches_summed_down_by_s23_q <= patches_summed_down_by_s22_q;
       patches_round_ends_s23_q <= patches_round_ends_s22_q;
       patches_on_skin_s23_q <= patches_on_skin_s22_q;
-      equal_575_s23_q <= equal_575_s22_q;
-      product_3779_s23_q <= product_3779[12:5];
-      equal_3883_s23_q <= equal_3883_s22_q;
-      and_4045_s23_q <= and_4045_s22_q;
-      and_4078_s23_q <= and_4078_s22_q;
-      and_4081_s23_q <= and_4081;
-      and_4087_s23_q <= equal_575_s22_q & and_4086;
-      and_4091_s23_q <= and_4091_s22_q;
-      and_4096_s23_q <= equal_3883_s22_q & (not_4083 & (select_2445 | or_4093_s22_q));
-      and_4100_s23_q <= and_4100;
-      not_4105_s23_q <= ~(select_3901 < cfg_hidden_frames_i);
-      or_4111_s23_q <= not_2347 | (select_3944 & not_3776);
-      and_4117_s23_q <= and_4117_s22_q;
-      and_4121_s23_q <= and_4121_s22_q;
-      select_4123_s23_q <= select_4123_s22_q;
-      select_4140_s23_q <= select_4140_s22_q;
+      equal_577_s23_q <= equal_577_s22_q;
+      product_3798_s23_q <= product_3798[12:5];
+      equal_3902_s23_q <= equal_3902_s22_q;
+      and_4066_s23_q <= and_4066_s22_q;
+      and_4099_s23_q <= and_4099_s22_q;
+      and_4102_s23_q <= and_4102;
+      and_4108_s23_q <= equal_577_s22_q & and_4107;
+      and_4112_s23_q <= and_4112_s22_q;
+      and_4117_s23_q <= equal_3902_s22_q & (not_4104 & (select_2454 | or_4114_s22_q));
+      and_4121_s23_q <= and_4121;
+      not_4126_s23_q <= ~(select_3920 < cfg_hidden_frames_i);
+      or_4132_s23_q <= not_2356 | (select_3963 & not_3795);
+      and_4138_s23_q <= and_4138_s22_q;
+      and_4142_s23_q <= and_4142_s22_q;
+      select_4144_s23_q <= select_4144_s22_q;
+      select_4161_s23_q <= select_4161_s22_q;
     end
   end
 
@@ -12262,19 +12471,19 @@ module horopter_agreement (
   logic patches_overlooked_q;
   logic patches_spoiled_q;
   // hls/stages/patches.hpp:192
-  logic and_3781;
-  assign and_3781 = (~(patches_on_skin_s23_q[7:2] == 6'h0)) & (product_3779_s23_q < patches_on_skin_s23_q);
-  logic select_3786;
-  assign select_3786 = patches_round_ends_s23_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic and_3800;
+  assign and_3800 = (~(patches_on_skin_s23_q[7:2] == 6'h0)) & (product_3798_s23_q < patches_on_skin_s23_q);
+  logic select_3805;
+  assign select_3805 = patches_round_ends_s23_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:644
-  logic or_3790;
-  assign or_3790 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_s23_q));
-  // hls/stages/agreement.hpp:1150
-  logic and_4107;
-  assign and_4107 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_4105_s23_q);
-  // hls/stages/agreement.hpp:788
-  logic and_4113;
-  assign and_4113 = equal_3883_s23_q & (or_4111_s23_q ? cfg_prove_i : patches_overlooked_q);
+  logic or_3809;
+  assign or_3809 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_s23_q));
+  // hls/stages/agreement.hpp:1158
+  logic and_4128;
+  assign and_4128 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_4126_s23_q);
+  // hls/stages/agreement.hpp:795
+  logic and_4134;
+  assign and_4134 = equal_3902_s23_q & (or_4132_s23_q ? cfg_prove_i : patches_overlooked_q);
 
   // Memory patches_rows, write
   logic [4:0] patches_rows_waddr;
@@ -12411,9 +12620,9 @@ module horopter_agreement (
       patches_overlooked_q <= 1'b0;
       patches_spoiled_q <= 1'b0;
     end else if (s23_en) begin
-      patches_large_q <= not_3776 & and_3781;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3786;
-      patches_spoiled_q <= or_3790;
+      patches_large_q <= not_3795 & and_3800;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3805;
+      patches_spoiled_q <= or_3809;
     end
   end
 
@@ -12423,21 +12632,21 @@ module horopter_agreement (
   logic mask_s24_q;
   logic marks_first_s24_q;
   logic marks_last_s24_q;
-  logic and_4045_s24_q;
-  logic or_4069_s24_q;
-  logic and_4070_s24_q;
-  logic and_4078_s24_q;
-  logic and_4081_s24_q;
-  logic and_4087_s24_q;
+  logic and_4066_s24_q;
+  logic or_4090_s24_q;
   logic and_4091_s24_q;
-  logic and_4097_s24_q;
-  logic and_4101_s24_q;
-  logic and_4109_s24_q;
-  logic and_4114_s24_q;
-  logic and_4117_s24_q;
-  logic and_4121_s24_q;
-  logic [5:0] select_4123_s24_q;
-  logic [31:0] select_4140_s24_q;
+  logic and_4099_s24_q;
+  logic and_4102_s24_q;
+  logic and_4108_s24_q;
+  logic and_4112_s24_q;
+  logic and_4118_s24_q;
+  logic and_4122_s24_q;
+  logic and_4130_s24_q;
+  logic and_4135_s24_q;
+  logic and_4138_s24_q;
+  logic and_4142_s24_q;
+  logic [5:0] select_4144_s24_q;
+  logic [31:0] select_4161_s24_q;
   always_ff @(posedge clk_i) begin
     if (s23_en) begin
       pixel_0_s24_q <= pixel_0_s23_q;
@@ -12446,21 +12655,21 @@ module horopter_agreement (
       mask_s24_q <= mask_s23_q;
       marks_first_s24_q <= marks_first_s23_q;
       marks_last_s24_q <= marks_last_s23_q;
-      and_4045_s24_q <= and_4045_s23_q;
-      or_4069_s24_q <= not_2347 | seen_q;
-      and_4070_s24_q <= cfg_prove_i & nearer_q;
-      and_4078_s24_q <= and_4078_s23_q;
-      and_4081_s24_q <= and_4081_s23_q;
-      and_4087_s24_q <= and_4087_s23_q;
-      and_4091_s24_q <= and_4091_s23_q;
-      and_4097_s24_q <= equal_575_s23_q & and_4096_s23_q;
-      and_4101_s24_q <= equal_575_s23_q & and_4100_s23_q;
-      and_4109_s24_q <= equal_575_s23_q & (equal_3883_s23_q & and_4107);
-      and_4114_s24_q <= equal_575_s23_q & and_4113;
-      and_4117_s24_q <= and_4117_s23_q;
-      and_4121_s24_q <= and_4121_s23_q;
-      select_4123_s24_q <= select_4123_s23_q;
-      select_4140_s24_q <= select_4140_s23_q;
+      and_4066_s24_q <= and_4066_s23_q;
+      or_4090_s24_q <= not_2356 | seen_q;
+      and_4091_s24_q <= cfg_prove_i & nearer_q;
+      and_4099_s24_q <= and_4099_s23_q;
+      and_4102_s24_q <= and_4102_s23_q;
+      and_4108_s24_q <= and_4108_s23_q;
+      and_4112_s24_q <= and_4112_s23_q;
+      and_4118_s24_q <= equal_577_s23_q & and_4117_s23_q;
+      and_4122_s24_q <= equal_577_s23_q & and_4121_s23_q;
+      and_4130_s24_q <= equal_577_s23_q & (equal_3902_s23_q & and_4128);
+      and_4135_s24_q <= equal_577_s23_q & and_4134;
+      and_4138_s24_q <= and_4138_s23_q;
+      and_4142_s24_q <= and_4142_s23_q;
+      select_4144_s24_q <= select_4144_s23_q;
+      select_4161_s24_q <= select_4161_s23_q;
     end
   end
 
@@ -12471,21 +12680,21 @@ module horopter_agreement (
   assign mask_o = mask_s24_q;
   assign marks_first_o = marks_first_s24_q;
   assign marks_last_o = marks_last_s24_q;
-  assign marks_seen_o = or_4069_s24_q;
-  assign marks_nearer_o = and_4070_s24_q;
-  assign verdict_valid_o = and_4045_s24_q;
-  assign verdict_unproven_yet_o = and_4078_s24_q;
-  assign verdict_untextured_o = and_4081_s24_q;
-  assign verdict_disagree_o = and_4087_s24_q;
-  assign verdict_moved_o = and_4091_s24_q;
-  assign verdict_unsharp_left_o = and_4097_s24_q;
-  assign verdict_unsharp_right_o = and_4101_s24_q;
-  assign verdict_hidden_o = and_4109_s24_q;
-  assign verdict_overlooked_o = and_4114_s24_q;
-  assign verdict_out_of_step_o = and_4117_s24_q;
-  assign frame_valid_o = and_4121_s24_q;
-  assign frame_index_o = select_4123_s24_q;
-  assign frame_word_o = select_4140_s24_q;
+  assign marks_seen_o = or_4090_s24_q;
+  assign marks_nearer_o = and_4091_s24_q;
+  assign verdict_valid_o = and_4066_s24_q;
+  assign verdict_unproven_yet_o = and_4099_s24_q;
+  assign verdict_untextured_o = and_4102_s24_q;
+  assign verdict_disagree_o = and_4108_s24_q;
+  assign verdict_moved_o = and_4112_s24_q;
+  assign verdict_unsharp_left_o = and_4118_s24_q;
+  assign verdict_unsharp_right_o = and_4122_s24_q;
+  assign verdict_hidden_o = and_4130_s24_q;
+  assign verdict_overlooked_o = and_4135_s24_q;
+  assign verdict_out_of_step_o = and_4138_s24_q;
+  assign frame_valid_o = and_4142_s24_q;
+  assign frame_index_o = select_4144_s24_q;
+  assign frame_word_o = select_4161_s24_q;
   assign valid_o = valid_s24_q;
 
   always_ff @(posedge clk_i) begin
@@ -12544,6 +12753,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_3779[4:0], sum_3750[1:0], sum_3710[1:0], product_3611[4:0], sum_2741[0], difference_2682[1:0], detail_4[1:0], detail_3[1:0], sum_2280[4:0], sum_1766[1:0], sum_1765[1:0], sum_1761[0], sum_1710[0], sum_1706[0], sum_732[4:0], cfg_width_i[3:0]};
+  assign unused_bits = ^{over[13:0], product_3798[4:0], sum_3769[1:0], sum_3729[1:0], product_3630[4:0], sum_2761[0], difference_2701[1:0], detail_4[1:0], detail_3[1:0], sum_2289[4:0], sum_1772[1:0], sum_1771[1:0], sum_1767[0], sum_1716[0], sum_1712[0], sum_737[4:0], cfg_width_i[3:0]};
 
 endmodule

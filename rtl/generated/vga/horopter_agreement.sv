@@ -3,7 +3,7 @@
 //
 // Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 3080 bits, pipeline 843 bits, memories 127160 bits.
+// State 3082 bits, pipeline 851 bits, memories 127160 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -75,20 +75,22 @@ module horopter_agreement (
   assign s3_en = en_i & valid_s3_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2807;
-  assign not_2807 = ~cfg_prove_i;
-  logic [5:0] sum_3017;
-  assign sum_3017 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic [6:0] difference_4023;
-  assign difference_4023 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_4216;
-  assign not_4216 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_4274;
-  assign difference_4274 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic less_4490;
-  assign less_4490 = 6'h8 < cfg_height_i[8:3];
-  logic [4:0] sum_4491;
-  assign sum_4491 = {2'h0, cfg_height_i[8:6]} + 5'h1f;
+  logic not_2816;
+  assign not_2816 = ~cfg_prove_i;
+  logic [5:0] sum_3026;
+  assign sum_3026 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic less_3031;
+  assign less_3031 = 6'h8 < cfg_height_i[8:3];
+  logic [6:0] difference_4042;
+  assign difference_4042 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_4235;
+  assign not_4235 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [6:0] difference_4293;
+  assign difference_4293 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic [5:0] sum_4512;
+  assign sum_4512 = {2'h0, cfg_height_i[8:5]} + 6'h3f;
+  logic [7:0] select_4513;
+  assign select_4513 = (6'h4 < cfg_height_i[8:3]) ? {sum_4512, cfg_height_i[4:3]} : 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -155,404 +157,404 @@ module horopter_agreement (
   logic [4:0] patches_column_q;
   logic patches_column_ends_q;
   // hls/stages/census.hpp:42
-  logic [2:0] select_503;
-  assign select_503 = sample_pair_first_q ? 3'h0 : raster_at_x_q;
+  logic [2:0] select_505;
+  assign select_505 = sample_pair_first_q ? 3'h0 : raster_at_x_q;
   // hls/stages/census.hpp:34
   logic row_starts;
   assign row_starts = sample_pair_first_q | raster_row_ended_q;
   // hls/stages/census.hpp:124
-  logic [8:0] select_507;
-  assign select_507 = select_503[0] ? averager_place_q : (row_starts ? 9'h0 : (averager_place_q + 9'h1));
+  logic [8:0] select_509;
+  assign select_509 = select_505[0] ? averager_place_q : (row_starts ? 9'h0 : (averager_place_q + 9'h1));
   // hls/stages/census.hpp:122
-  logic or_511;
-  assign or_511 = row_starts | (averager_inside_q & (~(averager_place_q == 9'h13f)));
-  // hls/stages/census.hpp:124
-  logic select_512;
-  assign select_512 = select_503[0] ? averager_inside_q : or_511;
-  // hls/stages/census.hpp:42
   logic or_513;
-  assign or_513 = sample_pair_first_q | raster_at_live_q;
-  // hls/stages/agreement.hpp:418
-  logic and_515;
-  assign and_515 = select_512 & (select_503[0] & or_513);
+  assign or_513 = row_starts | (averager_inside_q & (~(averager_place_q == 9'h13f)));
+  // hls/stages/census.hpp:124
+  logic select_514;
+  assign select_514 = select_505[0] ? averager_inside_q : or_513;
   // hls/stages/census.hpp:42
-  logic [2:0] select_520;
-  assign select_520 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
-  logic [6:0] select_536;
-  assign select_536 = sample_pair_first_q ? 7'h0 : raster_at_column_q;
+  logic or_515;
+  assign or_515 = sample_pair_first_q | raster_at_live_q;
+  // hls/stages/agreement.hpp:422
+  logic and_517;
+  assign and_517 = select_514 & (select_505[0] & or_515);
+  // hls/stages/census.hpp:42
+  logic [2:0] select_522;
+  assign select_522 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  logic [6:0] select_538;
+  assign select_538 = sample_pair_first_q ? 7'h0 : raster_at_column_q;
   // hls/stages/agreement.hpp:276
   logic [6:0] last;
-  assign last = sample_pair_whole_q ? select_536 : 7'h0;
+  assign last = sample_pair_whole_q ? select_538 : 7'h0;
   // hls/stages/census.hpp:53
-  logic equal_538;
-  assign equal_538 = select_503 == 3'h7;
+  logic equal_540;
+  assign equal_540 = select_505 == 3'h7;
   // hls/stages/census.hpp:58
-  logic equal_539;
-  assign equal_539 = select_520 == 3'h7;
+  logic equal_541;
+  assign equal_541 = select_522 == 3'h7;
   // hls/stages/census.hpp:134
-  logic and_540;
-  assign and_540 = equal_539 & and_515;
-  // hls/stages/agreement.hpp:276
   logic and_542;
-  assign and_542 = sample_pair_whole_q & (equal_538 & and_540);
+  assign and_542 = equal_541 & and_517;
+  // hls/stages/agreement.hpp:276
+  logic and_544;
+  assign and_544 = sample_pair_whole_q & (equal_540 & and_542);
   // hls/stages/agreement.hpp:196
   logic so;
   assign so = run_phase_q == 3'h6;
-  // hls/stages/agreement.hpp:623
-  logic equal_571;
-  assign equal_571 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:594
-  logic or_572;
-  assign or_572 = so | equal_571;
-  // hls/stages/agreement.hpp:592
-  logic [7:0] sum_573;
-  assign sum_573 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
-  // hls/stages/agreement.hpp:594
-  logic [7:0] select_574;
-  assign select_574 = run_shift_q[5] ? x_q : sum_573;
-  logic less_575;
-  assign less_575 = {1'b0, last_q} < select_574;
+  // hls/stages/agreement.hpp:630
+  logic equal_573;
+  assign equal_573 = run_phase_q == 3'h5;
+  // hls/stages/agreement.hpp:601
+  logic or_574;
+  assign or_574 = so | equal_573;
+  // hls/stages/agreement.hpp:599
+  logic [7:0] sum_575;
+  assign sum_575 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+  // hls/stages/agreement.hpp:601
+  logic [7:0] select_576;
+  assign select_576 = run_shift_q[5] ? x_q : sum_575;
+  logic less_577;
+  assign less_577 = {1'b0, last_q} < select_576;
   // hls/stages/agreement.hpp:226
-  logic not_576;
-  assign not_576 = ~less_575;
-  // hls/stages/agreement.hpp:614
-  logic equal_586;
-  assign equal_586 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:615
-  logic equal_587;
-  assign equal_587 = run_phase_q == 3'h2;
+  logic not_578;
+  assign not_578 = ~less_577;
+  // hls/stages/agreement.hpp:621
+  logic equal_588;
+  assign equal_588 = run_phase_q == 3'h3;
+  // hls/stages/agreement.hpp:622
+  logic equal_589;
+  assign equal_589 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:149
-  logic and_588;
-  assign and_588 = equal_587 & not_576;
-  logic select_590;
-  assign select_590 = or_572 ? not_576 : (equal_586 ? not_576 : and_588);
-  // hls/stages/agreement.hpp:798
+  logic and_590;
+  assign and_590 = equal_589 & not_578;
+  logic select_592;
+  assign select_592 = or_574 ? not_578 : (equal_588 ? not_578 : and_590);
+  // hls/stages/agreement.hpp:805
   logic [7:0] x;
   assign x = x_q + 8'hfd;
   // hls/stages/agreement.hpp:149
-  logic and_608;
-  assign and_608 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_574)));
-  logic and_609;
-  assign and_609 = equal_586 & and_608;
-  logic select_610;
-  assign select_610 = or_572 ? not_576 : and_609;
-  // hls/stages/agreement.hpp:821
+  logic and_611;
+  assign and_611 = age_q[2] & (ends_cell_q & (~(({1'b0, last_q} + 8'h3) < select_576)));
+  logic and_612;
+  assign and_612 = equal_588 & and_611;
+  logic select_613;
+  assign select_613 = or_574 ? not_578 : and_612;
+  // hls/stages/agreement.hpp:828
   logic [6:0] right;
-  assign right = sum_573[6:0] + 7'h7d;
-  // hls/stages/agreement.hpp:594
-  logic not_640;
-  assign not_640 = ~or_572;
+  assign right = sum_575[6:0] + 7'h7d;
+  // hls/stages/agreement.hpp:601
+  logic not_645;
+  assign not_645 = ~or_574;
   // hls/stages/agreement.hpp:149
-  logic and_643;
-  assign and_643 = not_640 & ((~equal_586) & and_588);
+  logic and_648;
+  assign and_648 = not_645 & ((~equal_588) & and_590);
   // hls/stages/census.hpp:42
-  logic [5:0] select_670;
-  assign select_670 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
+  logic [5:0] select_675;
+  assign select_675 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:276
   logic [5:0] row;
-  assign row = sample_pair_whole_q ? select_670 : 6'h0;
+  assign row = sample_pair_whole_q ? select_675 : 6'h0;
   // hls/stages/patches.hpp:396
-  logic not_2140;
-  assign not_2140 = ~patches_begins_q;
+  logic not_2146;
+  assign not_2146 = ~patches_begins_q;
   // hls/stages/census.hpp:33
-  logic not_2143;
-  assign not_2143 = ~sample_pair_first_q;
+  logic not_2149;
+  assign not_2149 = ~sample_pair_first_q;
   // hls/stages/patches.hpp:366
-  logic and_2144;
-  assign and_2144 = patches_capturing_q & not_2143;
+  logic and_2150;
+  assign and_2150 = patches_capturing_q & not_2149;
   // hls/stages/patches.hpp:368
-  logic equal_2145;
-  assign equal_2145 = {or_513, select_520} == 4'hc;
+  logic equal_2151;
+  assign equal_2151 = {or_515, select_522} == 4'hc;
   // hls/stages/patches.hpp:315
-  logic equal_2147;
-  assign equal_2147 = patches_band_rows_rows_to_next_q == 4'h0;
+  logic equal_2153;
+  assign equal_2153 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/patches.hpp:125
-  logic and_2152;
-  assign and_2152 = (not_2140 & (patches_work_q == 3'h0)) & (~(and_2144 | ((~equal_2145) | (~equal_2147))));
+  logic and_2158;
+  assign and_2158 = (not_2146 & (patches_work_q == 3'h0)) & (~(and_2150 | ((~equal_2151) | (~equal_2153))));
   // hls/stages/patches.hpp:537
-  logic equal_2243;
-  assign equal_2243 = patches_work_q == 3'h4;
+  logic equal_2249;
+  assign equal_2249 = patches_work_q == 3'h4;
   // hls/stages/patches.hpp:516
-  logic not_2244;
-  assign not_2244 = ~equal_2243;
-  // hls/stages/patches.hpp:509
-  logic equal_2245;
-  assign equal_2245 = patches_work_q == 3'h3;
-  // hls/stages/patches.hpp:462
-  logic not_2246;
-  assign not_2246 = ~equal_2245;
-  // hls/stages/patches.hpp:503
-  logic equal_2247;
-  assign equal_2247 = patches_work_q == 3'h2;
-  // hls/stages/patches.hpp:168
-  logic equal_2248;
-  assign equal_2248 = patches_work_q == 3'h1;
-  // hls/stages/patches.hpp:537
-  logic or_2249;
-  assign or_2249 = equal_2247 | equal_2248;
-  // hls/stages/patches.hpp:464
   logic not_2250;
-  assign not_2250 = ~patches_second_q;
-  // hls/stages/patches.hpp:377
-  logic [4:0] select_2272;
-  assign select_2272 = and_2152 ? 5'h0 : (patches_row_q + 5'h1);
-  // hls/stages/patches.hpp:126
-  logic [4:0] select_2273;
-  assign select_2273 = row_starts ? select_2272 : patches_row_q;
-  // hls/stages/patches.hpp:125
-  logic and_2275;
-  assign and_2275 = and_2144 & (patches_row_q == 5'h1f);
-  // hls/stages/patches.hpp:126
-  logic select_2279;
-  assign select_2279 = row_starts ? (and_2152 | (and_2144 & (~and_2275))) : patches_capturing_q;
-  // hls/stages/agreement.hpp:275
-  logic and_2287;
-  assign and_2287 = not_2244 & (not_2246 & (or_2249 & (patches_second_q & equal_2248)));
-  // hls/stages/patches.hpp:168
-  logic not_2303;
-  assign not_2303 = ~equal_2248;
-  // hls/stages/agreement.hpp:276
-  logic [3:0] select_2319;
-  assign select_2319 = row_starts ? {select_2272[4], select_2272[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  assign not_2250 = ~equal_2249;
+  // hls/stages/patches.hpp:509
+  logic equal_2251;
+  assign equal_2251 = patches_work_q == 3'h3;
   // hls/stages/patches.hpp:462
-  logic and_2329;
-  assign and_2329 = not_2244 & (or_2249 & not_2246);
+  logic not_2252;
+  assign not_2252 = ~equal_2251;
+  // hls/stages/patches.hpp:503
+  logic equal_2253;
+  assign equal_2253 = patches_work_q == 3'h2;
+  // hls/stages/patches.hpp:168
+  logic equal_2254;
+  assign equal_2254 = patches_work_q == 3'h1;
+  // hls/stages/patches.hpp:537
+  logic or_2255;
+  assign or_2255 = equal_2253 | equal_2254;
+  // hls/stages/patches.hpp:464
+  logic not_2256;
+  assign not_2256 = ~patches_second_q;
+  // hls/stages/patches.hpp:377
+  logic [4:0] select_2278;
+  assign select_2278 = and_2158 ? 5'h0 : (patches_row_q + 5'h1);
+  // hls/stages/patches.hpp:126
+  logic [4:0] select_2279;
+  assign select_2279 = row_starts ? select_2278 : patches_row_q;
+  // hls/stages/patches.hpp:125
+  logic and_2281;
+  assign and_2281 = and_2150 & (patches_row_q == 5'h1f);
+  // hls/stages/patches.hpp:126
+  logic select_2285;
+  assign select_2285 = row_starts ? (and_2158 | (and_2150 & (~and_2281))) : patches_capturing_q;
+  // hls/stages/agreement.hpp:275
+  logic and_2293;
+  assign and_2293 = not_2250 & (not_2252 & (or_2255 & (patches_second_q & equal_2254)));
+  // hls/stages/patches.hpp:168
+  logic not_2309;
+  assign not_2309 = ~equal_2254;
   // hls/stages/agreement.hpp:276
-  logic [2:0] select_2597;
-  assign select_2597 = sample_pair_whole_q ? (sample_last_q ? 3'h0 : (select_503 + 3'h1)) : raster_at_x_q;
-  logic [2:0] select_2600;
-  assign select_2600 = sample_pair_whole_q ? (sample_last_q ? (select_520 + 3'h1) : select_520) : raster_at_y_q;
-  logic [6:0] select_2603;
-  assign select_2603 = sample_pair_whole_q ? (sample_last_q ? 7'h0 : (select_536 + {6'h0, equal_538})) : raster_at_column_q;
-  logic [5:0] select_2606;
-  assign select_2606 = sample_pair_whole_q ? (sample_last_q ? (select_670 + {5'h0, equal_539}) : select_670) : raster_at_row_q;
-  logic select_2610;
-  assign select_2610 = sample_pair_whole_q ? (sample_last_q ? (or_513 & (~raster_final_row_q)) : or_513) : raster_at_live_q;
+  logic [3:0] select_2325;
+  assign select_2325 = row_starts ? {select_2278[4], select_2278[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  // hls/stages/patches.hpp:462
+  logic and_2335;
+  assign and_2335 = not_2250 & (or_2255 & not_2252);
+  // hls/stages/agreement.hpp:276
+  logic [2:0] select_2606;
+  assign select_2606 = sample_pair_whole_q ? (sample_last_q ? 3'h0 : (select_505 + 3'h1)) : raster_at_x_q;
+  logic [2:0] select_2609;
+  assign select_2609 = sample_pair_whole_q ? (sample_last_q ? (select_522 + 3'h1) : select_522) : raster_at_y_q;
+  logic [6:0] select_2612;
+  assign select_2612 = sample_pair_whole_q ? (sample_last_q ? 7'h0 : (select_538 + {6'h0, equal_540})) : raster_at_column_q;
+  logic [5:0] select_2615;
+  assign select_2615 = sample_pair_whole_q ? (sample_last_q ? (select_675 + {5'h0, equal_541}) : select_675) : raster_at_row_q;
+  logic select_2619;
+  assign select_2619 = sample_pair_whole_q ? (sample_last_q ? (or_515 & (~raster_final_row_q)) : or_515) : raster_at_live_q;
   // hls/stages/census.hpp:52
-  logic [8:0] select_2612;
-  assign select_2612 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [8:0] select_2621;
+  assign select_2621 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:276
-  logic select_2616;
-  assign select_2616 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
-  // hls/stages/agreement.hpp:459
-  logic [7:0] sum_2925;
-  assign sum_2925 = {1'b0, last} + 8'h1;
-  logic equal_2926;
-  assign equal_2926 = {sum_2925[7], cfg_width_i[9:3]} == {1'b0, sum_2925[6:0]};
-  // hls/stages/agreement.hpp:464
-  logic and_2927;
-  assign and_2927 = and_542 & equal_2926;
-  // hls/stages/agreement.hpp:523
-  logic select_2930;
-  assign select_2930 = (and_2927 | (~ends_cell_q)) ? and_2927 : ends_q;
-  // hls/stages/agreement.hpp:529
+  logic select_2625;
+  assign select_2625 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  // hls/stages/agreement.hpp:463
+  logic [7:0] sum_2934;
+  assign sum_2934 = {1'b0, last} + 8'h1;
+  logic equal_2935;
+  assign equal_2935 = {sum_2934[7], cfg_width_i[9:3]} == {1'b0, sum_2934[6:0]};
+  // hls/stages/agreement.hpp:468
+  logic and_2936;
+  assign and_2936 = and_544 & equal_2935;
+  // hls/stages/agreement.hpp:530
+  logic select_2939;
+  assign select_2939 = (and_2936 | (~ends_cell_q)) ? and_2936 : ends_q;
+  // hls/stages/agreement.hpp:536
   logic [2:0] now;
-  assign now = select_2930 ? (and_2927 ? 3'h1 : following_phase_q) : run_phase_q;
-  // hls/stages/agreement.hpp:534
-  logic [5:0] select_2934;
-  assign select_2934 = select_2930 ? (and_2927 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2937;
-  assign select_2937 = select_2930 ? (following_last_shift_q & (~and_2927)) : run_last_shift_q;
-  // hls/stages/agreement.hpp:607
-  logic and_2940;
-  assign and_2940 = run_last_shift_q & equal_586;
-  // hls/stages/agreement.hpp:616
-  logic select_2942;
-  assign select_2942 = equal_586 ? (~run_last_shift_q) : equal_587;
-  // hls/stages/agreement.hpp:620
-  logic equal_2943;
-  assign equal_2943 = run_phase_q == 3'h1;
-  logic not_2946;
-  assign not_2946 = ~select_2942;
-  // hls/stages/agreement.hpp:623
-  logic equal_2948;
-  assign equal_2948 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:607
+  assign now = select_2939 ? (and_2936 ? 3'h1 : following_phase_q) : run_phase_q;
+  // hls/stages/agreement.hpp:541
+  logic [5:0] select_2943;
+  assign select_2943 = select_2939 ? (and_2936 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2946;
+  assign select_2946 = select_2939 ? (following_last_shift_q & (~and_2936)) : run_last_shift_q;
+  // hls/stages/agreement.hpp:614
   logic and_2949;
-  assign and_2949 = final_row_q & so;
-  // hls/stages/agreement.hpp:620
-  logic [1:0] select_2950;
-  assign select_2950 = equal_2948 ? 2'h1 : {2{and_2949}};
-  logic [2:0] select_2952;
-  assign select_2952 = (and_2940 | (select_2942 | equal_2943)) ? (equal_2943 ? 3'h2 : {not_2946, {2{select_2942}}}) : (equal_571 ? 3'h6 : {select_2950[0], select_2950});
-  // hls/stages/agreement.hpp:607
-  logic and_2955;
-  assign and_2955 = select_2942 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  assign and_2949 = run_last_shift_q & equal_588;
+  // hls/stages/agreement.hpp:623
+  logic select_2951;
+  assign select_2951 = equal_588 ? (~run_last_shift_q) : equal_589;
+  // hls/stages/agreement.hpp:627
+  logic equal_2952;
+  assign equal_2952 = run_phase_q == 3'h1;
+  logic not_2955;
+  assign not_2955 = ~select_2951;
   // hls/stages/agreement.hpp:630
+  logic equal_2957;
+  assign equal_2957 = run_phase_q == 3'h4;
+  // hls/stages/agreement.hpp:614
+  logic and_2958;
+  assign and_2958 = final_row_q & so;
+  // hls/stages/agreement.hpp:627
+  logic [1:0] select_2959;
+  assign select_2959 = equal_2957 ? 2'h1 : {2{and_2958}};
+  logic [2:0] select_2961;
+  assign select_2961 = (and_2949 | (select_2951 | equal_2952)) ? (equal_2952 ? 3'h2 : {not_2955, {2{select_2951}}}) : (equal_573 ? 3'h6 : {select_2959[0], select_2959});
+  // hls/stages/agreement.hpp:614
+  logic and_2964;
+  assign and_2964 = select_2951 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  // hls/stages/agreement.hpp:637
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2958;
-  assign select_2958 = (plan_shift_q[5] & select_2942) ? value : 7'h0;
-  logic [1:0] or_2959;
-  assign or_2959 = {2{so}} | select_2958[5:4];
-  // hls/stages/agreement.hpp:633
-  logic [7:0] or_2963;
-  assign or_2963 = (select_2942 ? plan_columns_q : 8'h0) | ((equal_2943 | equal_2948) ? whole_q : 8'h0);
-  logic [1:0] or_2964;
-  assign or_2964 = {2{and_2940}} | or_2963[3:2];
-  // hls/stages/agreement.hpp:634
-  logic [7:0] or_2966;
-  assign or_2966 = {or_2963[7:4], or_2964, or_2963[1:0]} | (equal_571 ? drawn_q : 8'h0);
-  logic [4:0] or_2967;
-  assign or_2967 = {5{so}} | {or_2966[6], or_2966[3:0]};
+  logic [6:0] select_2967;
+  assign select_2967 = (plan_shift_q[5] & select_2951) ? value : 7'h0;
+  logic [1:0] or_2968;
+  assign or_2968 = {2{so}} | select_2967[5:4];
   // hls/stages/agreement.hpp:640
-  logic not_2971;
-  assign not_2971 = ~run_shift_q[5];
-  logic [7:0] select_2974;
-  assign select_2974 = equal_586 ? ({{7{not_2971}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
-  // hls/stages/agreement.hpp:523
-  logic [6:0] select_2978;
-  assign select_2978 = and_2927 ? 7'h0 : following_lowest_q;
-  // hls/stages/agreement.hpp:526
-  logic [7:0] select_2980;
-  assign select_2980 = select_2930 ? {select_2978[6], select_2978} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] or_2972;
+  assign or_2972 = (select_2951 ? plan_columns_q : 8'h0) | ((equal_2952 | equal_2957) ? whole_q : 8'h0);
+  logic [1:0] or_2973;
+  assign or_2973 = {2{and_2949}} | or_2972[3:2];
+  // hls/stages/agreement.hpp:641
+  logic [7:0] or_2975;
+  assign or_2975 = {or_2972[7:4], or_2973, or_2972[1:0]} | (equal_573 ? drawn_q : 8'h0);
+  logic [4:0] or_2976;
+  assign or_2976 = {5{so}} | {or_2975[6], or_2975[3:0]};
+  // hls/stages/agreement.hpp:647
+  logic not_2980;
+  assign not_2980 = ~run_shift_q[5];
   logic [7:0] select_2983;
-  assign select_2983 = select_2930 ? (and_2927 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_2991;
-  assign select_2991 = and_542 ? (equal_2926 ? ((6'he < last[6:1]) ? 7'h1d : last) : least_q) : least_q;
-  // hls/stages/agreement.hpp:473
-  logic [5:0] sum_2992;
-  assign sum_2992 = {1'b0, last[6:2]} + 6'h3;
-  // hls/stages/agreement.hpp:520
-  logic [7:0] select_2994;
-  assign select_2994 = and_542 ? (equal_2926 ? {sum_2992, last[1:0]} : whole_q) : whole_q;
-  // hls/stages/agreement.hpp:474
-  logic [5:0] sum_2995;
-  assign sum_2995 = {1'b0, last[6:2]} + 6'h1;
-  // hls/stages/agreement.hpp:520
-  logic [7:0] select_2997;
-  assign select_2997 = and_542 ? (equal_2926 ? {sum_2995, last[1:0]} : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:531
-  logic select_3008;
-  assign select_3008 = (ends_cell_q | select_2930) ? (~(now == 3'h6)) : (equal_586 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:526
-  logic and_3012;
-  assign and_3012 = (~select_2930) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
-  // hls/stages/agreement.hpp:476
-  logic [6:0] sum_3013;
-  assign sum_3013 = {1'b0, row} + 7'h1;
-  // hls/stages/agreement.hpp:460
-  logic select_3015;
-  assign select_3015 = equal_2926 ? ({sum_3013[6], cfg_height_i[8:3]} == {1'b0, sum_3013[5:0]}) : final_row_q;
+  assign select_2983 = equal_588 ? ({{7{not_2980}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
+  // hls/stages/agreement.hpp:530
+  logic [6:0] select_2987;
+  assign select_2987 = and_2936 ? 7'h0 : following_lowest_q;
+  // hls/stages/agreement.hpp:533
+  logic [7:0] select_2989;
+  assign select_2989 = select_2939 ? {select_2987[6], select_2987} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2992;
+  assign select_2992 = select_2939 ? (and_2936 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  // hls/stages/agreement.hpp:527
+  logic [6:0] select_3000;
+  assign select_3000 = and_544 ? (equal_2935 ? ((6'he < last[6:1]) ? 7'h1d : last) : least_q) : least_q;
+  // hls/stages/agreement.hpp:480
+  logic [5:0] sum_3001;
+  assign sum_3001 = {1'b0, last[6:2]} + 6'h3;
+  // hls/stages/agreement.hpp:527
+  logic [7:0] select_3003;
+  assign select_3003 = and_544 ? (equal_2935 ? {sum_3001, last[1:0]} : whole_q) : whole_q;
+  // hls/stages/agreement.hpp:481
+  logic [5:0] sum_3004;
+  assign sum_3004 = {1'b0, last[6:2]} + 6'h1;
+  // hls/stages/agreement.hpp:527
+  logic [7:0] select_3006;
+  assign select_3006 = and_544 ? (equal_2935 ? {sum_3004, last[1:0]} : drawn_q) : drawn_q;
+  // hls/stages/agreement.hpp:538
+  logic select_3017;
+  assign select_3017 = (ends_cell_q | select_2939) ? (~(now == 3'h6)) : (equal_588 | (slot_q == 3'h6));
+  // hls/stages/agreement.hpp:533
+  logic and_3021;
+  assign and_3021 = (~select_2939) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  // hls/stages/agreement.hpp:483
+  logic [6:0] sum_3022;
+  assign sum_3022 = {1'b0, row} + 7'h1;
+  // hls/stages/agreement.hpp:464
+  logic select_3024;
+  assign select_3024 = equal_2935 ? ({sum_3022[6], cfg_height_i[8:3]} == {1'b0, sum_3022[5:0]}) : final_row_q;
   // hls/stages/patches.hpp:321
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
-  logic [3:0] select_3374;
-  assign select_3374 = row_starts ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
+  logic [3:0] select_3393;
+  assign select_3393 = row_starts ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_3375;
-  assign select_3375 = sample_pair_whole_q ? select_3374 : patches_phase_q;
+  logic [3:0] select_3394;
+  assign select_3394 = sample_pair_whole_q ? select_3393 : patches_phase_q;
   // hls/stages/patches.hpp:377
-  logic and_3376;
-  assign and_3376 = not_2143 & equal_2145;
-  logic [8:0] select_3377;
-  assign select_3377 = and_3376 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_3378;
-  assign select_3378 = and_3376 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_3379;
-  assign select_3379 = sample_pair_first_q ? select_3377 : select_3378;
+  logic and_3395;
+  assign and_3395 = not_2149 & equal_2151;
+  logic [8:0] select_3396;
+  assign select_3396 = and_3395 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_3397;
+  assign select_3397 = and_3395 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_3398;
+  assign select_3398 = sample_pair_first_q ? select_3396 : select_3397;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_3381;
-  assign select_3381 = sample_pair_whole_q ? (row_starts ? select_3379[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_3383;
-  assign select_3383 = sample_pair_whole_q ? (row_starts ? select_3379[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_3386;
-  assign select_3386 = sample_pair_whole_q ? (equal_2147 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_3388;
-  assign select_3388 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_2147}) : patches_next_band_number_q;
+  logic [3:0] select_3400;
+  assign select_3400 = sample_pair_whole_q ? (row_starts ? select_3398[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_3402;
+  assign select_3402 = sample_pair_whole_q ? (row_starts ? select_3398[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_3405;
+  assign select_3405 = sample_pair_whole_q ? (equal_2153 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_3407;
+  assign select_3407 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_2153}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:334
-  logic equal_3389;
-  assign equal_3389 = phase[3:1] == 3'h0;
+  logic equal_3408;
+  assign equal_3408 = phase[3:1] == 3'h0;
   // hls/stages/patches.hpp:335
-  logic not_3390;
-  assign not_3390 = ~equal_3389;
+  logic not_3409;
+  assign not_3409 = ~equal_3408;
   // hls/stages/agreement.hpp:276
-  logic [3:0] select_3392;
-  assign select_3392 = sample_pair_whole_q ? (phase + {not_3390, 1'b1, not_3390, equal_3389}) : patches_first_band_rows_to_next_q;
-  // hls/stages/agreement.hpp:470
-  logic equal_3394;
-  assign equal_3394 = row == 6'h3;
+  logic [3:0] select_3411;
+  assign select_3411 = sample_pair_whole_q ? (phase + {not_3409, 1'b1, not_3409, equal_3408}) : patches_first_band_rows_to_next_q;
+  // hls/stages/agreement.hpp:477
+  logic equal_3413;
+  assign equal_3413 = row == 6'h3;
   // hls/stages/patches.hpp:87
-  logic [3:0] select_3398;
-  assign select_3398 = equal_3394 ? ((select_3375 == 4'h6) ? 4'h0 : (select_3375 + 4'h1)) : patches_choosing_rows_to_next_q;
-  logic equal_3399;
-  assign equal_3399 = select_3398 == 4'h0;
-  // hls/stages/agreement.hpp:460
-  logic [3:0] select_3402;
-  assign select_3402 = equal_2926 ? (equal_3399 ? 4'h6 : (select_3398 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_3417;
+  assign select_3417 = equal_3413 ? ((select_3394 == 4'h6) ? 4'h0 : (select_3394 + 4'h1)) : patches_choosing_rows_to_next_q;
+  logic equal_3418;
+  assign equal_3418 = select_3417 == 4'h0;
+  // hls/stages/agreement.hpp:464
+  logic [3:0] select_3421;
+  assign select_3421 = equal_2935 ? (equal_3418 ? 4'h6 : (select_3417 + 4'hf)) : patches_choosing_rows_to_next_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_3404;
-  assign select_3404 = equal_3394 ? 5'h0 : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:460
-  logic [4:0] select_3406;
-  assign select_3406 = equal_2926 ? (select_3404 + {4'h0, equal_3399}) : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:520
-  logic select_3411;
-  assign select_3411 = and_542 ? (equal_2926 ? ((6'h2 < row) & equal_3399) : patches_chooses_q) : patches_chooses_q;
-  logic [4:0] select_3413;
-  assign select_3413 = and_542 ? (equal_2926 ? select_3404 : patches_choosing_band_q) : patches_choosing_band_q;
+  logic [4:0] select_3423;
+  assign select_3423 = equal_3413 ? 5'h0 : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:464
+  logic [4:0] select_3425;
+  assign select_3425 = equal_2935 ? (select_3423 + {4'h0, equal_3418}) : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:527
+  logic select_3430;
+  assign select_3430 = and_544 ? (equal_2935 ? ((6'h2 < row) & equal_3418) : patches_chooses_q) : patches_chooses_q;
+  logic [4:0] select_3432;
+  assign select_3432 = and_544 ? (equal_2935 ? select_3423 : patches_choosing_band_q) : patches_choosing_band_q;
   // hls/stages/patches.hpp:375
-  logic [5:0] sum_3437;
-  assign sum_3437 = {1'b0, select_670[5:1]} + 6'h1;
-  logic less_3438;
-  assign less_3438 = {sum_3437, select_670[0], select_520, 1'b0} < {2'h0, cfg_height_i};
+  logic [5:0] sum_3456;
+  assign sum_3456 = {1'b0, select_675[5:1]} + 6'h1;
+  logic less_3457;
+  assign less_3457 = {sum_3456, select_675[0], select_522, 1'b0} < {2'h0, cfg_height_i};
   // hls/stages/patches.hpp:126
-  logic select_3441;
-  assign select_3441 = row_starts ? (and_2152 ? (~less_3438) : patches_lower_q) : patches_lower_q;
+  logic select_3460;
+  assign select_3460 = row_starts ? (and_2158 ? (~less_3457) : patches_lower_q) : patches_lower_q;
   // hls/stages/patches.hpp:397
-  logic or_3480;
-  assign or_3480 = patches_begins_q | patches_ends_q;
+  logic or_3499;
+  assign or_3499 = patches_begins_q | patches_ends_q;
   // hls/stages/patches.hpp:399
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:191
-  logic select_3485;
-  assign select_3485 = (patches_second_q | patches_begins_q) ? not_2140 : (patches_ends_q & equal_2243);
-  logic and_3486;
-  assign and_3486 = equal_2243 & not_2250;
+  logic select_3504;
+  assign select_3504 = (patches_second_q | patches_begins_q) ? not_2146 : (patches_ends_q & equal_2249);
+  logic and_3505;
+  assign and_3505 = equal_2249 & not_2256;
   // hls/stages/patches.hpp:403
-  logic and_3487;
-  assign and_3487 = not_2303 & and_3486;
-  logic [1:0] select_3489;
-  assign select_3489 = equal_2245 ? 2'h0 : (equal_2247 ? 2'h3 : {equal_2248, and_3487});
+  logic and_3506;
+  assign and_3506 = not_2309 & and_3505;
+  logic [1:0] select_3508;
+  assign select_3508 = equal_2251 ? 2'h0 : (equal_2253 ? 2'h3 : {equal_2254, and_3506});
   // hls/stages/patches.hpp:283
-  logic equal_3491;
-  assign equal_3491 = patches_following_q == 3'h4;
+  logic equal_3510;
+  assign equal_3510 = patches_following_q == 3'h4;
   // hls/stages/patches.hpp:281
-  logic not_3492;
-  assign not_3492 = ~equal_3491;
+  logic not_3511;
+  assign not_3511 = ~equal_3510;
   // hls/stages/patches.hpp:283
-  logic equal_3493;
-  assign equal_3493 = patches_following_q == 3'h3;
+  logic equal_3512;
+  assign equal_3512 = patches_following_q == 3'h3;
   // hls/stages/patches.hpp:279
-  logic not_3494;
-  assign not_3494 = ~equal_3493;
+  logic not_3513;
+  assign not_3513 = ~equal_3512;
   // hls/stages/patches.hpp:287
-  logic not_3496;
-  assign not_3496 = ~(patches_following_q == 3'h2);
-  logic and_3499;
-  assign and_3499 = (~(patches_following_q == 3'h1)) & not_3496;
+  logic not_3515;
+  assign not_3515 = ~(patches_following_q == 3'h2);
+  logic and_3518;
+  assign and_3518 = (~(patches_following_q == 3'h1)) & not_3515;
   // hls/stages/patches.hpp:401
-  logic [1:0] select_3500;
-  assign select_3500 = equal_3493 ? 2'h2 : {and_3499, not_3496};
-  logic [3:0] select_3501;
-  assign select_3501 = equal_3491 ? 4'h2 : {select_3500, {2{not_3494}}};
+  logic [1:0] select_3519;
+  assign select_3519 = equal_3512 ? 2'h2 : {and_3518, not_3515};
+  logic [3:0] select_3520;
+  assign select_3520 = equal_3510 ? 4'h2 : {select_3519, {2{not_3513}}};
   // hls/stages/patches.hpp:409
-  logic not_3504;
-  assign not_3504 = ~or_3480;
+  logic not_3523;
+  assign not_3523 = ~or_3499;
   // hls/stages/patches.hpp:398
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
   // hls/stages/patches.hpp:410
-  logic [11:0] select_3509;
-  assign select_3509 = or_3480 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  logic [11:0] select_3528;
+  assign select_3528 = or_3499 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/patches.hpp:191
-  logic [4:0] select_3511;
-  assign select_3511 = or_3480 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  logic [4:0] select_3530;
+  assign select_3530 = or_3499 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
-  // Memory fresh, 80 x 33 and parity, DISTANCE 12, hls/stages/agreement.hpp:1372; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory fresh, 80 x 33 and parity, DISTANCE 12, hls/stages/agreement.hpp:1382; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [33:0] fresh_mem [0:79];
@@ -562,7 +564,7 @@ module horopter_agreement (
   logic [6:0] fresh_raddr;
   assign fresh_raddr = x_q[6:0];
   logic fresh_re;
-  assign fresh_re = s0_en & and_643;
+  assign fresh_re = s0_en & and_648;
   logic [33:0] fresh_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) fresh_word_q <= fresh_mem[fresh_raddr];
@@ -573,7 +575,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) fresh_read_q <= rst_ni & fresh_re;
   assign fresh_error = fresh_read_q & ^fresh_word_q;
 
-  // Memory left, 80 x 85 and parity, DISTANCE 12, hls/stages/agreement.hpp:1373; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 85 and parity, DISTANCE 12, hls/stages/agreement.hpp:1383; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [85:0] left_mem [0:79];
@@ -583,7 +585,7 @@ module horopter_agreement (
   logic [6:0] left_raddr;
   assign left_raddr = x_q[6:0];
   logic left_re;
-  assign left_re = s0_en & select_590;
+  assign left_re = s0_en & select_592;
   logic [85:0] left_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) left_word_q <= left_mem[left_raddr];
@@ -594,7 +596,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) left_read_q <= rst_ni & left_re;
   assign left_error = left_read_q & ^left_word_q;
 
-  // Memory right_codes, 80 x 99 and parity, DISTANCE 12, hls/stages/agreement.hpp:1374; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 99 and parity, DISTANCE 12, hls/stages/agreement.hpp:1384; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [99:0] right_codes_mem [0:79];
@@ -602,9 +604,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) right_codes_mem[i] = 100'h0;
 `endif
   logic [6:0] right_codes_raddr;
-  assign right_codes_raddr = or_572 ? x_q[6:0] : (equal_586 ? sum_573[6:0] : x_q[6:0]);
+  assign right_codes_raddr = or_574 ? x_q[6:0] : (equal_588 ? sum_575[6:0] : x_q[6:0]);
   logic right_codes_re;
-  assign right_codes_re = s0_en & select_590;
+  assign right_codes_re = s0_en & select_592;
   logic [99:0] right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) right_codes_word_q <= right_codes_mem[right_codes_raddr];
@@ -615,7 +617,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) right_codes_read_q <= rst_ni & right_codes_re;
   assign right_codes_error = right_codes_read_q & ^right_codes_word_q;
 
-  // Memory best_left, 80 x 62 and parity, DISTANCE 12, hls/stages/agreement.hpp:1375; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 80 x 62 and parity, DISTANCE 12, hls/stages/agreement.hpp:1385; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [62:0] best_left_mem [0:79];
@@ -623,9 +625,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_left_mem[i] = 63'h0;
 `endif
   logic [6:0] best_left_raddr;
-  assign best_left_raddr = or_572 ? x_q[6:0] : x[6:0];
+  assign best_left_raddr = or_574 ? x_q[6:0] : x[6:0];
   logic best_left_re;
-  assign best_left_re = s0_en & select_610;
+  assign best_left_re = s0_en & select_613;
   logic [62:0] best_left_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) best_left_word_q <= best_left_mem[best_left_raddr];
@@ -646,7 +648,7 @@ module horopter_agreement (
   logic [9:0] patches_right_0_raddr;
   assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
   logic patches_right_0_re;
-  assign patches_right_0_re = s0_en & (not_2244 & (not_2246 & (or_2249 & (equal_2248 & not_2250))));
+  assign patches_right_0_re = s0_en & (not_2250 & (not_2252 & (or_2255 & (equal_2254 & not_2256))));
   logic [8:0] patches_right_0_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_right_0_word_q <= patches_right_0_mem[patches_right_0_raddr];
@@ -667,7 +669,7 @@ module horopter_agreement (
   logic [9:0] patches_right_1_raddr;
   assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
   logic patches_right_1_re;
-  assign patches_right_1_re = s0_en & and_2287;
+  assign patches_right_1_re = s0_en & and_2293;
   logic [8:0] patches_right_1_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_right_1_word_q <= patches_right_1_mem[patches_right_1_raddr];
@@ -688,7 +690,7 @@ module horopter_agreement (
   logic [8:0] patches_left_raddr;
   assign patches_left_raddr = {patches_second_q, patches_code_row_q[3:0], patches_column_q[3:0]};
   logic patches_left_re;
-  assign patches_left_re = s0_en & (not_2244 & (not_2246 & (not_2303 & or_2249)));
+  assign patches_left_re = s0_en & (not_2250 & (not_2252 & (not_2309 & or_2255)));
   logic [8:0] patches_left_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_left_word_q <= patches_left_mem[patches_left_raddr];
@@ -710,7 +712,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_raddr;
   assign patches_columns_above_raddr = patches_column_q;
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s0_en & and_2329;
+  assign patches_columns_above_re = s0_en & and_2335;
   logic [32:0] patches_columns_above_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_columns_above_word_q <= patches_columns_above_mem[patches_columns_above_raddr];
@@ -791,65 +793,65 @@ module horopter_agreement (
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= select_2597;
-      raster_at_y_q <= select_2600;
-      raster_at_column_q <= select_2603;
-      raster_at_row_q <= select_2606;
-      raster_at_live_q <= select_2610;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2612 : raster_rows_left_q;
+      raster_at_x_q <= select_2606;
+      raster_at_y_q <= select_2609;
+      raster_at_column_q <= select_2612;
+      raster_at_row_q <= select_2615;
+      raster_at_live_q <= select_2619;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2621 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2616;
-      averager_place_q <= sample_pair_whole_q ? select_507 : averager_place_q;
-      averager_inside_q <= sample_pair_whole_q ? select_512 : averager_inside_q;
+      raster_final_row_q <= select_2625;
+      averager_place_q <= sample_pair_whole_q ? select_509 : averager_place_q;
+      averager_inside_q <= sample_pair_whole_q ? select_514 : averager_inside_q;
       run_phase_q <= now;
-      run_shift_q <= select_2934;
-      run_last_shift_q <= select_2937;
-      run_span_q <= select_2930 ? (and_2927 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2952;
-      following_shift_q <= select_2942 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2955;
+      run_shift_q <= select_2943;
+      run_last_shift_q <= select_2946;
+      run_span_q <= select_2939 ? (and_2936 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2961;
+      following_shift_q <= select_2951 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2964;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2958[6], or_2959, select_2958[3:0]};
-      following_columns_q <= {or_2966[7], or_2967[4], or_2966[5:4], or_2967[3:0]};
-      plan_shift_q <= equal_586 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2974;
+      following_lowest_q <= {select_2967[6], or_2968, select_2967[3:0]};
+      following_columns_q <= {or_2975[7], or_2976[4], or_2975[5:4], or_2976[3:0]};
+      plan_shift_q <= equal_588 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
+      plan_span_q <= select_2983;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2980;
-      columns_left_q <= select_2983;
-      last_q <= and_542 ? (equal_2926 ? last : last_q) : last_q;
-      least_q <= select_2991;
-      whole_q <= select_2994;
-      drawn_q <= select_2997;
-      age_q <= select_2930 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2930 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_3008;
-      ends_q <= and_3012;
-      final_row_q <= and_542 ? select_3015 : final_row_q;
+      x_q <= select_2989;
+      columns_left_q <= select_2992;
+      last_q <= and_544 ? (equal_2935 ? last : last_q) : last_q;
+      least_q <= select_3000;
+      whole_q <= select_3003;
+      drawn_q <= select_3006;
+      age_q <= select_2939 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2939 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_3017;
+      ends_q <= and_3021;
+      final_row_q <= and_544 ? select_3024 : final_row_q;
       shift_first_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      patches_phase_q <= select_3375;
-      patches_band_rows_rows_to_next_q <= select_3381;
-      patches_band_rows_number_q <= select_3383;
-      patches_next_band_rows_to_next_q <= select_3386;
-      patches_next_band_number_q <= select_3388;
-      patches_first_band_rows_to_next_q <= select_3392;
-      patches_first_band_number_q <= sample_pair_whole_q ? equal_3389 : patches_first_band_number_q;
-      patches_choosing_rows_to_next_q <= and_542 ? select_3402 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_542 ? select_3406 : patches_choosing_number_q;
-      patches_chooses_q <= select_3411;
-      patches_choosing_band_q <= select_3413;
-      patches_capturing_q <= sample_pair_whole_q ? select_2279 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_q ? select_3441 : patches_lower_q;
-      patches_row_q <= sample_pair_whole_q ? select_2273 : patches_row_q;
-      patches_work_q <= or_3480 ? following : patches_work_q;
-      patches_second_q <= select_3485;
-      patches_following_q <= equal_2243 ? {2'h0, and_3486} : {equal_2245, select_3489};
-      patches_following_beats_q <= {select_3501, not_3492};
-      patches_begins_q <= sample_pair_whole_q & (row_starts & and_2275);
-      patches_ends_q <= not_3504 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3509;
-      patches_code_row_q <= select_3511;
-      patches_column_q <= or_3480 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3504 & (patches_column_q == 5'h1e);
+      patches_phase_q <= select_3394;
+      patches_band_rows_rows_to_next_q <= select_3400;
+      patches_band_rows_number_q <= select_3402;
+      patches_next_band_rows_to_next_q <= select_3405;
+      patches_next_band_number_q <= select_3407;
+      patches_first_band_rows_to_next_q <= select_3411;
+      patches_first_band_number_q <= sample_pair_whole_q ? equal_3408 : patches_first_band_number_q;
+      patches_choosing_rows_to_next_q <= and_544 ? select_3421 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_544 ? select_3425 : patches_choosing_number_q;
+      patches_chooses_q <= select_3430;
+      patches_choosing_band_q <= select_3432;
+      patches_capturing_q <= sample_pair_whole_q ? select_2285 : patches_capturing_q;
+      patches_lower_q <= sample_pair_whole_q ? select_3460 : patches_lower_q;
+      patches_row_q <= sample_pair_whole_q ? select_2279 : patches_row_q;
+      patches_work_q <= or_3499 ? following : patches_work_q;
+      patches_second_q <= select_3504;
+      patches_following_q <= equal_2249 ? {2'h0, and_3505} : {equal_2251, select_3508};
+      patches_following_beats_q <= {select_3520, not_3511};
+      patches_begins_q <= sample_pair_whole_q & (row_starts & and_2281);
+      patches_ends_q <= not_3523 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3528;
+      patches_code_row_q <= select_3530;
+      patches_column_q <= or_3499 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3523 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -873,46 +875,46 @@ module horopter_agreement (
   logic patches_second_s1_q;
   logic [4:0] patches_code_row_s1_q;
   logic [4:0] patches_column_s1_q;
-  logic [2:0] select_503_s1_q;
+  logic [2:0] select_505_s1_q;
   logic row_starts_s1_q;
-  logic [8:0] select_507_s1_q;
-  logic and_515_s1_q;
-  logic equal_521_s1_q;
-  logic [6:0] select_536_s1_q;
+  logic [8:0] select_509_s1_q;
+  logic and_517_s1_q;
+  logic equal_523_s1_q;
+  logic [6:0] select_538_s1_q;
   logic [6:0] last_s1_2_q;
-  logic and_540_s1_q;
   logic and_542_s1_q;
-  logic equal_567_s1_q;
+  logic and_544_s1_q;
+  logic equal_569_s1_q;
   logic so_s1_q;
-  logic equal_571_s1_q;
-  logic or_572_s1_q;
-  logic less_575_s1_q;
-  logic not_576_s1_q;
-  logic equal_586_s1_q;
+  logic equal_573_s1_q;
+  logic or_574_s1_q;
+  logic less_577_s1_q;
+  logic not_578_s1_q;
+  logic equal_588_s1_q;
   logic [6:0] x_s1_2_q;
-  logic select_610_s1_q;
+  logic select_613_s1_q;
   logic [6:0] right_s1_q;
-  logic and_643_s1_q;
+  logic and_648_s1_q;
   logic [5:0] row_s1_q;
-  logic and_2028_s1_q;
-  logic equal_2029_s1_q;
-  logic and_2152_s1_q;
-  logic equal_2243_s1_q;
-  logic not_2244_s1_q;
-  logic equal_2245_s1_q;
-  logic not_2246_s1_q;
-  logic equal_2247_s1_q;
-  logic equal_2248_s1_q;
-  logic or_2249_s1_q;
+  logic and_2034_s1_q;
+  logic equal_2035_s1_q;
+  logic and_2158_s1_q;
+  logic equal_2249_s1_q;
   logic not_2250_s1_q;
-  logic [4:0] select_2273_s1_q;
-  logic select_2279_s1_q;
-  logic [3:0] select_2319_s1_q;
-  logic and_2329_s1_q;
-  logic equal_2926_s1_q;
-  logic and_2927_s1_q;
-  logic or_3480_s1_q;
-  logic not_3504_s1_q;
+  logic equal_2251_s1_q;
+  logic not_2252_s1_q;
+  logic equal_2253_s1_q;
+  logic equal_2254_s1_q;
+  logic or_2255_s1_q;
+  logic not_2256_s1_q;
+  logic [4:0] select_2279_s1_q;
+  logic select_2285_s1_q;
+  logic [3:0] select_2325_s1_q;
+  logic and_2335_s1_q;
+  logic equal_2935_s1_q;
+  logic and_2936_s1_q;
+  logic or_3499_s1_q;
+  logic not_3523_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -935,46 +937,46 @@ module horopter_agreement (
       patches_second_s1_q <= patches_second_q;
       patches_code_row_s1_q <= patches_code_row_q;
       patches_column_s1_q <= patches_column_q;
-      select_503_s1_q <= select_503;
+      select_505_s1_q <= select_505;
       row_starts_s1_q <= row_starts;
-      select_507_s1_q <= select_507;
-      and_515_s1_q <= and_515;
-      equal_521_s1_q <= select_520 == 3'h0;
-      select_536_s1_q <= select_536;
+      select_509_s1_q <= select_509;
+      and_517_s1_q <= and_517;
+      equal_523_s1_q <= select_522 == 3'h0;
+      select_538_s1_q <= select_538;
       last_s1_2_q <= last;
-      and_540_s1_q <= and_540;
       and_542_s1_q <= and_542;
-      equal_567_s1_q <= run_phase_q == 3'h7;
+      and_544_s1_q <= and_544;
+      equal_569_s1_q <= run_phase_q == 3'h7;
       so_s1_q <= so;
-      equal_571_s1_q <= equal_571;
-      or_572_s1_q <= or_572;
-      less_575_s1_q <= less_575;
-      not_576_s1_q <= not_576;
-      equal_586_s1_q <= equal_586;
+      equal_573_s1_q <= equal_573;
+      or_574_s1_q <= or_574;
+      less_577_s1_q <= less_577;
+      not_578_s1_q <= not_578;
+      equal_588_s1_q <= equal_588;
       x_s1_2_q <= x[6:0];
-      select_610_s1_q <= select_610;
+      select_613_s1_q <= select_613;
       right_s1_q <= right;
-      and_643_s1_q <= and_643;
+      and_648_s1_q <= and_648;
       row_s1_q <= row;
-      and_2028_s1_q <= not_640 & and_609;
-      equal_2029_s1_q <= {x[7], last_q} == {1'b0, x[6:0]};
-      and_2152_s1_q <= and_2152;
-      equal_2243_s1_q <= equal_2243;
-      not_2244_s1_q <= not_2244;
-      equal_2245_s1_q <= equal_2245;
-      not_2246_s1_q <= not_2246;
-      equal_2247_s1_q <= equal_2247;
-      equal_2248_s1_q <= equal_2248;
-      or_2249_s1_q <= or_2249;
+      and_2034_s1_q <= not_645 & and_612;
+      equal_2035_s1_q <= {x[7], last_q} == {1'b0, x[6:0]};
+      and_2158_s1_q <= and_2158;
+      equal_2249_s1_q <= equal_2249;
       not_2250_s1_q <= not_2250;
-      select_2273_s1_q <= select_2273;
+      equal_2251_s1_q <= equal_2251;
+      not_2252_s1_q <= not_2252;
+      equal_2253_s1_q <= equal_2253;
+      equal_2254_s1_q <= equal_2254;
+      or_2255_s1_q <= or_2255;
+      not_2256_s1_q <= not_2256;
       select_2279_s1_q <= select_2279;
-      select_2319_s1_q <= select_2319;
-      and_2329_s1_q <= and_2329;
-      equal_2926_s1_q <= equal_2926;
-      and_2927_s1_q <= and_2927;
-      or_3480_s1_q <= or_3480;
-      not_3504_s1_q <= not_3504;
+      select_2285_s1_q <= select_2285;
+      select_2325_s1_q <= select_2325;
+      and_2335_s1_q <= and_2335;
+      equal_2935_s1_q <= equal_2935;
+      and_2936_s1_q <= and_2936;
+      or_3499_s1_q <= or_3499;
+      not_3523_s1_q <= not_3523;
     end
   end
 
@@ -984,6 +986,8 @@ module horopter_agreement (
   logic moments_starts_q;
   logic [5:0] row_q;
   logic lower_half_q;
+  logic late_q;
+  logic draws_late_q;
   logic [5:0] middle_sum_columns_values_0_q;
   logic [5:0] middle_sum_columns_values_1_q;
   logic [5:0] middle_sum_columns_values_2_q;
@@ -1049,1173 +1053,1242 @@ module horopter_agreement (
   logic [8:0] region_across_next_q;
   logic [8:0] columns_begin_rest_q;
   logic [7:0] columns_begin_back_q;
+  logic write_half_q;
+  logic read_half_q;
+  logic done_q;
+  logic proven_q;
+  logic drew_q;
+  logic said_q;
+  logic [16:0] rows_passed_q;
+  logic [8:0] columns_passed_q;
+  logic line_ended_q;
+  logic began_q;
+  logic [2:0] seen_x_q;
+  logic [2:0] seen_y_q;
+  logic [7:0] seen_column_q;
+  logic [7:0] seen_rows_left_q;
+  logic at_cell_end_q;
+  logic was_next_row_q;
+  logic [12:0] seen_base_q;
   // hls/stages/census.hpp:127
-  logic and_516;
-  assign and_516 = sample_pair_whole_s1_q & and_515_s1_q;
-  // hls/stages/agreement.hpp:668
-  logic equal_561;
-  assign equal_561 = row_q == 6'h0;
+  logic and_518;
+  assign and_518 = sample_pair_whole_s1_q & and_517_s1_q;
+  // hls/stages/agreement.hpp:675
+  logic equal_563;
+  assign equal_563 = row_q == 6'h0;
   // hls/stages/patches.hpp:106
-  logic equal_562;
-  assign equal_562 = x_s1_q == 8'h0;
+  logic equal_564;
+  assign equal_564 = x_s1_q == 8'h0;
   // hls/stages/agreement.hpp:259
   logic first;
-  assign first = equal_561 & equal_562;
+  assign first = equal_563 & equal_564;
   // hls/stages/moments.hpp:57
-  logic [13:0] select_565;
-  assign select_565 = moments_starts_q ? 14'h1 : (moments_place_q + {13'h0, moments_taken_q});
-  // hls/stages/agreement.hpp:788
-  logic [12:0] select_566;
-  assign select_566 = first ? 13'h0 : select_565[12:0];
-  // hls/stages/agreement.hpp:1009
-  logic not_568;
-  assign not_568 = ~equal_567_s1_q;
-  // hls/stages/agreement.hpp:201
+  logic [13:0] select_567;
+  assign select_567 = moments_starts_q ? 14'h1 : (moments_place_q + {13'h0, moments_taken_q});
+  // hls/stages/agreement.hpp:795
+  logic [12:0] select_568;
+  assign select_568 = first ? 13'h0 : select_567[12:0];
+  // hls/stages/agreement.hpp:1016
   logic not_570;
-  assign not_570 = ~so_s1_q;
+  assign not_570 = ~equal_569_s1_q;
+  // hls/stages/agreement.hpp:201
+  logic not_572;
+  assign not_572 = ~so_s1_q;
   // hls/stages/agreement.hpp:226
   logic inside_v;
-  assign inside_v = or_572_s1_q & not_576_s1_q;
+  assign inside_v = or_574_s1_q & not_578_s1_q;
   // hls/stages/moments.hpp:63
   logic [7:0] place;
-  assign place = first ? 8'h0 : select_565[13:6];
+  assign place = first ? 8'h0 : select_567[13:6];
   // hls/stages/moments.hpp:104
-  logic not_580;
-  assign not_580 = ~(8'h4a < place);
-  // hls/stages/agreement.hpp:788
-  logic and_584;
-  assign and_584 = not_568 & (not_570 & (equal_571_s1_q & (inside_v & not_580)));
-  // hls/stages/agreement.hpp:975
-  logic and_600;
-  assign and_600 = (or_572_s1_q & (left_rdata_q[67] & not_576_s1_q)) & (~(row_q[5:3] == 3'h0));
-  // hls/stages/agreement.hpp:966
+  logic not_582;
+  assign not_582 = ~(8'h4a < place);
+  // hls/stages/agreement.hpp:795
+  logic and_586;
+  assign and_586 = not_570 & (not_572 & (equal_573_s1_q & (inside_v & not_582)));
+  // hls/stages/agreement.hpp:982
+  logic and_603;
+  assign and_603 = (or_574_s1_q & (left_rdata_q[67] & not_578_s1_q)) & (late_q | (~(row_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:973
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
-  // hls/stages/agreement.hpp:967
+  // hls/stages/agreement.hpp:974
   logic [7:0] found;
   assign found = x_s1_q + {{2{shift[5]}}, shift};
-  // hls/stages/agreement.hpp:968
-  logic [6:0] select_619;
-  assign select_619 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
-  // hls/stages/agreement.hpp:668
-  logic not_740;
-  assign not_740 = ~equal_561;
-  // hls/stages/agreement.hpp:671
-  logic and_741;
-  assign and_741 = left_rdata_q[12] & not_740;
-  logic and_742;
-  assign and_742 = left_rdata_q[30] & not_740;
-  logic and_743;
-  assign and_743 = left_rdata_q[48] & not_740;
-  logic and_744;
-  assign and_744 = left_rdata_q[66] & not_740;
-  // hls/stages/agreement.hpp:672
-  logic and_745;
-  assign and_745 = right_codes_rdata_q[12] & not_740;
-  logic and_746;
-  assign and_746 = right_codes_rdata_q[27] & not_740;
+  // hls/stages/agreement.hpp:975
+  logic [6:0] select_622;
+  assign select_622 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
+  // hls/stages/agreement.hpp:676
+  logic or_746;
+  assign or_746 = late_q | (~equal_563);
+  // hls/stages/agreement.hpp:678
   logic and_747;
-  assign and_747 = right_codes_rdata_q[42] & not_740;
+  assign and_747 = left_rdata_q[12] & or_746;
   logic and_748;
-  assign and_748 = right_codes_rdata_q[57] & not_740;
+  assign and_748 = left_rdata_q[30] & or_746;
   logic and_749;
-  assign and_749 = right_codes_rdata_q[72] & not_740;
+  assign and_749 = left_rdata_q[48] & or_746;
   logic and_750;
-  assign and_750 = right_codes_rdata_q[85] & not_740;
-  // hls/stages/agreement.hpp:221
+  assign and_750 = left_rdata_q[66] & or_746;
+  // hls/stages/agreement.hpp:679
+  logic and_751;
+  assign and_751 = right_codes_rdata_q[12] & or_746;
+  logic and_752;
+  assign and_752 = right_codes_rdata_q[27] & or_746;
+  logic and_753;
+  assign and_753 = right_codes_rdata_q[42] & or_746;
+  logic and_754;
+  assign and_754 = right_codes_rdata_q[57] & or_746;
   logic and_755;
-  assign and_755 = left_rdata_q[48] & not_576_s1_q;
+  assign and_755 = right_codes_rdata_q[72] & or_746;
   logic and_756;
-  assign and_756 = right_codes_rdata_q[42] & not_576_s1_q;
-  logic [11:0] select_757;
-  assign select_757 = less_575_s1_q ? 12'h0 : left_rdata_q[47:36];
-  logic [11:0] select_758;
-  assign select_758 = less_575_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_762;
-  assign select_762 = and_755 ? (and_756 ? (~(select_757 ^ select_758)) : 12'h0) : 12'h0;
+  assign and_756 = right_codes_rdata_q[85] & or_746;
+  // hls/stages/agreement.hpp:221
+  logic and_761;
+  assign and_761 = left_rdata_q[48] & not_578_s1_q;
+  logic and_762;
+  assign and_762 = right_codes_rdata_q[42] & not_578_s1_q;
+  logic [11:0] select_763;
+  assign select_763 = less_577_s1_q ? 12'h0 : left_rdata_q[47:36];
+  logic [11:0] select_764;
+  assign select_764 = less_577_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_768;
+  assign select_768 = and_761 ? (and_762 ? (~(select_763 ^ select_764)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_768;
-  assign parity_768 = ^select_762[5:3];
-  logic parity_771;
-  assign parity_771 = ^select_762[8:6];
   logic parity_774;
-  assign parity_774 = ^select_762[11:3];
+  assign parity_774 = ^select_768[5:3];
+  logic parity_777;
+  assign parity_777 = ^select_768[8:6];
+  logic parity_780;
+  assign parity_780 = ^select_768[11:3];
   // hls/stages/agreement.hpp:221
-  logic and_778;
-  assign and_778 = left_rdata_q[66] & not_576_s1_q;
-  logic and_779;
-  assign and_779 = right_codes_rdata_q[57] & not_576_s1_q;
-  logic [11:0] select_780;
-  assign select_780 = less_575_s1_q ? 12'h0 : left_rdata_q[65:54];
-  logic [11:0] select_781;
-  assign select_781 = less_575_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_785;
-  assign select_785 = and_778 ? (and_779 ? (~(select_780 ^ select_781)) : 12'h0) : 12'h0;
+  logic and_784;
+  assign and_784 = left_rdata_q[66] & not_578_s1_q;
+  logic and_785;
+  assign and_785 = right_codes_rdata_q[57] & not_578_s1_q;
+  logic [11:0] select_786;
+  assign select_786 = less_577_s1_q ? 12'h0 : left_rdata_q[65:54];
+  logic [11:0] select_787;
+  assign select_787 = less_577_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_791;
+  assign select_791 = and_784 ? (and_785 ? (~(select_786 ^ select_787)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_788;
-  assign parity_788 = ^select_785[8:6];
-  logic parity_791;
-  assign parity_791 = ^select_785[11:9];
+  logic parity_794;
+  assign parity_794 = ^select_791[8:6];
+  logic parity_797;
+  assign parity_797 = ^select_791[11:9];
   // hls/stages/agreement.hpp:221
-  logic and_795;
-  assign and_795 = left_rdata_q[84] & not_576_s1_q;
-  logic and_796;
-  assign and_796 = right_codes_rdata_q[72] & not_576_s1_q;
-  logic [11:0] select_797;
-  assign select_797 = less_575_s1_q ? 12'h0 : left_rdata_q[83:72];
-  logic [11:0] select_798;
-  assign select_798 = less_575_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_802;
-  assign select_802 = and_795 ? (and_796 ? (~(select_797 ^ select_798)) : 12'h0) : 12'h0;
+  logic and_801;
+  assign and_801 = left_rdata_q[84] & not_578_s1_q;
+  logic and_802;
+  assign and_802 = right_codes_rdata_q[72] & not_578_s1_q;
+  logic [11:0] select_803;
+  assign select_803 = less_577_s1_q ? 12'h0 : left_rdata_q[83:72];
+  logic [11:0] select_804;
+  assign select_804 = less_577_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_808;
+  assign select_808 = and_801 ? (and_802 ? (~(select_803 ^ select_804)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_808;
-  assign parity_808 = ^select_802[2:0];
-  logic parity_811;
-  assign parity_811 = ^select_802[5:3];
   logic parity_814;
-  assign parity_814 = ^select_802[8:0];
+  assign parity_814 = ^select_808[2:0];
+  logic parity_817;
+  assign parity_817 = ^select_808[5:3];
   logic parity_820;
-  assign parity_820 = ^select_802[11:9];
-  logic parity_823;
-  assign parity_823 = ^select_785[2:0];
+  assign parity_820 = ^select_808[8:0];
   logic parity_826;
-  assign parity_826 = ^{select_802[11:9], select_785[5:0]};
+  assign parity_826 = ^select_808[11:9];
   logic parity_829;
-  assign parity_829 = ^{select_802, select_785, select_762[2:0]};
-  logic xor_830;
-  assign xor_830 = parity_774 ^ parity_829;
+  assign parity_829 = ^select_791[2:0];
+  logic parity_832;
+  assign parity_832 = ^{select_808[11:9], select_791[5:0]};
+  logic parity_835;
+  assign parity_835 = ^{select_808, select_791, select_768[2:0]};
+  logic xor_836;
+  assign xor_836 = parity_780 ^ parity_835;
   // hls/stages/count_bits.hpp:23
-  logic or_834;
-  assign or_834 = (select_762[1:0] == 2'h3) | (select_762[2] & (select_762[0] | select_762[1]));
+  logic or_840;
+  assign or_840 = (select_768[1:0] == 2'h3) | (select_768[2] & (select_768[0] | select_768[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_838;
-  assign or_838 = (select_785[7:6] == 2'h3) | (select_785[8] & (select_785[6] | select_785[7]));
-  logic or_842;
-  assign or_842 = (select_785[10:9] == 2'h3) | (select_785[11] & (select_785[9] | select_785[10]));
+  logic or_844;
+  assign or_844 = (select_791[7:6] == 2'h3) | (select_791[8] & (select_791[6] | select_791[7]));
+  logic or_848;
+  assign or_848 = (select_791[10:9] == 2'h3) | (select_791[11] & (select_791[9] | select_791[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_850;
-  assign or_850 = (select_802[7:6] == 2'h3) | (select_802[8] & (~(select_802[7:6] == 2'h0)));
+  logic or_856;
+  assign or_856 = (select_808[7:6] == 2'h3) | (select_808[8] & (~(select_808[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_854;
-  assign or_854 = (select_802[1:0] == 2'h3) | (select_802[2] & (select_802[0] | select_802[1]));
-  logic or_858;
-  assign or_858 = (select_802[4:3] == 2'h3) | (select_802[5] & (select_802[3] | select_802[4]));
+  logic or_860;
+  assign or_860 = (select_808[1:0] == 2'h3) | (select_808[2] & (select_808[0] | select_808[1]));
+  logic or_864;
+  assign or_864 = (select_808[4:3] == 2'h3) | (select_808[5] & (select_808[3] | select_808[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_861;
-  assign parity_861 = ^{or_858, or_854, or_850};
+  logic parity_867;
+  assign parity_867 = ^{or_864, or_860, or_856};
   // hls/stages/count_bits.hpp:23
-  logic or_865;
-  assign or_865 = (select_785[4:3] == 2'h3) | (select_785[5] & (select_785[3] | select_785[4]));
+  logic or_871;
+  assign or_871 = (select_791[4:3] == 2'h3) | (select_791[5] & (select_791[3] | select_791[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_869;
-  assign or_869 = (select_802[10:9] == 2'h3) | (select_802[11] & (select_802[9] | select_802[10]));
-  logic or_873;
-  assign or_873 = (select_785[1:0] == 2'h3) | (select_785[2] & (select_785[0] | select_785[1]));
+  logic or_875;
+  assign or_875 = (select_808[10:9] == 2'h3) | (select_808[11] & (select_808[9] | select_808[10]));
+  logic or_879;
+  assign or_879 = (select_791[1:0] == 2'h3) | (select_791[2] & (select_791[0] | select_791[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_876;
-  assign parity_876 = ^{or_873, or_869, or_865};
-  logic parity_879;
-  assign parity_879 = ^{or_873, or_869, or_865, or_858, or_854, or_850, or_842, or_838, or_834};
+  logic parity_882;
+  assign parity_882 = ^{or_879, or_875, or_871};
+  logic parity_885;
+  assign parity_885 = ^{or_879, or_875, or_871, or_864, or_860, or_856, or_848, or_844, or_840};
   // hls/stages/count_bits.hpp:25
-  logic and_880;
-  assign and_880 = parity_774 & parity_829;
-  logic or_884;
-  assign or_884 = (parity_768 & parity_771) | ((^select_762[11:9]) & (parity_768 | parity_771));
-  logic and_887;
-  assign and_887 = (^{select_785[11:6], select_762[2:0]}) & (parity_814 | parity_826);
-  logic or_888;
-  assign or_888 = (parity_814 & parity_826) | and_887;
+  logic and_886;
+  assign and_886 = parity_780 & parity_835;
+  logic or_890;
+  assign or_890 = (parity_774 & parity_777) | ((^select_768[11:9]) & (parity_774 | parity_777));
+  logic and_893;
+  assign and_893 = (^{select_791[11:6], select_768[2:0]}) & (parity_820 | parity_832);
+  logic or_894;
+  assign or_894 = (parity_820 & parity_832) | and_893;
   // hls/stages/count_bits.hpp:23
-  logic or_895;
-  assign or_895 = (select_762[10:9] == 2'h3) | (select_762[11] & (select_762[9] | select_762[10]));
+  logic or_901;
+  assign or_901 = (select_768[10:9] == 2'h3) | (select_768[11] & (select_768[9] | select_768[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_899;
-  assign or_899 = (select_762[4:3] == 2'h3) | (select_762[5] & (select_762[3] | select_762[4]));
-  logic or_903;
-  assign or_903 = (select_762[7:6] == 2'h3) | (select_762[8] & (select_762[6] | select_762[7]));
+  logic or_905;
+  assign or_905 = (select_768[4:3] == 2'h3) | (select_768[5] & (select_768[3] | select_768[4]));
+  logic or_909;
+  assign or_909 = (select_768[7:6] == 2'h3) | (select_768[8] & (select_768[6] | select_768[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_906;
-  assign parity_906 = ^{or_903, or_899, or_895};
+  logic parity_912;
+  assign parity_912 = ^{or_909, or_905, or_901};
   // hls/stages/count_bits.hpp:25
-  logic or_910;
-  assign or_910 = (parity_788 & parity_791) | ((^select_762[2:0]) & (parity_788 | parity_791));
-  logic or_914;
-  assign or_914 = (parity_808 & parity_811) | ((^select_802[8:6]) & (parity_808 | parity_811));
-  logic or_918;
-  assign or_918 = (parity_820 & parity_823) | ((^select_785[5:3]) & (parity_820 | parity_823));
+  logic or_916;
+  assign or_916 = (parity_794 & parity_797) | ((^select_768[2:0]) & (parity_794 | parity_797));
+  logic or_920;
+  assign or_920 = (parity_814 & parity_817) | ((^select_808[8:6]) & (parity_814 | parity_817));
+  logic or_924;
+  assign or_924 = (parity_826 & parity_829) | ((^select_791[5:3]) & (parity_826 | parity_829));
   // hls/stages/count_bits.hpp:24
-  logic parity_921;
-  assign parity_921 = ^{or_918, or_914, or_910};
-  logic parity_924;
-  assign parity_924 = ^{or_918, or_914, or_910, or_903, or_899, or_895, or_888, or_884, and_880};
-  logic xor_925;
-  assign xor_925 = parity_879 ^ parity_924;
+  logic parity_927;
+  assign parity_927 = ^{or_924, or_920, or_916};
+  logic parity_930;
+  assign parity_930 = ^{or_924, or_920, or_916, or_909, or_905, or_901, or_894, or_890, and_886};
+  logic xor_931;
+  assign xor_931 = parity_885 ^ parity_930;
   // hls/stages/count_bits.hpp:25
-  logic and_926;
-  assign and_926 = parity_879 & parity_924;
-  logic or_930;
-  assign or_930 = (parity_861 & parity_876) | ((^{or_842, or_838, or_834}) & (parity_861 | parity_876));
-  logic or_934;
-  assign or_934 = (parity_906 & parity_921) | ((^{or_888, or_884, and_880}) & (parity_906 | parity_921));
-  logic or_941;
-  assign or_941 = (or_838 & or_842) | (or_834 & (or_838 | or_842));
-  logic or_945;
-  assign or_945 = (or_854 & or_858) | (or_850 & (or_854 | or_858));
-  logic or_949;
-  assign or_949 = (or_869 & or_873) | (or_865 & (or_869 | or_873));
+  logic and_932;
+  assign and_932 = parity_885 & parity_930;
+  logic or_936;
+  assign or_936 = (parity_867 & parity_882) | ((^{or_848, or_844, or_840}) & (parity_867 | parity_882));
+  logic or_940;
+  assign or_940 = (parity_912 & parity_927) | ((^{or_894, or_890, and_886}) & (parity_912 | parity_927));
+  logic or_947;
+  assign or_947 = (or_844 & or_848) | (or_840 & (or_844 | or_848));
+  logic or_951;
+  assign or_951 = (or_860 & or_864) | (or_856 & (or_860 | or_864));
+  logic or_955;
+  assign or_955 = (or_875 & or_879) | (or_871 & (or_875 | or_879));
   // hls/stages/count_bits.hpp:24
-  logic parity_952;
-  assign parity_952 = ^{or_949, or_945, or_941};
+  logic parity_958;
+  assign parity_958 = ^{or_955, or_951, or_947};
   // hls/stages/count_bits.hpp:25
-  logic or_956;
-  assign or_956 = (or_884 & or_888) | (and_880 & (or_884 | or_888));
-  logic or_960;
-  assign or_960 = (or_899 & or_903) | (or_895 & (or_899 | or_903));
-  logic or_964;
-  assign or_964 = (or_914 & or_918) | (or_910 & (or_914 | or_918));
+  logic or_962;
+  assign or_962 = (or_890 & or_894) | (and_886 & (or_890 | or_894));
+  logic or_966;
+  assign or_966 = (or_905 & or_909) | (or_901 & (or_905 | or_909));
+  logic or_970;
+  assign or_970 = (or_920 & or_924) | (or_916 & (or_920 | or_924));
   // hls/stages/count_bits.hpp:24
-  logic parity_967;
-  assign parity_967 = ^{or_964, or_960, or_956};
-  logic parity_970;
-  assign parity_970 = ^{or_964, or_960, or_956, or_949, or_945, or_941, or_934, or_930, and_926};
+  logic parity_973;
+  assign parity_973 = ^{or_970, or_966, or_962};
+  logic parity_976;
+  assign parity_976 = ^{or_970, or_966, or_962, or_955, or_951, or_947, or_940, or_936, and_932};
   // hls/stages/count_bits.hpp:25
-  logic or_974;
-  assign or_974 = (parity_952 & parity_967) | ((^{or_934, or_930, and_926}) & (parity_952 | parity_967));
-  logic or_978;
-  assign or_978 = (or_930 & or_934) | (and_926 & (or_930 | or_934));
-  logic or_982;
-  assign or_982 = (or_945 & or_949) | (or_941 & (or_945 | or_949));
-  logic or_986;
-  assign or_986 = (or_960 & or_964) | (or_956 & (or_960 | or_964));
+  logic or_980;
+  assign or_980 = (parity_958 & parity_973) | ((^{or_940, or_936, and_932}) & (parity_958 | parity_973));
+  logic or_984;
+  assign or_984 = (or_936 & or_940) | (and_932 & (or_936 | or_940));
+  logic or_988;
+  assign or_988 = (or_951 & or_955) | (or_947 & (or_951 | or_955));
+  logic or_992;
+  assign or_992 = (or_966 & or_970) | (or_962 & (or_966 | or_970));
   // hls/stages/count_bits.hpp:24
-  logic parity_991;
-  assign parity_991 = ^{or_986, or_982, or_978, or_974};
+  logic parity_997;
+  assign parity_997 = ^{or_992, or_988, or_984, or_980};
   // hls/stages/count_bits.hpp:25
-  logic or_995;
-  assign or_995 = (or_982 & or_986) | (or_978 & (or_982 | or_986));
-  logic and_996;
-  assign and_996 = or_974 & (^{or_986, or_982, or_978});
+  logic or_1001;
+  assign or_1001 = (or_988 & or_992) | (or_984 & (or_988 | or_992));
+  logic and_1002;
+  assign and_1002 = or_980 & (^{or_992, or_988, or_984});
   // hls/stages/count_bits.hpp:24
-  logic xor_997;
-  assign xor_997 = or_995 ^ and_996;
+  logic xor_1003;
+  assign xor_1003 = or_1001 ^ and_1002;
   // hls/stages/count_bits.hpp:27
-  logic and_998;
-  assign and_998 = or_995 & and_996;
+  logic and_1004;
+  assign and_1004 = or_1001 & and_1002;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_999;
-  assign select_999 = equal_586_s1_q ? {and_998, xor_997, parity_991, parity_970, xor_925, xor_830} : 6'h0;
+  logic [5:0] select_1005;
+  assign select_1005 = equal_588_s1_q ? {and_1004, xor_1003, parity_997, parity_976, xor_931, xor_836} : 6'h0;
   logic [5:0] column;
-  assign column = or_572_s1_q ? 6'h0 : select_999;
-  // hls/stages/agreement.hpp:778
-  logic [5:0] select_1001;
-  assign select_1001 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1002;
-  assign difference_1002 = {1'b0, column} - {1'b0, select_1001};
-  logic [7:0] sum_1004;
-  assign sum_1004 = {difference_1002[6], difference_1002} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1008;
-  assign select_1008 = and_755 ? (and_779 ? (~(select_757 ^ select_781)) : 12'h0) : 12'h0;
+  assign column = or_574_s1_q ? 6'h0 : select_1005;
+  // hls/stages/agreement.hpp:785
+  logic [5:0] select_1007;
+  assign select_1007 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1008;
+  assign difference_1008 = {1'b0, column} - {1'b0, select_1007};
+  logic [7:0] sum_1010;
+  assign sum_1010 = {difference_1008[6], difference_1008} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1014;
+  assign select_1014 = and_761 ? (and_785 ? (~(select_763 ^ select_787)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1014;
-  assign parity_1014 = ^select_1008[5:3];
-  logic parity_1017;
-  assign parity_1017 = ^select_1008[8:6];
   logic parity_1020;
-  assign parity_1020 = ^select_1008[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1027;
-  assign select_1027 = and_778 ? (and_796 ? (~(select_780 ^ select_798)) : 12'h0) : 12'h0;
+  assign parity_1020 = ^select_1014[5:3];
+  logic parity_1023;
+  assign parity_1023 = ^select_1014[8:6];
+  logic parity_1026;
+  assign parity_1026 = ^select_1014[11:3];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1033;
+  assign select_1033 = and_784 ? (and_802 ? (~(select_786 ^ select_804)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1030;
-  assign parity_1030 = ^select_1027[8:6];
-  logic parity_1033;
-  assign parity_1033 = ^select_1027[11:9];
+  logic parity_1036;
+  assign parity_1036 = ^select_1033[8:6];
+  logic parity_1039;
+  assign parity_1039 = ^select_1033[11:9];
   // hls/stages/agreement.hpp:221
-  logic and_1037;
-  assign and_1037 = right_codes_rdata_q[85] & not_576_s1_q;
-  logic [11:0] select_1038;
-  assign select_1038 = less_575_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1042;
-  assign select_1042 = and_795 ? (and_1037 ? (~(select_797 ^ select_1038)) : 12'h0) : 12'h0;
+  logic and_1043;
+  assign and_1043 = right_codes_rdata_q[85] & not_578_s1_q;
+  logic [11:0] select_1044;
+  assign select_1044 = less_577_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1048;
+  assign select_1048 = and_801 ? (and_1043 ? (~(select_803 ^ select_1044)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1048;
-  assign parity_1048 = ^select_1042[2:0];
-  logic parity_1051;
-  assign parity_1051 = ^select_1042[5:3];
   logic parity_1054;
-  assign parity_1054 = ^select_1042[8:0];
+  assign parity_1054 = ^select_1048[2:0];
+  logic parity_1057;
+  assign parity_1057 = ^select_1048[5:3];
   logic parity_1060;
-  assign parity_1060 = ^select_1042[11:9];
-  logic parity_1063;
-  assign parity_1063 = ^select_1027[2:0];
+  assign parity_1060 = ^select_1048[8:0];
   logic parity_1066;
-  assign parity_1066 = ^{select_1042[11:9], select_1027[5:0]};
+  assign parity_1066 = ^select_1048[11:9];
   logic parity_1069;
-  assign parity_1069 = ^{select_1042, select_1027, select_1008[2:0]};
-  logic xor_1070;
-  assign xor_1070 = parity_1020 ^ parity_1069;
+  assign parity_1069 = ^select_1033[2:0];
+  logic parity_1072;
+  assign parity_1072 = ^{select_1048[11:9], select_1033[5:0]};
+  logic parity_1075;
+  assign parity_1075 = ^{select_1048, select_1033, select_1014[2:0]};
+  logic xor_1076;
+  assign xor_1076 = parity_1026 ^ parity_1075;
   // hls/stages/count_bits.hpp:23
-  logic or_1074;
-  assign or_1074 = (select_1008[1:0] == 2'h3) | (select_1008[2] & (select_1008[0] | select_1008[1]));
+  logic or_1080;
+  assign or_1080 = (select_1014[1:0] == 2'h3) | (select_1014[2] & (select_1014[0] | select_1014[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1078;
-  assign or_1078 = (select_1027[7:6] == 2'h3) | (select_1027[8] & (select_1027[6] | select_1027[7]));
-  logic or_1082;
-  assign or_1082 = (select_1027[10:9] == 2'h3) | (select_1027[11] & (select_1027[9] | select_1027[10]));
+  logic or_1084;
+  assign or_1084 = (select_1033[7:6] == 2'h3) | (select_1033[8] & (select_1033[6] | select_1033[7]));
+  logic or_1088;
+  assign or_1088 = (select_1033[10:9] == 2'h3) | (select_1033[11] & (select_1033[9] | select_1033[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1090;
-  assign or_1090 = (select_1042[7:6] == 2'h3) | (select_1042[8] & (~(select_1042[7:6] == 2'h0)));
+  logic or_1096;
+  assign or_1096 = (select_1048[7:6] == 2'h3) | (select_1048[8] & (~(select_1048[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1094;
-  assign or_1094 = (select_1042[1:0] == 2'h3) | (select_1042[2] & (select_1042[0] | select_1042[1]));
-  logic or_1098;
-  assign or_1098 = (select_1042[4:3] == 2'h3) | (select_1042[5] & (select_1042[3] | select_1042[4]));
+  logic or_1100;
+  assign or_1100 = (select_1048[1:0] == 2'h3) | (select_1048[2] & (select_1048[0] | select_1048[1]));
+  logic or_1104;
+  assign or_1104 = (select_1048[4:3] == 2'h3) | (select_1048[5] & (select_1048[3] | select_1048[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1101;
-  assign parity_1101 = ^{or_1098, or_1094, or_1090};
+  logic parity_1107;
+  assign parity_1107 = ^{or_1104, or_1100, or_1096};
   // hls/stages/count_bits.hpp:23
-  logic or_1105;
-  assign or_1105 = (select_1027[4:3] == 2'h3) | (select_1027[5] & (select_1027[3] | select_1027[4]));
+  logic or_1111;
+  assign or_1111 = (select_1033[4:3] == 2'h3) | (select_1033[5] & (select_1033[3] | select_1033[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1109;
-  assign or_1109 = (select_1042[10:9] == 2'h3) | (select_1042[11] & (select_1042[9] | select_1042[10]));
-  logic or_1113;
-  assign or_1113 = (select_1027[1:0] == 2'h3) | (select_1027[2] & (select_1027[0] | select_1027[1]));
+  logic or_1115;
+  assign or_1115 = (select_1048[10:9] == 2'h3) | (select_1048[11] & (select_1048[9] | select_1048[10]));
+  logic or_1119;
+  assign or_1119 = (select_1033[1:0] == 2'h3) | (select_1033[2] & (select_1033[0] | select_1033[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1116;
-  assign parity_1116 = ^{or_1113, or_1109, or_1105};
-  logic parity_1119;
-  assign parity_1119 = ^{or_1113, or_1109, or_1105, or_1098, or_1094, or_1090, or_1082, or_1078, or_1074};
+  logic parity_1122;
+  assign parity_1122 = ^{or_1119, or_1115, or_1111};
+  logic parity_1125;
+  assign parity_1125 = ^{or_1119, or_1115, or_1111, or_1104, or_1100, or_1096, or_1088, or_1084, or_1080};
   // hls/stages/count_bits.hpp:25
-  logic and_1120;
-  assign and_1120 = parity_1020 & parity_1069;
-  logic or_1124;
-  assign or_1124 = (parity_1014 & parity_1017) | ((^select_1008[11:9]) & (parity_1014 | parity_1017));
-  logic and_1127;
-  assign and_1127 = (^{select_1027[11:6], select_1008[2:0]}) & (parity_1054 | parity_1066);
-  logic or_1128;
-  assign or_1128 = (parity_1054 & parity_1066) | and_1127;
+  logic and_1126;
+  assign and_1126 = parity_1026 & parity_1075;
+  logic or_1130;
+  assign or_1130 = (parity_1020 & parity_1023) | ((^select_1014[11:9]) & (parity_1020 | parity_1023));
+  logic and_1133;
+  assign and_1133 = (^{select_1033[11:6], select_1014[2:0]}) & (parity_1060 | parity_1072);
+  logic or_1134;
+  assign or_1134 = (parity_1060 & parity_1072) | and_1133;
   // hls/stages/count_bits.hpp:23
-  logic or_1135;
-  assign or_1135 = (select_1008[10:9] == 2'h3) | (select_1008[11] & (select_1008[9] | select_1008[10]));
+  logic or_1141;
+  assign or_1141 = (select_1014[10:9] == 2'h3) | (select_1014[11] & (select_1014[9] | select_1014[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1139;
-  assign or_1139 = (select_1008[4:3] == 2'h3) | (select_1008[5] & (select_1008[3] | select_1008[4]));
-  logic or_1143;
-  assign or_1143 = (select_1008[7:6] == 2'h3) | (select_1008[8] & (select_1008[6] | select_1008[7]));
+  logic or_1145;
+  assign or_1145 = (select_1014[4:3] == 2'h3) | (select_1014[5] & (select_1014[3] | select_1014[4]));
+  logic or_1149;
+  assign or_1149 = (select_1014[7:6] == 2'h3) | (select_1014[8] & (select_1014[6] | select_1014[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1146;
-  assign parity_1146 = ^{or_1143, or_1139, or_1135};
+  logic parity_1152;
+  assign parity_1152 = ^{or_1149, or_1145, or_1141};
   // hls/stages/count_bits.hpp:25
-  logic or_1150;
-  assign or_1150 = (parity_1030 & parity_1033) | ((^select_1008[2:0]) & (parity_1030 | parity_1033));
-  logic or_1154;
-  assign or_1154 = (parity_1048 & parity_1051) | ((^select_1042[8:6]) & (parity_1048 | parity_1051));
-  logic or_1158;
-  assign or_1158 = (parity_1060 & parity_1063) | ((^select_1027[5:3]) & (parity_1060 | parity_1063));
+  logic or_1156;
+  assign or_1156 = (parity_1036 & parity_1039) | ((^select_1014[2:0]) & (parity_1036 | parity_1039));
+  logic or_1160;
+  assign or_1160 = (parity_1054 & parity_1057) | ((^select_1048[8:6]) & (parity_1054 | parity_1057));
+  logic or_1164;
+  assign or_1164 = (parity_1066 & parity_1069) | ((^select_1033[5:3]) & (parity_1066 | parity_1069));
   // hls/stages/count_bits.hpp:24
-  logic parity_1161;
-  assign parity_1161 = ^{or_1158, or_1154, or_1150};
-  logic parity_1164;
-  assign parity_1164 = ^{or_1158, or_1154, or_1150, or_1143, or_1139, or_1135, or_1128, or_1124, and_1120};
-  logic xor_1165;
-  assign xor_1165 = parity_1119 ^ parity_1164;
+  logic parity_1167;
+  assign parity_1167 = ^{or_1164, or_1160, or_1156};
+  logic parity_1170;
+  assign parity_1170 = ^{or_1164, or_1160, or_1156, or_1149, or_1145, or_1141, or_1134, or_1130, and_1126};
+  logic xor_1171;
+  assign xor_1171 = parity_1125 ^ parity_1170;
   // hls/stages/count_bits.hpp:25
-  logic and_1166;
-  assign and_1166 = parity_1119 & parity_1164;
-  logic or_1170;
-  assign or_1170 = (parity_1101 & parity_1116) | ((^{or_1082, or_1078, or_1074}) & (parity_1101 | parity_1116));
-  logic or_1174;
-  assign or_1174 = (parity_1146 & parity_1161) | ((^{or_1128, or_1124, and_1120}) & (parity_1146 | parity_1161));
-  logic or_1181;
-  assign or_1181 = (or_1078 & or_1082) | (or_1074 & (or_1078 | or_1082));
-  logic or_1185;
-  assign or_1185 = (or_1094 & or_1098) | (or_1090 & (or_1094 | or_1098));
-  logic or_1189;
-  assign or_1189 = (or_1109 & or_1113) | (or_1105 & (or_1109 | or_1113));
+  logic and_1172;
+  assign and_1172 = parity_1125 & parity_1170;
+  logic or_1176;
+  assign or_1176 = (parity_1107 & parity_1122) | ((^{or_1088, or_1084, or_1080}) & (parity_1107 | parity_1122));
+  logic or_1180;
+  assign or_1180 = (parity_1152 & parity_1167) | ((^{or_1134, or_1130, and_1126}) & (parity_1152 | parity_1167));
+  logic or_1187;
+  assign or_1187 = (or_1084 & or_1088) | (or_1080 & (or_1084 | or_1088));
+  logic or_1191;
+  assign or_1191 = (or_1100 & or_1104) | (or_1096 & (or_1100 | or_1104));
+  logic or_1195;
+  assign or_1195 = (or_1115 & or_1119) | (or_1111 & (or_1115 | or_1119));
   // hls/stages/count_bits.hpp:24
-  logic parity_1192;
-  assign parity_1192 = ^{or_1189, or_1185, or_1181};
+  logic parity_1198;
+  assign parity_1198 = ^{or_1195, or_1191, or_1187};
   // hls/stages/count_bits.hpp:25
-  logic or_1196;
-  assign or_1196 = (or_1124 & or_1128) | (and_1120 & (or_1124 | or_1128));
-  logic or_1200;
-  assign or_1200 = (or_1139 & or_1143) | (or_1135 & (or_1139 | or_1143));
-  logic or_1204;
-  assign or_1204 = (or_1154 & or_1158) | (or_1150 & (or_1154 | or_1158));
+  logic or_1202;
+  assign or_1202 = (or_1130 & or_1134) | (and_1126 & (or_1130 | or_1134));
+  logic or_1206;
+  assign or_1206 = (or_1145 & or_1149) | (or_1141 & (or_1145 | or_1149));
+  logic or_1210;
+  assign or_1210 = (or_1160 & or_1164) | (or_1156 & (or_1160 | or_1164));
   // hls/stages/count_bits.hpp:24
-  logic parity_1207;
-  assign parity_1207 = ^{or_1204, or_1200, or_1196};
-  logic parity_1210;
-  assign parity_1210 = ^{or_1204, or_1200, or_1196, or_1189, or_1185, or_1181, or_1174, or_1170, and_1166};
+  logic parity_1213;
+  assign parity_1213 = ^{or_1210, or_1206, or_1202};
+  logic parity_1216;
+  assign parity_1216 = ^{or_1210, or_1206, or_1202, or_1195, or_1191, or_1187, or_1180, or_1176, and_1172};
   // hls/stages/count_bits.hpp:25
-  logic or_1214;
-  assign or_1214 = (parity_1192 & parity_1207) | ((^{or_1174, or_1170, and_1166}) & (parity_1192 | parity_1207));
-  logic or_1218;
-  assign or_1218 = (or_1170 & or_1174) | (and_1166 & (or_1170 | or_1174));
-  logic or_1222;
-  assign or_1222 = (or_1185 & or_1189) | (or_1181 & (or_1185 | or_1189));
-  logic or_1226;
-  assign or_1226 = (or_1200 & or_1204) | (or_1196 & (or_1200 | or_1204));
+  logic or_1220;
+  assign or_1220 = (parity_1198 & parity_1213) | ((^{or_1180, or_1176, and_1172}) & (parity_1198 | parity_1213));
+  logic or_1224;
+  assign or_1224 = (or_1176 & or_1180) | (and_1172 & (or_1176 | or_1180));
+  logic or_1228;
+  assign or_1228 = (or_1191 & or_1195) | (or_1187 & (or_1191 | or_1195));
+  logic or_1232;
+  assign or_1232 = (or_1206 & or_1210) | (or_1202 & (or_1206 | or_1210));
   // hls/stages/count_bits.hpp:24
-  logic parity_1231;
-  assign parity_1231 = ^{or_1226, or_1222, or_1218, or_1214};
+  logic parity_1237;
+  assign parity_1237 = ^{or_1232, or_1228, or_1224, or_1220};
   // hls/stages/count_bits.hpp:25
-  logic or_1235;
-  assign or_1235 = (or_1222 & or_1226) | (or_1218 & (or_1222 | or_1226));
-  logic and_1236;
-  assign and_1236 = or_1214 & (^{or_1226, or_1222, or_1218});
+  logic or_1241;
+  assign or_1241 = (or_1228 & or_1232) | (or_1224 & (or_1228 | or_1232));
+  logic and_1242;
+  assign and_1242 = or_1220 & (^{or_1232, or_1228, or_1224});
   // hls/stages/count_bits.hpp:24
-  logic xor_1237;
-  assign xor_1237 = or_1235 ^ and_1236;
+  logic xor_1243;
+  assign xor_1243 = or_1241 ^ and_1242;
   // hls/stages/count_bits.hpp:27
-  logic and_1238;
-  assign and_1238 = or_1235 & and_1236;
+  logic and_1244;
+  assign and_1244 = or_1241 & and_1242;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1239;
-  assign select_1239 = equal_586_s1_q ? {and_1238, xor_1237, parity_1231, parity_1210, xor_1165, xor_1070} : 6'h0;
+  logic [5:0] select_1245;
+  assign select_1245 = equal_588_s1_q ? {and_1244, xor_1243, parity_1237, parity_1216, xor_1171, xor_1076} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_572_s1_q ? 6'h0 : select_1239;
-  // hls/stages/agreement.hpp:778
-  logic [5:0] select_1241;
-  assign select_1241 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1242;
-  assign difference_1242 = {1'b0, column_2} - {1'b0, select_1241};
-  logic [7:0] sum_1244;
-  assign sum_1244 = {difference_1242[6], difference_1242} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
+  assign column_2 = or_574_s1_q ? 6'h0 : select_1245;
+  // hls/stages/agreement.hpp:785
+  logic [5:0] select_1247;
+  assign select_1247 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1248;
+  assign difference_1248 = {1'b0, column_2} - {1'b0, select_1247};
+  logic [7:0] sum_1250;
+  assign sum_1250 = {difference_1248[6], difference_1248} + (age_s1_q[0] ? sums_0_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:221
-  logic and_1245;
-  assign and_1245 = right_codes_rdata_q[27] & not_576_s1_q;
-  logic [11:0] select_1246;
-  assign select_1246 = less_575_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1250;
-  assign select_1250 = and_755 ? (and_1245 ? (~(select_757 ^ select_1246)) : 12'h0) : 12'h0;
+  logic and_1251;
+  assign and_1251 = right_codes_rdata_q[27] & not_578_s1_q;
+  logic [11:0] select_1252;
+  assign select_1252 = less_577_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1256;
+  assign select_1256 = and_761 ? (and_1251 ? (~(select_763 ^ select_1252)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1256;
-  assign parity_1256 = ^select_1250[5:3];
-  logic parity_1259;
-  assign parity_1259 = ^select_1250[8:6];
   logic parity_1262;
-  assign parity_1262 = ^select_1250[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1269;
-  assign select_1269 = and_778 ? (and_756 ? (~(select_780 ^ select_758)) : 12'h0) : 12'h0;
+  assign parity_1262 = ^select_1256[5:3];
+  logic parity_1265;
+  assign parity_1265 = ^select_1256[8:6];
+  logic parity_1268;
+  assign parity_1268 = ^select_1256[11:3];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1275;
+  assign select_1275 = and_784 ? (and_762 ? (~(select_786 ^ select_764)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1272;
-  assign parity_1272 = ^select_1269[8:6];
-  logic parity_1275;
-  assign parity_1275 = ^select_1269[11:9];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1282;
-  assign select_1282 = and_795 ? (and_779 ? (~(select_797 ^ select_781)) : 12'h0) : 12'h0;
+  logic parity_1278;
+  assign parity_1278 = ^select_1275[8:6];
+  logic parity_1281;
+  assign parity_1281 = ^select_1275[11:9];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1288;
+  assign select_1288 = and_801 ? (and_785 ? (~(select_803 ^ select_787)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1288;
-  assign parity_1288 = ^select_1282[2:0];
-  logic parity_1291;
-  assign parity_1291 = ^select_1282[5:3];
   logic parity_1294;
-  assign parity_1294 = ^select_1282[8:0];
+  assign parity_1294 = ^select_1288[2:0];
+  logic parity_1297;
+  assign parity_1297 = ^select_1288[5:3];
   logic parity_1300;
-  assign parity_1300 = ^select_1282[11:9];
-  logic parity_1303;
-  assign parity_1303 = ^select_1269[2:0];
+  assign parity_1300 = ^select_1288[8:0];
   logic parity_1306;
-  assign parity_1306 = ^{select_1282[11:9], select_1269[5:0]};
+  assign parity_1306 = ^select_1288[11:9];
   logic parity_1309;
-  assign parity_1309 = ^{select_1282, select_1269, select_1250[2:0]};
-  logic xor_1310;
-  assign xor_1310 = parity_1262 ^ parity_1309;
+  assign parity_1309 = ^select_1275[2:0];
+  logic parity_1312;
+  assign parity_1312 = ^{select_1288[11:9], select_1275[5:0]};
+  logic parity_1315;
+  assign parity_1315 = ^{select_1288, select_1275, select_1256[2:0]};
+  logic xor_1316;
+  assign xor_1316 = parity_1268 ^ parity_1315;
   // hls/stages/count_bits.hpp:23
-  logic or_1314;
-  assign or_1314 = (select_1250[1:0] == 2'h3) | (select_1250[2] & (select_1250[0] | select_1250[1]));
+  logic or_1320;
+  assign or_1320 = (select_1256[1:0] == 2'h3) | (select_1256[2] & (select_1256[0] | select_1256[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1318;
-  assign or_1318 = (select_1269[7:6] == 2'h3) | (select_1269[8] & (select_1269[6] | select_1269[7]));
-  logic or_1322;
-  assign or_1322 = (select_1269[10:9] == 2'h3) | (select_1269[11] & (select_1269[9] | select_1269[10]));
+  logic or_1324;
+  assign or_1324 = (select_1275[7:6] == 2'h3) | (select_1275[8] & (select_1275[6] | select_1275[7]));
+  logic or_1328;
+  assign or_1328 = (select_1275[10:9] == 2'h3) | (select_1275[11] & (select_1275[9] | select_1275[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1330;
-  assign or_1330 = (select_1282[7:6] == 2'h3) | (select_1282[8] & (~(select_1282[7:6] == 2'h0)));
+  logic or_1336;
+  assign or_1336 = (select_1288[7:6] == 2'h3) | (select_1288[8] & (~(select_1288[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1334;
-  assign or_1334 = (select_1282[1:0] == 2'h3) | (select_1282[2] & (select_1282[0] | select_1282[1]));
-  logic or_1338;
-  assign or_1338 = (select_1282[4:3] == 2'h3) | (select_1282[5] & (select_1282[3] | select_1282[4]));
+  logic or_1340;
+  assign or_1340 = (select_1288[1:0] == 2'h3) | (select_1288[2] & (select_1288[0] | select_1288[1]));
+  logic or_1344;
+  assign or_1344 = (select_1288[4:3] == 2'h3) | (select_1288[5] & (select_1288[3] | select_1288[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1341;
-  assign parity_1341 = ^{or_1338, or_1334, or_1330};
+  logic parity_1347;
+  assign parity_1347 = ^{or_1344, or_1340, or_1336};
   // hls/stages/count_bits.hpp:23
-  logic or_1345;
-  assign or_1345 = (select_1269[4:3] == 2'h3) | (select_1269[5] & (select_1269[3] | select_1269[4]));
+  logic or_1351;
+  assign or_1351 = (select_1275[4:3] == 2'h3) | (select_1275[5] & (select_1275[3] | select_1275[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1349;
-  assign or_1349 = (select_1282[10:9] == 2'h3) | (select_1282[11] & (select_1282[9] | select_1282[10]));
-  logic or_1353;
-  assign or_1353 = (select_1269[1:0] == 2'h3) | (select_1269[2] & (select_1269[0] | select_1269[1]));
+  logic or_1355;
+  assign or_1355 = (select_1288[10:9] == 2'h3) | (select_1288[11] & (select_1288[9] | select_1288[10]));
+  logic or_1359;
+  assign or_1359 = (select_1275[1:0] == 2'h3) | (select_1275[2] & (select_1275[0] | select_1275[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1356;
-  assign parity_1356 = ^{or_1353, or_1349, or_1345};
-  logic parity_1359;
-  assign parity_1359 = ^{or_1353, or_1349, or_1345, or_1338, or_1334, or_1330, or_1322, or_1318, or_1314};
+  logic parity_1362;
+  assign parity_1362 = ^{or_1359, or_1355, or_1351};
+  logic parity_1365;
+  assign parity_1365 = ^{or_1359, or_1355, or_1351, or_1344, or_1340, or_1336, or_1328, or_1324, or_1320};
   // hls/stages/count_bits.hpp:25
-  logic and_1360;
-  assign and_1360 = parity_1262 & parity_1309;
-  logic or_1364;
-  assign or_1364 = (parity_1256 & parity_1259) | ((^select_1250[11:9]) & (parity_1256 | parity_1259));
-  logic and_1367;
-  assign and_1367 = (^{select_1269[11:6], select_1250[2:0]}) & (parity_1294 | parity_1306);
-  logic or_1368;
-  assign or_1368 = (parity_1294 & parity_1306) | and_1367;
+  logic and_1366;
+  assign and_1366 = parity_1268 & parity_1315;
+  logic or_1370;
+  assign or_1370 = (parity_1262 & parity_1265) | ((^select_1256[11:9]) & (parity_1262 | parity_1265));
+  logic and_1373;
+  assign and_1373 = (^{select_1275[11:6], select_1256[2:0]}) & (parity_1300 | parity_1312);
+  logic or_1374;
+  assign or_1374 = (parity_1300 & parity_1312) | and_1373;
   // hls/stages/count_bits.hpp:23
-  logic or_1375;
-  assign or_1375 = (select_1250[10:9] == 2'h3) | (select_1250[11] & (select_1250[9] | select_1250[10]));
+  logic or_1381;
+  assign or_1381 = (select_1256[10:9] == 2'h3) | (select_1256[11] & (select_1256[9] | select_1256[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1379;
-  assign or_1379 = (select_1250[4:3] == 2'h3) | (select_1250[5] & (select_1250[3] | select_1250[4]));
-  logic or_1383;
-  assign or_1383 = (select_1250[7:6] == 2'h3) | (select_1250[8] & (select_1250[6] | select_1250[7]));
+  logic or_1385;
+  assign or_1385 = (select_1256[4:3] == 2'h3) | (select_1256[5] & (select_1256[3] | select_1256[4]));
+  logic or_1389;
+  assign or_1389 = (select_1256[7:6] == 2'h3) | (select_1256[8] & (select_1256[6] | select_1256[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1386;
-  assign parity_1386 = ^{or_1383, or_1379, or_1375};
+  logic parity_1392;
+  assign parity_1392 = ^{or_1389, or_1385, or_1381};
   // hls/stages/count_bits.hpp:25
-  logic or_1390;
-  assign or_1390 = (parity_1272 & parity_1275) | ((^select_1250[2:0]) & (parity_1272 | parity_1275));
-  logic or_1394;
-  assign or_1394 = (parity_1288 & parity_1291) | ((^select_1282[8:6]) & (parity_1288 | parity_1291));
-  logic or_1398;
-  assign or_1398 = (parity_1300 & parity_1303) | ((^select_1269[5:3]) & (parity_1300 | parity_1303));
+  logic or_1396;
+  assign or_1396 = (parity_1278 & parity_1281) | ((^select_1256[2:0]) & (parity_1278 | parity_1281));
+  logic or_1400;
+  assign or_1400 = (parity_1294 & parity_1297) | ((^select_1288[8:6]) & (parity_1294 | parity_1297));
+  logic or_1404;
+  assign or_1404 = (parity_1306 & parity_1309) | ((^select_1275[5:3]) & (parity_1306 | parity_1309));
   // hls/stages/count_bits.hpp:24
-  logic parity_1401;
-  assign parity_1401 = ^{or_1398, or_1394, or_1390};
-  logic parity_1404;
-  assign parity_1404 = ^{or_1398, or_1394, or_1390, or_1383, or_1379, or_1375, or_1368, or_1364, and_1360};
-  logic xor_1405;
-  assign xor_1405 = parity_1359 ^ parity_1404;
+  logic parity_1407;
+  assign parity_1407 = ^{or_1404, or_1400, or_1396};
+  logic parity_1410;
+  assign parity_1410 = ^{or_1404, or_1400, or_1396, or_1389, or_1385, or_1381, or_1374, or_1370, and_1366};
+  logic xor_1411;
+  assign xor_1411 = parity_1365 ^ parity_1410;
   // hls/stages/count_bits.hpp:25
-  logic and_1406;
-  assign and_1406 = parity_1359 & parity_1404;
-  logic or_1410;
-  assign or_1410 = (parity_1341 & parity_1356) | ((^{or_1322, or_1318, or_1314}) & (parity_1341 | parity_1356));
-  logic or_1414;
-  assign or_1414 = (parity_1386 & parity_1401) | ((^{or_1368, or_1364, and_1360}) & (parity_1386 | parity_1401));
-  logic or_1421;
-  assign or_1421 = (or_1318 & or_1322) | (or_1314 & (or_1318 | or_1322));
-  logic or_1425;
-  assign or_1425 = (or_1334 & or_1338) | (or_1330 & (or_1334 | or_1338));
-  logic or_1429;
-  assign or_1429 = (or_1349 & or_1353) | (or_1345 & (or_1349 | or_1353));
+  logic and_1412;
+  assign and_1412 = parity_1365 & parity_1410;
+  logic or_1416;
+  assign or_1416 = (parity_1347 & parity_1362) | ((^{or_1328, or_1324, or_1320}) & (parity_1347 | parity_1362));
+  logic or_1420;
+  assign or_1420 = (parity_1392 & parity_1407) | ((^{or_1374, or_1370, and_1366}) & (parity_1392 | parity_1407));
+  logic or_1427;
+  assign or_1427 = (or_1324 & or_1328) | (or_1320 & (or_1324 | or_1328));
+  logic or_1431;
+  assign or_1431 = (or_1340 & or_1344) | (or_1336 & (or_1340 | or_1344));
+  logic or_1435;
+  assign or_1435 = (or_1355 & or_1359) | (or_1351 & (or_1355 | or_1359));
   // hls/stages/count_bits.hpp:24
-  logic parity_1432;
-  assign parity_1432 = ^{or_1429, or_1425, or_1421};
+  logic parity_1438;
+  assign parity_1438 = ^{or_1435, or_1431, or_1427};
   // hls/stages/count_bits.hpp:25
-  logic or_1436;
-  assign or_1436 = (or_1364 & or_1368) | (and_1360 & (or_1364 | or_1368));
-  logic or_1440;
-  assign or_1440 = (or_1379 & or_1383) | (or_1375 & (or_1379 | or_1383));
-  logic or_1444;
-  assign or_1444 = (or_1394 & or_1398) | (or_1390 & (or_1394 | or_1398));
+  logic or_1442;
+  assign or_1442 = (or_1370 & or_1374) | (and_1366 & (or_1370 | or_1374));
+  logic or_1446;
+  assign or_1446 = (or_1385 & or_1389) | (or_1381 & (or_1385 | or_1389));
+  logic or_1450;
+  assign or_1450 = (or_1400 & or_1404) | (or_1396 & (or_1400 | or_1404));
   // hls/stages/count_bits.hpp:24
-  logic parity_1447;
-  assign parity_1447 = ^{or_1444, or_1440, or_1436};
-  logic parity_1450;
-  assign parity_1450 = ^{or_1444, or_1440, or_1436, or_1429, or_1425, or_1421, or_1414, or_1410, and_1406};
+  logic parity_1453;
+  assign parity_1453 = ^{or_1450, or_1446, or_1442};
+  logic parity_1456;
+  assign parity_1456 = ^{or_1450, or_1446, or_1442, or_1435, or_1431, or_1427, or_1420, or_1416, and_1412};
   // hls/stages/count_bits.hpp:25
-  logic or_1454;
-  assign or_1454 = (parity_1432 & parity_1447) | ((^{or_1414, or_1410, and_1406}) & (parity_1432 | parity_1447));
-  logic or_1458;
-  assign or_1458 = (or_1410 & or_1414) | (and_1406 & (or_1410 | or_1414));
-  logic or_1462;
-  assign or_1462 = (or_1425 & or_1429) | (or_1421 & (or_1425 | or_1429));
-  logic or_1466;
-  assign or_1466 = (or_1440 & or_1444) | (or_1436 & (or_1440 | or_1444));
+  logic or_1460;
+  assign or_1460 = (parity_1438 & parity_1453) | ((^{or_1420, or_1416, and_1412}) & (parity_1438 | parity_1453));
+  logic or_1464;
+  assign or_1464 = (or_1416 & or_1420) | (and_1412 & (or_1416 | or_1420));
+  logic or_1468;
+  assign or_1468 = (or_1431 & or_1435) | (or_1427 & (or_1431 | or_1435));
+  logic or_1472;
+  assign or_1472 = (or_1446 & or_1450) | (or_1442 & (or_1446 | or_1450));
   // hls/stages/count_bits.hpp:24
-  logic parity_1471;
-  assign parity_1471 = ^{or_1466, or_1462, or_1458, or_1454};
+  logic parity_1477;
+  assign parity_1477 = ^{or_1472, or_1468, or_1464, or_1460};
   // hls/stages/count_bits.hpp:25
-  logic or_1475;
-  assign or_1475 = (or_1462 & or_1466) | (or_1458 & (or_1462 | or_1466));
-  logic and_1476;
-  assign and_1476 = or_1454 & (^{or_1466, or_1462, or_1458});
+  logic or_1481;
+  assign or_1481 = (or_1468 & or_1472) | (or_1464 & (or_1468 | or_1472));
+  logic and_1482;
+  assign and_1482 = or_1460 & (^{or_1472, or_1468, or_1464});
   // hls/stages/count_bits.hpp:24
-  logic xor_1477;
-  assign xor_1477 = or_1475 ^ and_1476;
+  logic xor_1483;
+  assign xor_1483 = or_1481 ^ and_1482;
   // hls/stages/count_bits.hpp:27
-  logic and_1478;
-  assign and_1478 = or_1475 & and_1476;
+  logic and_1484;
+  assign and_1484 = or_1481 & and_1482;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1479;
-  assign select_1479 = equal_586_s1_q ? {and_1478, xor_1477, parity_1471, parity_1450, xor_1405, xor_1310} : 6'h0;
+  logic [5:0] select_1485;
+  assign select_1485 = equal_588_s1_q ? {and_1484, xor_1483, parity_1477, parity_1456, xor_1411, xor_1316} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_572_s1_q ? 6'h0 : select_1479;
-  // hls/stages/agreement.hpp:778
-  logic [5:0] select_1481;
-  assign select_1481 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1482;
-  assign difference_1482 = {1'b0, column_3} - {1'b0, select_1481};
-  logic [7:0] sum_1484;
-  assign sum_1484 = {difference_1482[6], difference_1482} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1492;
-  assign select_1492 = and_755 ? (and_796 ? (~(select_757 ^ select_798)) : 12'h0) : 12'h0;
+  assign column_3 = or_574_s1_q ? 6'h0 : select_1485;
+  // hls/stages/agreement.hpp:785
+  logic [5:0] select_1487;
+  assign select_1487 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1488;
+  assign difference_1488 = {1'b0, column_3} - {1'b0, select_1487};
+  logic [7:0] sum_1490;
+  assign sum_1490 = {difference_1488[6], difference_1488} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1498;
+  assign select_1498 = and_761 ? (and_802 ? (~(select_763 ^ select_804)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1498;
-  assign parity_1498 = ^select_1492[5:3];
-  logic parity_1501;
-  assign parity_1501 = ^select_1492[8:6];
   logic parity_1504;
-  assign parity_1504 = ^select_1492[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1511;
-  assign select_1511 = and_778 ? (and_1037 ? (~(select_780 ^ select_1038)) : 12'h0) : 12'h0;
+  assign parity_1504 = ^select_1498[5:3];
+  logic parity_1507;
+  assign parity_1507 = ^select_1498[8:6];
+  logic parity_1510;
+  assign parity_1510 = ^select_1498[11:3];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1517;
+  assign select_1517 = and_784 ? (and_1043 ? (~(select_786 ^ select_1044)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1514;
-  assign parity_1514 = ^select_1511[8:6];
-  logic parity_1517;
-  assign parity_1517 = ^select_1511[11:9];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] xor_1523;
-  assign xor_1523 = select_797 ^ (less_575_s1_q ? 12'h0 : right_codes_rdata_q[97:86]);
-  logic [11:0] select_1526;
-  assign select_1526 = and_795 ? ((right_codes_rdata_q[98] & not_576_s1_q) ? (~xor_1523) : 12'h0) : 12'h0;
+  logic parity_1520;
+  assign parity_1520 = ^select_1517[8:6];
+  logic parity_1523;
+  assign parity_1523 = ^select_1517[11:9];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] xor_1529;
+  assign xor_1529 = select_803 ^ (less_577_s1_q ? 12'h0 : right_codes_rdata_q[97:86]);
+  logic [11:0] select_1532;
+  assign select_1532 = and_801 ? ((right_codes_rdata_q[98] & not_578_s1_q) ? (~xor_1529) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1532;
-  assign parity_1532 = ^select_1526[2:0];
-  logic parity_1535;
-  assign parity_1535 = ^select_1526[5:3];
   logic parity_1538;
-  assign parity_1538 = ^select_1526[8:0];
+  assign parity_1538 = ^select_1532[2:0];
+  logic parity_1541;
+  assign parity_1541 = ^select_1532[5:3];
   logic parity_1544;
-  assign parity_1544 = ^select_1526[11:9];
-  logic parity_1547;
-  assign parity_1547 = ^select_1511[2:0];
+  assign parity_1544 = ^select_1532[8:0];
   logic parity_1550;
-  assign parity_1550 = ^{select_1526[11:9], select_1511[5:0]};
+  assign parity_1550 = ^select_1532[11:9];
   logic parity_1553;
-  assign parity_1553 = ^{select_1526, select_1511, select_1492[2:0]};
-  logic xor_1554;
-  assign xor_1554 = parity_1504 ^ parity_1553;
+  assign parity_1553 = ^select_1517[2:0];
+  logic parity_1556;
+  assign parity_1556 = ^{select_1532[11:9], select_1517[5:0]};
+  logic parity_1559;
+  assign parity_1559 = ^{select_1532, select_1517, select_1498[2:0]};
+  logic xor_1560;
+  assign xor_1560 = parity_1510 ^ parity_1559;
   // hls/stages/count_bits.hpp:23
-  logic or_1558;
-  assign or_1558 = (select_1492[1:0] == 2'h3) | (select_1492[2] & (select_1492[0] | select_1492[1]));
+  logic or_1564;
+  assign or_1564 = (select_1498[1:0] == 2'h3) | (select_1498[2] & (select_1498[0] | select_1498[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1562;
-  assign or_1562 = (select_1511[7:6] == 2'h3) | (select_1511[8] & (select_1511[6] | select_1511[7]));
-  logic or_1566;
-  assign or_1566 = (select_1511[10:9] == 2'h3) | (select_1511[11] & (select_1511[9] | select_1511[10]));
+  logic or_1568;
+  assign or_1568 = (select_1517[7:6] == 2'h3) | (select_1517[8] & (select_1517[6] | select_1517[7]));
+  logic or_1572;
+  assign or_1572 = (select_1517[10:9] == 2'h3) | (select_1517[11] & (select_1517[9] | select_1517[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1574;
-  assign or_1574 = (select_1526[7:6] == 2'h3) | (select_1526[8] & (~(select_1526[7:6] == 2'h0)));
+  logic or_1580;
+  assign or_1580 = (select_1532[7:6] == 2'h3) | (select_1532[8] & (~(select_1532[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1578;
-  assign or_1578 = (select_1526[1:0] == 2'h3) | (select_1526[2] & (select_1526[0] | select_1526[1]));
-  logic or_1582;
-  assign or_1582 = (select_1526[4:3] == 2'h3) | (select_1526[5] & (select_1526[3] | select_1526[4]));
+  logic or_1584;
+  assign or_1584 = (select_1532[1:0] == 2'h3) | (select_1532[2] & (select_1532[0] | select_1532[1]));
+  logic or_1588;
+  assign or_1588 = (select_1532[4:3] == 2'h3) | (select_1532[5] & (select_1532[3] | select_1532[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1585;
-  assign parity_1585 = ^{or_1582, or_1578, or_1574};
+  logic parity_1591;
+  assign parity_1591 = ^{or_1588, or_1584, or_1580};
   // hls/stages/count_bits.hpp:23
-  logic or_1589;
-  assign or_1589 = (select_1511[4:3] == 2'h3) | (select_1511[5] & (select_1511[3] | select_1511[4]));
+  logic or_1595;
+  assign or_1595 = (select_1517[4:3] == 2'h3) | (select_1517[5] & (select_1517[3] | select_1517[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1593;
-  assign or_1593 = (select_1526[10:9] == 2'h3) | (select_1526[11] & (select_1526[9] | select_1526[10]));
-  logic or_1597;
-  assign or_1597 = (select_1511[1:0] == 2'h3) | (select_1511[2] & (select_1511[0] | select_1511[1]));
+  logic or_1599;
+  assign or_1599 = (select_1532[10:9] == 2'h3) | (select_1532[11] & (select_1532[9] | select_1532[10]));
+  logic or_1603;
+  assign or_1603 = (select_1517[1:0] == 2'h3) | (select_1517[2] & (select_1517[0] | select_1517[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1600;
-  assign parity_1600 = ^{or_1597, or_1593, or_1589};
-  logic parity_1603;
-  assign parity_1603 = ^{or_1597, or_1593, or_1589, or_1582, or_1578, or_1574, or_1566, or_1562, or_1558};
+  logic parity_1606;
+  assign parity_1606 = ^{or_1603, or_1599, or_1595};
+  logic parity_1609;
+  assign parity_1609 = ^{or_1603, or_1599, or_1595, or_1588, or_1584, or_1580, or_1572, or_1568, or_1564};
   // hls/stages/count_bits.hpp:25
-  logic and_1604;
-  assign and_1604 = parity_1504 & parity_1553;
-  logic or_1608;
-  assign or_1608 = (parity_1498 & parity_1501) | ((^select_1492[11:9]) & (parity_1498 | parity_1501));
-  logic and_1611;
-  assign and_1611 = (^{select_1511[11:6], select_1492[2:0]}) & (parity_1538 | parity_1550);
-  logic or_1612;
-  assign or_1612 = (parity_1538 & parity_1550) | and_1611;
+  logic and_1610;
+  assign and_1610 = parity_1510 & parity_1559;
+  logic or_1614;
+  assign or_1614 = (parity_1504 & parity_1507) | ((^select_1498[11:9]) & (parity_1504 | parity_1507));
+  logic and_1617;
+  assign and_1617 = (^{select_1517[11:6], select_1498[2:0]}) & (parity_1544 | parity_1556);
+  logic or_1618;
+  assign or_1618 = (parity_1544 & parity_1556) | and_1617;
   // hls/stages/count_bits.hpp:23
-  logic or_1619;
-  assign or_1619 = (select_1492[10:9] == 2'h3) | (select_1492[11] & (select_1492[9] | select_1492[10]));
+  logic or_1625;
+  assign or_1625 = (select_1498[10:9] == 2'h3) | (select_1498[11] & (select_1498[9] | select_1498[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1623;
-  assign or_1623 = (select_1492[4:3] == 2'h3) | (select_1492[5] & (select_1492[3] | select_1492[4]));
-  logic or_1627;
-  assign or_1627 = (select_1492[7:6] == 2'h3) | (select_1492[8] & (select_1492[6] | select_1492[7]));
+  logic or_1629;
+  assign or_1629 = (select_1498[4:3] == 2'h3) | (select_1498[5] & (select_1498[3] | select_1498[4]));
+  logic or_1633;
+  assign or_1633 = (select_1498[7:6] == 2'h3) | (select_1498[8] & (select_1498[6] | select_1498[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1630;
-  assign parity_1630 = ^{or_1627, or_1623, or_1619};
+  logic parity_1636;
+  assign parity_1636 = ^{or_1633, or_1629, or_1625};
   // hls/stages/count_bits.hpp:25
-  logic or_1634;
-  assign or_1634 = (parity_1514 & parity_1517) | ((^select_1492[2:0]) & (parity_1514 | parity_1517));
-  logic or_1638;
-  assign or_1638 = (parity_1532 & parity_1535) | ((^select_1526[8:6]) & (parity_1532 | parity_1535));
-  logic or_1642;
-  assign or_1642 = (parity_1544 & parity_1547) | ((^select_1511[5:3]) & (parity_1544 | parity_1547));
+  logic or_1640;
+  assign or_1640 = (parity_1520 & parity_1523) | ((^select_1498[2:0]) & (parity_1520 | parity_1523));
+  logic or_1644;
+  assign or_1644 = (parity_1538 & parity_1541) | ((^select_1532[8:6]) & (parity_1538 | parity_1541));
+  logic or_1648;
+  assign or_1648 = (parity_1550 & parity_1553) | ((^select_1517[5:3]) & (parity_1550 | parity_1553));
   // hls/stages/count_bits.hpp:24
-  logic parity_1645;
-  assign parity_1645 = ^{or_1642, or_1638, or_1634};
-  logic parity_1648;
-  assign parity_1648 = ^{or_1642, or_1638, or_1634, or_1627, or_1623, or_1619, or_1612, or_1608, and_1604};
-  logic xor_1649;
-  assign xor_1649 = parity_1603 ^ parity_1648;
+  logic parity_1651;
+  assign parity_1651 = ^{or_1648, or_1644, or_1640};
+  logic parity_1654;
+  assign parity_1654 = ^{or_1648, or_1644, or_1640, or_1633, or_1629, or_1625, or_1618, or_1614, and_1610};
+  logic xor_1655;
+  assign xor_1655 = parity_1609 ^ parity_1654;
   // hls/stages/count_bits.hpp:25
-  logic and_1650;
-  assign and_1650 = parity_1603 & parity_1648;
-  logic or_1654;
-  assign or_1654 = (parity_1585 & parity_1600) | ((^{or_1566, or_1562, or_1558}) & (parity_1585 | parity_1600));
-  logic or_1658;
-  assign or_1658 = (parity_1630 & parity_1645) | ((^{or_1612, or_1608, and_1604}) & (parity_1630 | parity_1645));
-  logic or_1665;
-  assign or_1665 = (or_1562 & or_1566) | (or_1558 & (or_1562 | or_1566));
-  logic or_1669;
-  assign or_1669 = (or_1578 & or_1582) | (or_1574 & (or_1578 | or_1582));
-  logic or_1673;
-  assign or_1673 = (or_1593 & or_1597) | (or_1589 & (or_1593 | or_1597));
+  logic and_1656;
+  assign and_1656 = parity_1609 & parity_1654;
+  logic or_1660;
+  assign or_1660 = (parity_1591 & parity_1606) | ((^{or_1572, or_1568, or_1564}) & (parity_1591 | parity_1606));
+  logic or_1664;
+  assign or_1664 = (parity_1636 & parity_1651) | ((^{or_1618, or_1614, and_1610}) & (parity_1636 | parity_1651));
+  logic or_1671;
+  assign or_1671 = (or_1568 & or_1572) | (or_1564 & (or_1568 | or_1572));
+  logic or_1675;
+  assign or_1675 = (or_1584 & or_1588) | (or_1580 & (or_1584 | or_1588));
+  logic or_1679;
+  assign or_1679 = (or_1599 & or_1603) | (or_1595 & (or_1599 | or_1603));
   // hls/stages/count_bits.hpp:24
-  logic parity_1676;
-  assign parity_1676 = ^{or_1673, or_1669, or_1665};
+  logic parity_1682;
+  assign parity_1682 = ^{or_1679, or_1675, or_1671};
   // hls/stages/count_bits.hpp:25
-  logic or_1680;
-  assign or_1680 = (or_1608 & or_1612) | (and_1604 & (or_1608 | or_1612));
-  logic or_1684;
-  assign or_1684 = (or_1623 & or_1627) | (or_1619 & (or_1623 | or_1627));
-  logic or_1688;
-  assign or_1688 = (or_1638 & or_1642) | (or_1634 & (or_1638 | or_1642));
+  logic or_1686;
+  assign or_1686 = (or_1614 & or_1618) | (and_1610 & (or_1614 | or_1618));
+  logic or_1690;
+  assign or_1690 = (or_1629 & or_1633) | (or_1625 & (or_1629 | or_1633));
+  logic or_1694;
+  assign or_1694 = (or_1644 & or_1648) | (or_1640 & (or_1644 | or_1648));
   // hls/stages/count_bits.hpp:24
-  logic parity_1691;
-  assign parity_1691 = ^{or_1688, or_1684, or_1680};
-  logic parity_1694;
-  assign parity_1694 = ^{or_1688, or_1684, or_1680, or_1673, or_1669, or_1665, or_1658, or_1654, and_1650};
+  logic parity_1697;
+  assign parity_1697 = ^{or_1694, or_1690, or_1686};
+  logic parity_1700;
+  assign parity_1700 = ^{or_1694, or_1690, or_1686, or_1679, or_1675, or_1671, or_1664, or_1660, and_1656};
   // hls/stages/count_bits.hpp:25
-  logic or_1698;
-  assign or_1698 = (parity_1676 & parity_1691) | ((^{or_1658, or_1654, and_1650}) & (parity_1676 | parity_1691));
-  logic or_1702;
-  assign or_1702 = (or_1654 & or_1658) | (and_1650 & (or_1654 | or_1658));
-  logic or_1706;
-  assign or_1706 = (or_1669 & or_1673) | (or_1665 & (or_1669 | or_1673));
-  logic or_1710;
-  assign or_1710 = (or_1684 & or_1688) | (or_1680 & (or_1684 | or_1688));
+  logic or_1704;
+  assign or_1704 = (parity_1682 & parity_1697) | ((^{or_1664, or_1660, and_1656}) & (parity_1682 | parity_1697));
+  logic or_1708;
+  assign or_1708 = (or_1660 & or_1664) | (and_1656 & (or_1660 | or_1664));
+  logic or_1712;
+  assign or_1712 = (or_1675 & or_1679) | (or_1671 & (or_1675 | or_1679));
+  logic or_1716;
+  assign or_1716 = (or_1690 & or_1694) | (or_1686 & (or_1690 | or_1694));
   // hls/stages/count_bits.hpp:24
-  logic parity_1715;
-  assign parity_1715 = ^{or_1710, or_1706, or_1702, or_1698};
+  logic parity_1721;
+  assign parity_1721 = ^{or_1716, or_1712, or_1708, or_1704};
   // hls/stages/count_bits.hpp:25
-  logic or_1719;
-  assign or_1719 = (or_1706 & or_1710) | (or_1702 & (or_1706 | or_1710));
-  logic and_1720;
-  assign and_1720 = or_1698 & (^{or_1710, or_1706, or_1702});
+  logic or_1725;
+  assign or_1725 = (or_1712 & or_1716) | (or_1708 & (or_1712 | or_1716));
+  logic and_1726;
+  assign and_1726 = or_1704 & (^{or_1716, or_1712, or_1708});
   // hls/stages/count_bits.hpp:24
-  logic xor_1721;
-  assign xor_1721 = or_1719 ^ and_1720;
+  logic xor_1727;
+  assign xor_1727 = or_1725 ^ and_1726;
   // hls/stages/count_bits.hpp:27
-  logic and_1722;
-  assign and_1722 = or_1719 & and_1720;
+  logic and_1728;
+  assign and_1728 = or_1725 & and_1726;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1723;
-  assign select_1723 = equal_586_s1_q ? {and_1722, xor_1721, parity_1715, parity_1694, xor_1649, xor_1554} : 6'h0;
+  logic [5:0] select_1729;
+  assign select_1729 = equal_588_s1_q ? {and_1728, xor_1727, parity_1721, parity_1700, xor_1655, xor_1560} : 6'h0;
   logic [5:0] column_4;
-  assign column_4 = or_572_s1_q ? 6'h0 : select_1723;
-  // hls/stages/agreement.hpp:778
-  logic [5:0] select_1725;
-  assign select_1725 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1726;
-  assign difference_1726 = {1'b0, column_4} - {1'b0, select_1725};
-  logic [7:0] sum_1728;
-  assign sum_1728 = {difference_1726[6], difference_1726} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:684
-  logic [11:0] not_1732;
-  assign not_1732 = ~(select_757 ^ (less_575_s1_q ? 12'h0 : right_codes_rdata_q[11:0]));
-  logic [11:0] select_1734;
-  assign select_1734 = and_755 ? ((right_codes_rdata_q[12] & not_576_s1_q) ? not_1732 : 12'h0) : 12'h0;
+  assign column_4 = or_574_s1_q ? 6'h0 : select_1729;
+  // hls/stages/agreement.hpp:785
+  logic [5:0] select_1731;
+  assign select_1731 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1732;
+  assign difference_1732 = {1'b0, column_4} - {1'b0, select_1731};
+  logic [7:0] sum_1734;
+  assign sum_1734 = {difference_1732[6], difference_1732} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:691
+  logic [11:0] not_1738;
+  assign not_1738 = ~(select_763 ^ (less_577_s1_q ? 12'h0 : right_codes_rdata_q[11:0]));
+  logic [11:0] select_1740;
+  assign select_1740 = and_761 ? ((right_codes_rdata_q[12] & not_578_s1_q) ? not_1738 : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1740;
-  assign parity_1740 = ^select_1734[5:3];
-  logic parity_1743;
-  assign parity_1743 = ^select_1734[8:6];
   logic parity_1746;
-  assign parity_1746 = ^select_1734[11:3];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1753;
-  assign select_1753 = and_778 ? (and_1245 ? (~(select_780 ^ select_1246)) : 12'h0) : 12'h0;
+  assign parity_1746 = ^select_1740[5:3];
+  logic parity_1749;
+  assign parity_1749 = ^select_1740[8:6];
+  logic parity_1752;
+  assign parity_1752 = ^select_1740[11:3];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1759;
+  assign select_1759 = and_784 ? (and_1251 ? (~(select_786 ^ select_1252)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1756;
-  assign parity_1756 = ^select_1753[8:6];
-  logic parity_1759;
-  assign parity_1759 = ^select_1753[11:9];
-  // hls/stages/agreement.hpp:684
-  logic [11:0] select_1766;
-  assign select_1766 = and_795 ? (and_756 ? (~(select_797 ^ select_758)) : 12'h0) : 12'h0;
+  logic parity_1762;
+  assign parity_1762 = ^select_1759[8:6];
+  logic parity_1765;
+  assign parity_1765 = ^select_1759[11:9];
+  // hls/stages/agreement.hpp:691
+  logic [11:0] select_1772;
+  assign select_1772 = and_801 ? (and_762 ? (~(select_803 ^ select_764)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1772;
-  assign parity_1772 = ^select_1766[2:0];
-  logic parity_1775;
-  assign parity_1775 = ^select_1766[5:3];
   logic parity_1778;
-  assign parity_1778 = ^select_1766[8:0];
+  assign parity_1778 = ^select_1772[2:0];
+  logic parity_1781;
+  assign parity_1781 = ^select_1772[5:3];
   logic parity_1784;
-  assign parity_1784 = ^select_1766[11:9];
-  logic parity_1787;
-  assign parity_1787 = ^select_1753[2:0];
+  assign parity_1784 = ^select_1772[8:0];
   logic parity_1790;
-  assign parity_1790 = ^{select_1766[11:9], select_1753[5:0]};
+  assign parity_1790 = ^select_1772[11:9];
   logic parity_1793;
-  assign parity_1793 = ^{select_1766, select_1753, select_1734[2:0]};
-  logic xor_1794;
-  assign xor_1794 = parity_1746 ^ parity_1793;
+  assign parity_1793 = ^select_1759[2:0];
+  logic parity_1796;
+  assign parity_1796 = ^{select_1772[11:9], select_1759[5:0]};
+  logic parity_1799;
+  assign parity_1799 = ^{select_1772, select_1759, select_1740[2:0]};
+  logic xor_1800;
+  assign xor_1800 = parity_1752 ^ parity_1799;
   // hls/stages/count_bits.hpp:23
-  logic or_1798;
-  assign or_1798 = (select_1734[1:0] == 2'h3) | (select_1734[2] & (select_1734[0] | select_1734[1]));
+  logic or_1804;
+  assign or_1804 = (select_1740[1:0] == 2'h3) | (select_1740[2] & (select_1740[0] | select_1740[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1802;
-  assign or_1802 = (select_1753[7:6] == 2'h3) | (select_1753[8] & (select_1753[6] | select_1753[7]));
-  logic or_1806;
-  assign or_1806 = (select_1753[10:9] == 2'h3) | (select_1753[11] & (select_1753[9] | select_1753[10]));
+  logic or_1808;
+  assign or_1808 = (select_1759[7:6] == 2'h3) | (select_1759[8] & (select_1759[6] | select_1759[7]));
+  logic or_1812;
+  assign or_1812 = (select_1759[10:9] == 2'h3) | (select_1759[11] & (select_1759[9] | select_1759[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1814;
-  assign or_1814 = (select_1766[7:6] == 2'h3) | (select_1766[8] & (~(select_1766[7:6] == 2'h0)));
+  logic or_1820;
+  assign or_1820 = (select_1772[7:6] == 2'h3) | (select_1772[8] & (~(select_1772[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1818;
-  assign or_1818 = (select_1766[1:0] == 2'h3) | (select_1766[2] & (select_1766[0] | select_1766[1]));
-  logic or_1822;
-  assign or_1822 = (select_1766[4:3] == 2'h3) | (select_1766[5] & (select_1766[3] | select_1766[4]));
+  logic or_1824;
+  assign or_1824 = (select_1772[1:0] == 2'h3) | (select_1772[2] & (select_1772[0] | select_1772[1]));
+  logic or_1828;
+  assign or_1828 = (select_1772[4:3] == 2'h3) | (select_1772[5] & (select_1772[3] | select_1772[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1825;
-  assign parity_1825 = ^{or_1822, or_1818, or_1814};
+  logic parity_1831;
+  assign parity_1831 = ^{or_1828, or_1824, or_1820};
   // hls/stages/count_bits.hpp:23
-  logic or_1829;
-  assign or_1829 = (select_1753[4:3] == 2'h3) | (select_1753[5] & (select_1753[3] | select_1753[4]));
+  logic or_1835;
+  assign or_1835 = (select_1759[4:3] == 2'h3) | (select_1759[5] & (select_1759[3] | select_1759[4]));
   // hls/stages/count_bits.hpp:25
-  logic or_1833;
-  assign or_1833 = (select_1766[10:9] == 2'h3) | (select_1766[11] & (select_1766[9] | select_1766[10]));
-  logic or_1837;
-  assign or_1837 = (select_1753[1:0] == 2'h3) | (select_1753[2] & (select_1753[0] | select_1753[1]));
+  logic or_1839;
+  assign or_1839 = (select_1772[10:9] == 2'h3) | (select_1772[11] & (select_1772[9] | select_1772[10]));
+  logic or_1843;
+  assign or_1843 = (select_1759[1:0] == 2'h3) | (select_1759[2] & (select_1759[0] | select_1759[1]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1840;
-  assign parity_1840 = ^{or_1837, or_1833, or_1829};
-  logic parity_1843;
-  assign parity_1843 = ^{or_1837, or_1833, or_1829, or_1822, or_1818, or_1814, or_1806, or_1802, or_1798};
+  logic parity_1846;
+  assign parity_1846 = ^{or_1843, or_1839, or_1835};
+  logic parity_1849;
+  assign parity_1849 = ^{or_1843, or_1839, or_1835, or_1828, or_1824, or_1820, or_1812, or_1808, or_1804};
   // hls/stages/count_bits.hpp:25
-  logic and_1844;
-  assign and_1844 = parity_1746 & parity_1793;
-  logic or_1848;
-  assign or_1848 = (parity_1740 & parity_1743) | ((^select_1734[11:9]) & (parity_1740 | parity_1743));
-  logic and_1851;
-  assign and_1851 = (^{select_1753[11:6], select_1734[2:0]}) & (parity_1778 | parity_1790);
-  logic or_1852;
-  assign or_1852 = (parity_1778 & parity_1790) | and_1851;
+  logic and_1850;
+  assign and_1850 = parity_1752 & parity_1799;
+  logic or_1854;
+  assign or_1854 = (parity_1746 & parity_1749) | ((^select_1740[11:9]) & (parity_1746 | parity_1749));
+  logic and_1857;
+  assign and_1857 = (^{select_1759[11:6], select_1740[2:0]}) & (parity_1784 | parity_1796);
+  logic or_1858;
+  assign or_1858 = (parity_1784 & parity_1796) | and_1857;
   // hls/stages/count_bits.hpp:23
-  logic or_1859;
-  assign or_1859 = (select_1734[10:9] == 2'h3) | (select_1734[11] & (select_1734[9] | select_1734[10]));
+  logic or_1865;
+  assign or_1865 = (select_1740[10:9] == 2'h3) | (select_1740[11] & (select_1740[9] | select_1740[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1863;
-  assign or_1863 = (select_1734[4:3] == 2'h3) | (select_1734[5] & (select_1734[3] | select_1734[4]));
-  logic or_1867;
-  assign or_1867 = (select_1734[7:6] == 2'h3) | (select_1734[8] & (select_1734[6] | select_1734[7]));
+  logic or_1869;
+  assign or_1869 = (select_1740[4:3] == 2'h3) | (select_1740[5] & (select_1740[3] | select_1740[4]));
+  logic or_1873;
+  assign or_1873 = (select_1740[7:6] == 2'h3) | (select_1740[8] & (select_1740[6] | select_1740[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1870;
-  assign parity_1870 = ^{or_1867, or_1863, or_1859};
+  logic parity_1876;
+  assign parity_1876 = ^{or_1873, or_1869, or_1865};
   // hls/stages/count_bits.hpp:25
-  logic or_1874;
-  assign or_1874 = (parity_1756 & parity_1759) | ((^select_1734[2:0]) & (parity_1756 | parity_1759));
-  logic or_1878;
-  assign or_1878 = (parity_1772 & parity_1775) | ((^select_1766[8:6]) & (parity_1772 | parity_1775));
-  logic or_1882;
-  assign or_1882 = (parity_1784 & parity_1787) | ((^select_1753[5:3]) & (parity_1784 | parity_1787));
+  logic or_1880;
+  assign or_1880 = (parity_1762 & parity_1765) | ((^select_1740[2:0]) & (parity_1762 | parity_1765));
+  logic or_1884;
+  assign or_1884 = (parity_1778 & parity_1781) | ((^select_1772[8:6]) & (parity_1778 | parity_1781));
+  logic or_1888;
+  assign or_1888 = (parity_1790 & parity_1793) | ((^select_1759[5:3]) & (parity_1790 | parity_1793));
   // hls/stages/count_bits.hpp:24
-  logic parity_1885;
-  assign parity_1885 = ^{or_1882, or_1878, or_1874};
-  logic parity_1888;
-  assign parity_1888 = ^{or_1882, or_1878, or_1874, or_1867, or_1863, or_1859, or_1852, or_1848, and_1844};
-  logic xor_1889;
-  assign xor_1889 = parity_1843 ^ parity_1888;
+  logic parity_1891;
+  assign parity_1891 = ^{or_1888, or_1884, or_1880};
+  logic parity_1894;
+  assign parity_1894 = ^{or_1888, or_1884, or_1880, or_1873, or_1869, or_1865, or_1858, or_1854, and_1850};
+  logic xor_1895;
+  assign xor_1895 = parity_1849 ^ parity_1894;
   // hls/stages/count_bits.hpp:25
-  logic and_1890;
-  assign and_1890 = parity_1843 & parity_1888;
-  logic or_1894;
-  assign or_1894 = (parity_1825 & parity_1840) | ((^{or_1806, or_1802, or_1798}) & (parity_1825 | parity_1840));
-  logic or_1898;
-  assign or_1898 = (parity_1870 & parity_1885) | ((^{or_1852, or_1848, and_1844}) & (parity_1870 | parity_1885));
-  logic or_1905;
-  assign or_1905 = (or_1802 & or_1806) | (or_1798 & (or_1802 | or_1806));
-  logic or_1909;
-  assign or_1909 = (or_1818 & or_1822) | (or_1814 & (or_1818 | or_1822));
-  logic or_1913;
-  assign or_1913 = (or_1833 & or_1837) | (or_1829 & (or_1833 | or_1837));
+  logic and_1896;
+  assign and_1896 = parity_1849 & parity_1894;
+  logic or_1900;
+  assign or_1900 = (parity_1831 & parity_1846) | ((^{or_1812, or_1808, or_1804}) & (parity_1831 | parity_1846));
+  logic or_1904;
+  assign or_1904 = (parity_1876 & parity_1891) | ((^{or_1858, or_1854, and_1850}) & (parity_1876 | parity_1891));
+  logic or_1911;
+  assign or_1911 = (or_1808 & or_1812) | (or_1804 & (or_1808 | or_1812));
+  logic or_1915;
+  assign or_1915 = (or_1824 & or_1828) | (or_1820 & (or_1824 | or_1828));
+  logic or_1919;
+  assign or_1919 = (or_1839 & or_1843) | (or_1835 & (or_1839 | or_1843));
   // hls/stages/count_bits.hpp:24
-  logic parity_1916;
-  assign parity_1916 = ^{or_1913, or_1909, or_1905};
+  logic parity_1922;
+  assign parity_1922 = ^{or_1919, or_1915, or_1911};
   // hls/stages/count_bits.hpp:25
-  logic or_1920;
-  assign or_1920 = (or_1848 & or_1852) | (and_1844 & (or_1848 | or_1852));
-  logic or_1924;
-  assign or_1924 = (or_1863 & or_1867) | (or_1859 & (or_1863 | or_1867));
-  logic or_1928;
-  assign or_1928 = (or_1878 & or_1882) | (or_1874 & (or_1878 | or_1882));
+  logic or_1926;
+  assign or_1926 = (or_1854 & or_1858) | (and_1850 & (or_1854 | or_1858));
+  logic or_1930;
+  assign or_1930 = (or_1869 & or_1873) | (or_1865 & (or_1869 | or_1873));
+  logic or_1934;
+  assign or_1934 = (or_1884 & or_1888) | (or_1880 & (or_1884 | or_1888));
   // hls/stages/count_bits.hpp:24
-  logic parity_1931;
-  assign parity_1931 = ^{or_1928, or_1924, or_1920};
-  logic parity_1934;
-  assign parity_1934 = ^{or_1928, or_1924, or_1920, or_1913, or_1909, or_1905, or_1898, or_1894, and_1890};
+  logic parity_1937;
+  assign parity_1937 = ^{or_1934, or_1930, or_1926};
+  logic parity_1940;
+  assign parity_1940 = ^{or_1934, or_1930, or_1926, or_1919, or_1915, or_1911, or_1904, or_1900, and_1896};
   // hls/stages/count_bits.hpp:25
-  logic or_1938;
-  assign or_1938 = (parity_1916 & parity_1931) | ((^{or_1898, or_1894, and_1890}) & (parity_1916 | parity_1931));
-  logic or_1942;
-  assign or_1942 = (or_1894 & or_1898) | (and_1890 & (or_1894 | or_1898));
-  logic or_1946;
-  assign or_1946 = (or_1909 & or_1913) | (or_1905 & (or_1909 | or_1913));
-  logic or_1950;
-  assign or_1950 = (or_1924 & or_1928) | (or_1920 & (or_1924 | or_1928));
+  logic or_1944;
+  assign or_1944 = (parity_1922 & parity_1937) | ((^{or_1904, or_1900, and_1896}) & (parity_1922 | parity_1937));
+  logic or_1948;
+  assign or_1948 = (or_1900 & or_1904) | (and_1896 & (or_1900 | or_1904));
+  logic or_1952;
+  assign or_1952 = (or_1915 & or_1919) | (or_1911 & (or_1915 | or_1919));
+  logic or_1956;
+  assign or_1956 = (or_1930 & or_1934) | (or_1926 & (or_1930 | or_1934));
   // hls/stages/count_bits.hpp:24
-  logic parity_1955;
-  assign parity_1955 = ^{or_1950, or_1946, or_1942, or_1938};
+  logic parity_1961;
+  assign parity_1961 = ^{or_1956, or_1952, or_1948, or_1944};
   // hls/stages/count_bits.hpp:25
-  logic or_1959;
-  assign or_1959 = (or_1946 & or_1950) | (or_1942 & (or_1946 | or_1950));
-  logic and_1960;
-  assign and_1960 = or_1938 & (^{or_1950, or_1946, or_1942});
+  logic or_1965;
+  assign or_1965 = (or_1952 & or_1956) | (or_1948 & (or_1952 | or_1956));
+  logic and_1966;
+  assign and_1966 = or_1944 & (^{or_1956, or_1952, or_1948});
   // hls/stages/count_bits.hpp:24
-  logic xor_1961;
-  assign xor_1961 = or_1959 ^ and_1960;
+  logic xor_1967;
+  assign xor_1967 = or_1965 ^ and_1966;
   // hls/stages/count_bits.hpp:27
-  logic and_1962;
-  assign and_1962 = or_1959 & and_1960;
+  logic and_1968;
+  assign and_1968 = or_1965 & and_1966;
   // hls/stages/agreement.hpp:149
-  logic [5:0] select_1963;
-  assign select_1963 = equal_586_s1_q ? {and_1962, xor_1961, parity_1955, parity_1934, xor_1889, xor_1794} : 6'h0;
+  logic [5:0] select_1969;
+  assign select_1969 = equal_588_s1_q ? {and_1968, xor_1967, parity_1961, parity_1940, xor_1895, xor_1800} : 6'h0;
   logic [5:0] column_5;
-  assign column_5 = or_572_s1_q ? 6'h0 : select_1963;
-  // hls/stages/agreement.hpp:778
-  logic [5:0] select_1965;
-  assign select_1965 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1966;
-  assign difference_1966 = {1'b0, column_5} - {1'b0, select_1965};
-  logic [7:0] sum_1968;
-  assign sum_1968 = {difference_1966[6], difference_1966} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:788
-  logic and_2039;
-  assign and_2039 = ends_cell_s1_q & inside_v;
-  logic and_2041;
-  assign and_2041 = not_568 & (so_s1_q & and_2039);
-  logic [6:0] select_2045;
-  assign select_2045 = so_s1_q ? x_s1_q[6:0] : (or_572_s1_q ? (less_575_s1_q ? 7'h0 : select_619) : 7'h0);
+  assign column_5 = or_574_s1_q ? 6'h0 : select_1969;
+  // hls/stages/agreement.hpp:785
+  logic [5:0] select_1971;
+  assign select_1971 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1972;
+  assign difference_1972 = {1'b0, column_5} - {1'b0, select_1971};
+  logic [7:0] sum_1974;
+  assign sum_1974 = {difference_1972[6], difference_1972} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
+  // hls/stages/agreement.hpp:795
+  logic and_2045;
+  assign and_2045 = ends_cell_s1_q & inside_v;
+  logic and_2047;
+  assign and_2047 = not_570 & (so_s1_q & and_2045);
+  logic [6:0] select_2051;
+  assign select_2051 = so_s1_q ? x_s1_q[6:0] : (or_574_s1_q ? (less_577_s1_q ? 7'h0 : select_622) : 7'h0);
   // hls/stages/agreement.hpp:247
-  logic or_2049;
-  assign or_2049 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  logic or_2055;
+  assign or_2055 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
   // hls/stages/agreement.hpp:149
-  logic and_2058;
-  assign and_2058 = or_572_s1_q & (slot_s1_q[2] & not_576_s1_q);
+  logic and_2064;
+  assign and_2064 = or_574_s1_q & (slot_s1_q[2] & not_578_s1_q);
   // hls/stages/registration.hpp:218
-  logic [16:0] select_2171;
-  assign select_2171 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_2177;
+  assign select_2177 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
-  assign change = ($signed(10'h0) < $signed(select_2171[16:7])) ? 8'h7f : select_2171[7:0];
+  assign change = ($signed(10'h0) < $signed(select_2177[16:7])) ? 8'h7f : select_2177[7:0];
   // hls/stages/patches.hpp:174
   logic [7:0] pixel;
-  assign pixel = equal_2248_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
+  assign pixel = equal_2254_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
-  assign pixel_2 = equal_2248_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
+  assign pixel_2 = equal_2254_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
   // hls/stages/patches.hpp:504
-  logic less_2335;
-  assign less_2335 = 5'he < patches_along_q;
+  logic less_2341;
+  assign less_2341 = 5'he < patches_along_q;
   // hls/stages/patches.hpp:505
-  logic or_2336;
-  assign or_2336 = equal_2247_s1_q | less_2335;
+  logic or_2342;
+  assign or_2342 = equal_2253_s1_q | less_2341;
   // hls/stages/patches.hpp:508
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
-  logic select_2341;
-  assign select_2341 = equal_2247_s1_q ? patches_column_s1_q[0] : (or_2336 ? (patches_along_q == 5'h10) : (~new_row));
-  logic not_2342;
-  assign not_2342 = ~or_2336;
+  logic select_2347;
+  assign select_2347 = equal_2253_s1_q ? patches_column_s1_q[0] : (or_2342 ? (patches_along_q == 5'h10) : (~new_row));
+  logic not_2348;
+  assign not_2348 = ~or_2342;
   // hls/stages/patches.hpp:505
-  logic [4:0] sum_2343;
-  assign sum_2343 = patches_down_by_q + {1'b0, patches_match_row_q};
+  logic [4:0] sum_2349;
+  assign sum_2349 = patches_down_by_q + {1'b0, patches_match_row_q};
   // hls/stages/patches.hpp:507
-  logic [4:0] select_2346;
-  assign select_2346 = or_2336 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_2343) + 5'h1) : sum_2343;
+  logic [4:0] select_2352;
+  assign select_2352 = or_2342 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_2349) + 5'h1) : sum_2349;
   // hls/stages/patches.hpp:509
-  logic [4:0] select_2347;
-  assign select_2347 = equal_2247_s1_q ? 5'h0 : select_2346;
-  logic or_2348;
-  assign or_2348 = equal_2247_s1_q | equal_2245_s1_q;
+  logic [4:0] select_2353;
+  assign select_2353 = equal_2253_s1_q ? 5'h0 : select_2352;
+  logic or_2354;
+  assign or_2354 = equal_2253_s1_q | equal_2251_s1_q;
   // hls/stages/patches.hpp:485
-  logic equal_2350;
-  assign equal_2350 = patches_column_s1_q == 5'h1f;
+  logic equal_2356;
+  assign equal_2356 = patches_column_s1_q == 5'h1f;
   logic of_row;
   assign of_row = patches_column_s1_q == 5'h11;
-  logic equal_2352;
-  assign equal_2352 = patches_column_s1_q == 5'h18;
+  logic equal_2358;
+  assign equal_2358 = patches_column_s1_q == 5'h18;
   // hls/stages/patches.hpp:487
-  logic and_2354;
-  assign and_2354 = of_row & (~equal_2352);
+  logic and_2360;
+  assign and_2360 = of_row & (~equal_2358);
   logic [1:0] of_row_2;
-  assign of_row_2 = equal_2350 ? 2'h3 : {equal_2352, and_2354};
+  assign of_row_2 = equal_2356 ? 2'h3 : {equal_2358, and_2360};
   // hls/stages/patches.hpp:473
-  logic [8:0] sum_2357;
-  assign sum_2357 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
-  logic [8:0] sum_2358;
-  assign sum_2358 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
+  logic [8:0] sum_2363;
+  assign sum_2363 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
+  logic [8:0] sum_2364;
+  assign sum_2364 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
   logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_2357, pixel_2[0]} - {1'b0, sum_2358, patches_columns_above_rdata_q[24]};
+  assign down_2 = {1'b0, sum_2363, pixel_2[0]} - {1'b0, sum_2364, patches_columns_above_rdata_q[24]};
   // hls/stages/patches.hpp:475
-  logic [11:0] sum_2360;
-  assign sum_2360 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_2361;
-  assign sum_2361 = {{4{down_2[10]}}, down_2[10:2]} + {sum_2360[11], sum_2360};
-  logic [13:0] sum_2362;
-  assign sum_2362 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_2361, down_2[1]};
-  logic [12:0] sum_2363;
-  assign sum_2363 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2362[13:1];
-  logic [14:0] sum_2364;
-  assign sum_2364 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2363, sum_2362[0], down_2[0]};
+  logic [11:0] sum_2366;
+  assign sum_2366 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_2367;
+  assign sum_2367 = {{4{down_2[10]}}, down_2[10:2]} + {sum_2366[11], sum_2366};
+  logic [13:0] sum_2368;
+  assign sum_2368 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_2367, down_2[1]};
+  logic [12:0] sum_2369;
+  assign sum_2369 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_2368[13:1];
+  logic [14:0] sum_2370;
+  assign sum_2370 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_2369, sum_2368[0], down_2[0]};
   // hls/stages/patches.hpp:457
-  logic or_2371;
-  assign or_2371 = (sum_2364[8] & (~(sum_2364[7:0] == 8'h0))) | (~(sum_2364[13:9] == 5'h0));
+  logic or_2377;
+  assign or_2377 = (sum_2370[8] & (~(sum_2370[7:0] == 8'h0))) | (~(sum_2370[13:9] == 5'h0));
   // hls/stages/patches.hpp:471
-  logic [8:0] sum_2376;
-  assign sum_2376 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
-  logic [9:0] sum_2377;
-  assign sum_2377 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_2376};
-  logic [10:0] sum_2378;
-  assign sum_2378 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2377, patches_columns_above_rdata_q[25]};
-  logic [9:0] sum_2379;
-  assign sum_2379 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2378[10:1];
+  logic [8:0] sum_2382;
+  assign sum_2382 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
+  logic [9:0] sum_2383;
+  assign sum_2383 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_2382};
+  logic [10:0] sum_2384;
+  assign sum_2384 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_2383, patches_columns_above_rdata_q[25]};
+  logic [9:0] sum_2385;
+  assign sum_2385 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_2384[10:1];
   // hls/stages/patches.hpp:472
   logic [11:0] smooth;
-  assign smooth = {sum_2379, sum_2378[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  assign smooth = {sum_2385, sum_2384[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
   // hls/stages/patches.hpp:474
-  logic [12:0] sum_2381;
-  assign sum_2381 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
-  logic [12:0] sum_2382;
-  assign sum_2382 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_2383;
-  assign difference_2383 = {1'b0, sum_2381, smooth[0]} - {1'b0, sum_2382, patches_smooth_values_3_q[0]};
+  logic [12:0] sum_2387;
+  assign sum_2387 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
+  logic [12:0] sum_2388;
+  assign sum_2388 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_2389;
+  assign difference_2389 = {1'b0, sum_2387, smooth[0]} - {1'b0, sum_2388, patches_smooth_values_3_q[0]};
   // hls/stages/patches.hpp:457
-  logic or_2390;
-  assign or_2390 = (difference_2383[8] & (~(difference_2383[7:0] == 8'h0))) | (~(difference_2383[13:9] == 5'h0));
+  logic or_2396;
+  assign or_2396 = (difference_2389[8] & (~(difference_2389[7:0] == 8'h0))) | (~(difference_2389[13:9] == 5'h0));
   // hls/stages/patches.hpp:486
-  logic or_2398;
-  assign or_2398 = (((patches_column_s1_q == 5'ha) | of_row) | equal_2352) | equal_2350;
+  logic or_2404;
+  assign or_2404 = (((patches_column_s1_q == 5'ha) | of_row) | equal_2358) | equal_2356;
   // hls/stages/patches.hpp:481
-  logic and_2403;
-  assign and_2403 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
+  logic and_2409;
+  assign and_2409 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
   // hls/stages/agreement.hpp:275
-  logic and_2407;
-  assign and_2407 = not_2246_s1_q & (or_2249_s1_q & (or_2398 & (equal_2248_s1_q & and_2403)));
+  logic and_2413;
+  assign and_2413 = not_2252_s1_q & (or_2255_s1_q & (or_2404 & (equal_2254_s1_q & and_2409)));
   // hls/stages/patches.hpp:174
-  logic and_2417;
-  assign and_2417 = (~(equal_2248_s1_q | (~and_2403))) & (~patches_column_s1_q[4]);
+  logic and_2423;
+  assign and_2423 = (~(equal_2254_s1_q | (~and_2409))) & (~patches_column_s1_q[4]);
   // hls/stages/agreement.hpp:275
-  logic and_2421;
-  assign and_2421 = not_2246_s1_q & (or_2249_s1_q & (and_2417 & (patches_column_s1_q == 5'hf)));
+  logic and_2427;
+  assign and_2427 = not_2252_s1_q & (or_2255_s1_q & (and_2423 & (patches_column_s1_q == 5'hf)));
   // hls/stages/patches.hpp:549
-  logic less_2423;
-  assign less_2423 = patches_step_q[4:0] < 5'h11;
-  logic equal_2424;
-  assign equal_2424 = patches_step_q[6:5] == 2'h2;
-  logic equal_2425;
-  assign equal_2425 = patches_step_q[6:5] == 2'h1;
-  logic or_2426;
-  assign or_2426 = equal_2424 | equal_2425;
+  logic less_2429;
+  assign less_2429 = patches_step_q[4:0] < 5'h11;
+  logic equal_2430;
+  assign equal_2430 = patches_step_q[6:5] == 2'h2;
+  logic equal_2431;
+  assign equal_2431 = patches_step_q[6:5] == 2'h1;
+  logic or_2432;
+  assign or_2432 = equal_2430 | equal_2431;
   // hls/stages/division.hpp:34
-  logic [5:0] sum_2450;
-  assign sum_2450 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:456
-  logic [5:0] or_2736;
-  assign or_2736 = last_s1_2_q[5:0] | row_s1_q;
+  logic [5:0] sum_2456;
+  assign sum_2456 = region_across_rest_q[8:3] + 6'h1;
+  // hls/stages/agreement.hpp:1283
+  logic or_2495;
+  assign or_2495 = sample_pair_first_q | line_ended_q;
+  // hls/stages/agreement.hpp:1285
+  logic [16:0] select_2497;
+  assign select_2497 = sample_pair_first_q ? 17'h1 : (or_2495 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:1284
+  logic [8:0] select_2499;
+  assign select_2499 = or_2495 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:1292
+  logic select_2501;
+  assign select_2501 = cfg_compete_i ? (or_2495 & select_2497[16]) : (select_2499[8] & select_2497[9]);
+  // hls/stages/agreement.hpp:440
+  logic next_row;
+  assign next_row = select_2501 & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1299
+  logic [6:0] select_2504;
+  assign select_2504 = next_row ? cfg_width_i[9:3] : 7'h0;
+  logic [12:0] select_2506;
+  assign select_2506 = sample_pair_first_q ? 13'h0 : (seen_base_q + {6'h0, select_2504});
+  // hls/stages/agreement.hpp:1310
+  logic equal_2507;
+  assign equal_2507 = seen_x_q == 3'h7;
+  // hls/stages/agreement.hpp:1283
+  logic select_2512;
+  assign select_2512 = sample_pair_first_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
+  // hls/stages/agreement.hpp:1282
+  logic not_2514;
+  assign not_2514 = ~sample_pair_first_q;
   // hls/stages/agreement.hpp:460
-  logic select_3020;
-  assign select_3020 = equal_2926_s1_q ? (~({row_s1_q, 1'b0} < {sum_3017, cfg_height_i[3]})) : lower_half_q;
-  // hls/stages/agreement.hpp:520
-  logic and_3264;
-  assign and_3264 = and_542_s1_q & (equal_2926_s1_q & (row_s1_q[5:2] == 4'h0));
+  logic [5:0] or_2745;
+  assign or_2745 = last_s1_2_q[5:0] | row_s1_q;
+  // hls/stages/agreement.hpp:464
+  logic select_3029;
+  assign select_3029 = equal_2935_s1_q ? (~({row_s1_q, 1'b0} < {sum_3026, cfg_height_i[3]})) : lower_half_q;
+  // hls/stages/agreement.hpp:471
+  logic and_3032;
+  assign and_3032 = proven_q & less_3031;
+  // hls/stages/agreement.hpp:527
+  logic select_3036;
+  assign select_3036 = and_544_s1_q ? (equal_2935_s1_q ? (and_3032 & (row_s1_q[5:1] == 5'h0)) : late_q) : late_q;
+  // hls/stages/agreement.hpp:472
+  logic equal_3037;
+  assign equal_3037 = row_s1_q[5:2] == 4'h0;
+  // hls/stages/agreement.hpp:473
+  logic and_3038;
+  assign and_3038 = and_3032 & equal_3037;
+  // hls/stages/agreement.hpp:527
+  logic select_3040;
+  assign select_3040 = and_544_s1_q ? (equal_2935_s1_q ? and_3038 : draws_late_q) : draws_late_q;
+  logic and_3283;
+  assign and_3283 = and_544_s1_q & (equal_2935_s1_q & equal_3037);
   // hls/stages/registration.hpp:128
-  logic and_3265;
-  assign and_3265 = and_2927_s1_q & and_3264;
+  logic and_3284;
+  assign and_3284 = and_2936_s1_q & and_3283;
   // hls/stages/registration.hpp:127
-  logic and_3267;
-  assign and_3267 = and_2927_s1_q & (~and_3264);
+  logic and_3286;
+  assign and_3286 = and_2936_s1_q & (~and_3283);
   // hls/stages/registration.hpp:129
-  logic [15:0] select_3268;
-  assign select_3268 = and_3267 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_3287;
+  assign select_3287 = and_3286 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_3270;
-  assign select_3270 = and_3265 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3268[15]}}, select_3268});
+  logic [23:0] select_3289;
+  assign select_3289 = and_3284 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_3287[15]}}, select_3287});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_3271;
-  assign select_3271 = and_3267 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_3290;
+  assign select_3290 = and_3286 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_3271[15]}}, select_3271};
+  assign both = registration_slope_change_q + {{12{select_3290[15]}}, select_3290};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_3273;
-  assign select_3273 = and_3265 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_3292;
+  assign select_3292 = and_3284 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:149
-  logic and_3274;
-  assign and_3274 = ends_cell_s1_q & so_s1_q;
+  logic and_3293;
+  assign and_3293 = ends_cell_s1_q & so_s1_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_7;
-  assign column_7 = registration_slope_q + (and_3274 ? registration_slope_change_q : 28'h0);
+  assign column_7 = registration_slope_q + (and_3293 ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:191
-  logic select_3519;
-  assign select_3519 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3538;
+  assign select_3538 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/agreement.hpp:275
-  logic [11:0] select_3522;
-  assign select_3522 = equal_2245_s1_q ? patches_smooth_values_0_q : (or_2249_s1_q ? smooth : patches_smooth_values_0_q);
-  logic [11:0] select_3524;
-  assign select_3524 = or_2249_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
-  logic [11:0] select_3526;
-  assign select_3526 = equal_2243_s1_q ? patches_smooth_values_1_q : (equal_2245_s1_q ? patches_smooth_values_1_q : select_3524);
-  logic [11:0] select_3527;
-  assign select_3527 = or_2249_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
-  logic [11:0] select_3529;
-  assign select_3529 = equal_2243_s1_q ? patches_smooth_values_2_q : (equal_2245_s1_q ? patches_smooth_values_2_q : select_3527);
-  logic [11:0] select_3530;
-  assign select_3530 = or_2249_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
-  logic [11:0] select_3532;
-  assign select_3532 = equal_2243_s1_q ? patches_smooth_values_3_q : (equal_2245_s1_q ? patches_smooth_values_3_q : select_3530);
-  logic [10:0] select_3534;
-  assign select_3534 = equal_2245_s1_q ? patches_down_values_0_q : (or_2249_s1_q ? down_2 : patches_down_values_0_q);
-  logic [10:0] select_3537;
-  assign select_3537 = equal_2245_s1_q ? patches_down_values_1_q : (or_2249_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
-  logic [10:0] select_3540;
-  assign select_3540 = equal_2245_s1_q ? patches_down_values_2_q : (or_2249_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
-  logic [10:0] select_3543;
-  assign select_3543 = equal_2245_s1_q ? patches_down_values_3_q : (or_2249_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
+  logic [11:0] select_3541;
+  assign select_3541 = equal_2251_s1_q ? patches_smooth_values_0_q : (or_2255_s1_q ? smooth : patches_smooth_values_0_q);
+  logic [11:0] select_3543;
+  assign select_3543 = or_2255_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3545;
+  assign select_3545 = equal_2249_s1_q ? patches_smooth_values_1_q : (equal_2251_s1_q ? patches_smooth_values_1_q : select_3543);
+  logic [11:0] select_3546;
+  assign select_3546 = or_2255_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3548;
+  assign select_3548 = equal_2249_s1_q ? patches_smooth_values_2_q : (equal_2251_s1_q ? patches_smooth_values_2_q : select_3546);
+  logic [11:0] select_3549;
+  assign select_3549 = or_2255_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3551;
+  assign select_3551 = equal_2249_s1_q ? patches_smooth_values_3_q : (equal_2251_s1_q ? patches_smooth_values_3_q : select_3549);
+  logic [10:0] select_3553;
+  assign select_3553 = equal_2251_s1_q ? patches_down_values_0_q : (or_2255_s1_q ? down_2 : patches_down_values_0_q);
+  logic [10:0] select_3556;
+  assign select_3556 = equal_2251_s1_q ? patches_down_values_1_q : (or_2255_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
+  logic [10:0] select_3559;
+  assign select_3559 = equal_2251_s1_q ? patches_down_values_2_q : (or_2255_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
+  logic [10:0] select_3562;
+  assign select_3562 = equal_2251_s1_q ? patches_down_values_3_q : (or_2255_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
   // hls/stages/patches.hpp:177
-  logic and_3580;
-  assign and_3580 = patches_along_ends_q & patches_match_row_ends_q;
+  logic and_3599;
+  assign and_3599 = patches_along_ends_q & patches_match_row_ends_q;
   // hls/stages/patches.hpp:417
-  logic [4:0] select_3585;
-  assign select_3585 = or_3480_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  logic [4:0] select_3604;
+  assign select_3604 = or_3499_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:419
-  logic [3:0] select_3587;
-  assign select_3587 = and_3580 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  logic [3:0] select_3606;
+  assign select_3606 = and_3599 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/agreement.hpp:275
-  logic [4:0] select_3943;
-  assign select_3943 = equal_2243_s1_q ? patches_summed_down_by_q : (equal_2245_s1_q ? patches_down_by_q : patches_summed_down_by_q);
-  logic select_3961;
-  assign select_3961 = equal_2243_s1_q ? (less_2423 & (equal_2425 & or_2426)) : patches_read_searches_q;
+  logic [4:0] select_3962;
+  assign select_3962 = equal_2249_s1_q ? patches_summed_down_by_q : (equal_2251_s1_q ? patches_down_by_q : patches_summed_down_by_q);
+  logic select_3980;
+  assign select_3980 = equal_2249_s1_q ? (less_2429 & (equal_2431 & or_2432)) : patches_read_searches_q;
   // hls/stages/agreement.hpp:205
-  logic [8:0] select_4264;
-  assign select_4264 = so_s1_q ? (and_3274 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic [8:0] select_4283;
+  assign select_4283 = so_s1_q ? (and_3293 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4266;
-  assign sum_4266 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_4285;
+  assign sum_4285 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4267;
-  assign select_4267 = sum_2450[5] ? {1'b1, sum_2450[4:0], region_across_rest_q[2:0]} : sum_4266;
-  // hls/stages/agreement.hpp:460
-  logic [8:0] select_4269;
-  assign select_4269 = equal_2926_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_4272;
-  assign select_4272 = equal_2926_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  logic [8:0] select_4286;
+  assign select_4286 = sum_2456[5] ? {1'b1, sum_2456[4:0], region_across_rest_q[2:0]} : sum_4285;
+  // hls/stages/agreement.hpp:464
+  logic [8:0] select_4288;
+  assign select_4288 = equal_2935_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_4291;
+  assign select_4291 = equal_2935_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  // hls/stages/agreement.hpp:1155
+  logic equal_4342;
+  assign equal_4342 = x_s1_q[6:0] == 7'h7f;
+  // hls/stages/agreement.hpp:1309
+  logic [2:0] select_4509;
+  assign select_4509 = select_2501 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
+  // hls/stages/agreement.hpp:440
+  logic [7:0] select_4515;
+  assign select_4515 = sample_pair_first_q ? select_4513 : (seen_rows_left_q - {7'h0, was_next_row_q});
 
   // Memory averager_memory, 320 x 26 and parity, DISTANCE 16, hls/stages/census.hpp:238; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -2225,9 +2298,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 320; i++) averager_memory_mem[i] = 27'h0;
 `endif
   logic [8:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_507_s1_q;
+  assign averager_memory_raddr = select_509_s1_q;
   logic averager_memory_re;
-  assign averager_memory_re = s1_en & and_516;
+  assign averager_memory_re = s1_en & and_518;
   logic [26:0] averager_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) averager_memory_word_q <= averager_memory_mem[averager_memory_raddr];
@@ -2248,7 +2321,7 @@ module horopter_agreement (
   logic [6:0] census_memory_raddr;
   assign census_memory_raddr = last_s1_2_q;
   logic census_memory_re;
-  assign census_memory_re = s1_en & and_542_s1_q;
+  assign census_memory_re = s1_en & and_544_s1_q;
   logic [78:0] census_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) census_memory_word_q <= census_memory_mem[census_memory_raddr];
@@ -2267,9 +2340,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 4800; i++) moments_memory_mem[i] = 5'h0;
 `endif
   logic [12:0] moments_memory_raddr;
-  assign moments_memory_raddr = select_566;
+  assign moments_memory_raddr = select_568;
   logic moments_memory_re;
-  assign moments_memory_re = s1_en & and_584;
+  assign moments_memory_re = s1_en & and_586;
   logic [4:0] moments_memory_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) moments_memory_word_q <= moments_memory_mem[moments_memory_raddr];
@@ -2280,7 +2353,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) moments_memory_read_q <= rst_ni & moments_memory_re;
   assign moments_memory_error = moments_memory_read_q & ^moments_memory_word_q;
 
-  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1376; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1386; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] best_right_mem [0:79];
@@ -2288,9 +2361,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) best_right_mem[i] = 30'h0;
 `endif
   logic [6:0] best_right_raddr;
-  assign best_right_raddr = or_572_s1_q ? select_619 : right_s1_q;
+  assign best_right_raddr = or_574_s1_q ? select_622 : right_s1_q;
   logic best_right_re;
-  assign best_right_re = s1_en & select_610_s1_q;
+  assign best_right_re = s1_en & select_613_s1_q;
   logic [29:0] best_right_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) best_right_word_q <= best_right_mem[best_right_raddr];
@@ -2301,7 +2374,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) best_right_read_q <= rst_ni & best_right_re;
   assign best_right_error = best_right_read_q & ^best_right_word_q;
 
-  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1377; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1387; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2312,7 +2385,7 @@ module horopter_agreement (
   logic [6:0] shown_right_raddr;
   assign shown_right_raddr = x_s1_q[6:0];
   logic shown_right_re;
-  assign shown_right_re = s1_en & and_2041;
+  assign shown_right_re = s1_en & and_2047;
   logic [2:0] shown_right_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) shown_right_word_q <= shown_right_mem[shown_right_raddr];
@@ -2323,7 +2396,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) shown_right_read_q <= rst_ni & shown_right_re;
   assign shown_right_error = shown_right_read_q & ^shown_right_word_q;
 
-  // Memory left_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1378; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory left_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1388; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2334,7 +2407,7 @@ module horopter_agreement (
   logic [6:0] left_turns_raddr;
   assign left_turns_raddr = x_s1_q[6:0];
   logic left_turns_re;
-  assign left_turns_re = s1_en & and_2058;
+  assign left_turns_re = s1_en & and_2064;
   logic [2:0] left_turns_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) left_turns_word_q <= left_turns_mem[left_turns_raddr];
@@ -2345,7 +2418,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) left_turns_read_q <= rst_ni & left_turns_re;
   assign left_turns_error = left_turns_read_q & ^left_turns_word_q;
 
-  // Memory right_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1378; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory right_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1388; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2354,9 +2427,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 80; i++) right_turns_mem[i] = 3'h0;
 `endif
   logic [6:0] right_turns_raddr;
-  assign right_turns_raddr = select_619;
+  assign right_turns_raddr = select_622;
   logic right_turns_re;
-  assign right_turns_re = s1_en & and_2058;
+  assign right_turns_re = s1_en & and_2064;
   logic [2:0] right_turns_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) right_turns_word_q <= right_turns_mem[right_turns_raddr];
@@ -2375,9 +2448,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 29'h0;
 `endif
   logic [6:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = {select_2347, not_2342, select_2341};
+  assign patches_right_codes_raddr = {select_2353, not_2348, select_2347};
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s1_en & or_2348;
+  assign patches_right_codes_re = s1_en & or_2354;
   logic [28:0] patches_right_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_right_codes_word_q <= patches_right_codes_mem[patches_right_codes_raddr];
@@ -2399,7 +2472,7 @@ module horopter_agreement (
   logic [3:0] patches_left_codes_raddr;
   assign patches_left_codes_raddr = patches_match_row_q;
   logic patches_left_codes_re;
-  assign patches_left_codes_re = s1_en & (not_2244_s1_q & (new_row & equal_2245_s1_q));
+  assign patches_left_codes_re = s1_en & (not_2250_s1_q & (new_row & equal_2251_s1_q));
   logic [48:0] patches_left_codes_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_left_codes_word_q <= patches_left_codes_mem[patches_left_codes_raddr];
@@ -2421,7 +2494,7 @@ module horopter_agreement (
   logic [4:0] patches_rows_raddr;
   assign patches_rows_raddr = patches_step_q[4:0];
   logic patches_rows_re;
-  assign patches_rows_re = s1_en & (equal_2243_s1_q & (less_2423 & or_2426));
+  assign patches_rows_re = s1_en & (equal_2249_s1_q & (less_2429 & or_2432));
   logic [15:0] patches_rows_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_rows_word_q <= patches_rows_mem[patches_rows_raddr];
@@ -2432,7 +2505,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_rows_read_q <= rst_ni & patches_rows_re;
   assign patches_rows_error = patches_rows_read_q & ^patches_rows_word_q;
 
-  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1405; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1415; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [18:0] seen_columns_mem [0:79];
@@ -2442,7 +2515,7 @@ module horopter_agreement (
   logic [6:0] seen_columns_raddr;
   assign seen_columns_raddr = x_s1_q[6:0];
   logic seen_columns_re;
-  assign seen_columns_re = s1_en & and_2041;
+  assign seen_columns_re = s1_en & and_2047;
   logic [18:0] seen_columns_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) seen_columns_word_q <= seen_columns_mem[seen_columns_raddr];
@@ -2457,9 +2530,9 @@ module horopter_agreement (
   logic [6:0] left_waddr;
   assign left_waddr = x_s1_q[6:0];
   logic left_we;
-  assign left_we = s1_en & and_643_s1_q;
+  assign left_we = s1_en & and_648_s1_q;
   logic [84:0] left_wdata;
-  assign left_wdata = {and_744, left_rdata_q[65:49], and_743, left_rdata_q[47:31], and_742, left_rdata_q[29:13], and_741, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+  assign left_wdata = {and_750, left_rdata_q[65:49], and_749, left_rdata_q[47:31], and_748, left_rdata_q[29:13], and_747, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (left_we) left_mem[left_waddr] <= {^left_wdata, left_wdata};
   end
@@ -2479,9 +2552,9 @@ module horopter_agreement (
   logic [6:0] right_codes_waddr;
   assign right_codes_waddr = x_s1_q[6:0];
   logic right_codes_we;
-  assign right_codes_we = s1_en & and_643_s1_q;
+  assign right_codes_we = s1_en & and_648_s1_q;
   logic [98:0] right_codes_wdata;
-  assign right_codes_wdata = {and_750, right_codes_rdata_q[84:73], and_749, right_codes_rdata_q[71:60], and_748, right_codes_rdata_q[56:43], and_747, right_codes_rdata_q[41:28], and_746, right_codes_rdata_q[26:13], and_745, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
+  assign right_codes_wdata = {and_756, right_codes_rdata_q[84:73], and_755, right_codes_rdata_q[71:60], and_754, right_codes_rdata_q[56:43], and_753, right_codes_rdata_q[41:28], and_752, right_codes_rdata_q[26:13], and_751, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (right_codes_we) right_codes_mem[right_codes_waddr] <= {^right_codes_wdata, right_codes_wdata};
   end
@@ -2501,7 +2574,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_waddr;
   assign patches_columns_above_waddr = patches_column_s1_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s1_en & and_2329_s1_q;
+  assign patches_columns_above_we = s1_en & and_2335_s1_q;
   logic [31:0] patches_columns_above_wdata;
   assign patches_columns_above_wdata = {patches_columns_above_rdata_q[23:0], pixel_2};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -2524,6 +2597,8 @@ module horopter_agreement (
       moments_starts_q <= 1'b0;
       row_q <= 6'h0;
       lower_half_q <= 1'b0;
+      late_q <= 1'b0;
+      draws_late_q <= 1'b0;
       registration_slope_row_q <= 24'h0;
       registration_slope_change_q <= 28'h0;
       registration_slope_q <= 28'h0;
@@ -2549,37 +2624,73 @@ module horopter_agreement (
       region_across_next_q <= 9'h0;
       columns_begin_rest_q <= 9'h0;
       columns_begin_back_q <= 8'h0;
+      write_half_q <= 1'b0;
+      read_half_q <= 1'b1;
+      done_q <= 1'b0;
+      proven_q <= 1'b0;
+      drew_q <= 1'b0;
+      said_q <= 1'b0;
+      rows_passed_q <= 17'h0;
+      columns_passed_q <= 9'h0;
+      line_ended_q <= 1'b1;
+      began_q <= 1'b0;
+      seen_x_q <= 3'h0;
+      seen_y_q <= 3'h0;
+      seen_column_q <= 8'h0;
+      seen_rows_left_q <= 8'h0;
+      at_cell_end_q <= 1'b0;
+      was_next_row_q <= 1'b0;
+      seen_base_q <= 13'h0;
     end else if (s1_en) begin
-      moments_place_q <= select_565;
-      moments_taken_q <= not_568 & (not_570 & (equal_571_s1_q & inside_v));
-      moments_starts_q <= not_568 & (not_570 & (equal_571_s1_q & (inside_v & first)));
-      row_q <= and_542_s1_q ? (equal_2926_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_542_s1_q ? select_3020 : lower_half_q;
-      registration_slope_row_q <= select_3270;
-      registration_slope_change_q <= select_3273;
+      moments_place_q <= select_567;
+      moments_taken_q <= not_570 & (not_572 & (equal_573_s1_q & inside_v));
+      moments_starts_q <= not_570 & (not_572 & (equal_573_s1_q & (inside_v & first)));
+      row_q <= and_544_s1_q ? (equal_2935_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_544_s1_q ? select_3029 : lower_half_q;
+      late_q <= select_3036;
+      draws_late_q <= select_3040;
+      registration_slope_row_q <= select_3289;
+      registration_slope_change_q <= select_3292;
       registration_slope_q <= so_s1_q ? column_7 : {registration_slope_row_q, 4'h0};
-      patches_along_ends_q <= not_3504_s1_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3504_s1_q & select_3519;
-      patches_smooth_values_0_q <= equal_2243_s1_q ? patches_smooth_values_0_q : select_3522;
-      patches_smooth_values_1_q <= select_3526;
-      patches_smooth_values_2_q <= select_3529;
-      patches_smooth_values_3_q <= select_3532;
-      patches_down_values_0_q <= equal_2243_s1_q ? patches_down_values_0_q : select_3534;
-      patches_down_values_1_q <= equal_2243_s1_q ? patches_down_values_1_q : select_3537;
-      patches_down_values_2_q <= equal_2243_s1_q ? patches_down_values_2_q : select_3540;
-      patches_down_values_3_q <= equal_2243_s1_q ? patches_down_values_3_q : select_3543;
-      patches_down_by_q <= or_3480_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3580});
-      patches_along_q <= select_3585;
-      patches_match_row_q <= or_3480_s1_q ? 4'h0 : select_3587;
-      patches_summed_last_q <= not_2244_s1_q & (equal_2245_s1_q & and_3580);
-      patches_summed_down_by_q <= select_3943;
-      patches_step_q <= or_3480_s1_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3961;
-      region_across_rest_q <= select_4264;
+      patches_along_ends_q <= not_3523_s1_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3523_s1_q & select_3538;
+      patches_smooth_values_0_q <= equal_2249_s1_q ? patches_smooth_values_0_q : select_3541;
+      patches_smooth_values_1_q <= select_3545;
+      patches_smooth_values_2_q <= select_3548;
+      patches_smooth_values_3_q <= select_3551;
+      patches_down_values_0_q <= equal_2249_s1_q ? patches_down_values_0_q : select_3553;
+      patches_down_values_1_q <= equal_2249_s1_q ? patches_down_values_1_q : select_3556;
+      patches_down_values_2_q <= equal_2249_s1_q ? patches_down_values_2_q : select_3559;
+      patches_down_values_3_q <= equal_2249_s1_q ? patches_down_values_3_q : select_3562;
+      patches_down_by_q <= or_3499_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3599});
+      patches_along_q <= select_3604;
+      patches_match_row_q <= or_3499_s1_q ? 4'h0 : select_3606;
+      patches_summed_last_q <= not_2250_s1_q & (equal_2251_s1_q & and_3599);
+      patches_summed_down_by_q <= select_3962;
+      patches_step_q <= or_3499_s1_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3980;
+      region_across_rest_q <= select_4283;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_4267;
-      columns_begin_rest_q <= and_542_s1_q ? select_4269 : columns_begin_rest_q;
-      columns_begin_back_q <= and_542_s1_q ? select_4272 : columns_begin_back_q;
+      region_across_next_q <= select_4286;
+      columns_begin_rest_q <= and_544_s1_q ? select_4288 : columns_begin_rest_q;
+      columns_begin_back_q <= and_544_s1_q ? select_4291 : columns_begin_back_q;
+      write_half_q <= sample_pair_first_q ? (write_half_q ^ done_q) : write_half_q;
+      read_half_q <= select_2512;
+      done_q <= not_2514 & ((~drew_q) & (done_q | said_q));
+      proven_q <= sample_pair_first_q ? done_q : proven_q;
+      drew_q <= so_s1_q;
+      said_q <= equal_569_s1_q & equal_4342;
+      rows_passed_q <= select_2497;
+      columns_passed_q <= {select_2499[7:0], or_2495};
+      line_ended_q <= sample_last_q;
+      began_q <= not_2514 & (began_q | select_2501);
+      seen_x_q <= select_2501 ? 3'h0 : (seen_x_q + 3'h1);
+      seen_y_q <= sample_pair_first_q ? 3'h0 : select_4509;
+      seen_column_q <= select_2501 ? 8'h0 : (seen_column_q + {7'h0, equal_2507});
+      seen_rows_left_q <= select_4515;
+      at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
+      was_next_row_q <= next_row;
+      seen_base_q <= select_2506;
     end
   end
 
@@ -2637,7 +2748,7 @@ module horopter_agreement (
       middle_sum_columns_values_4_q <= middle_sum_columns_values_3_q;
       middle_sum_columns_values_5_q <= middle_sum_columns_values_4_q;
       middle_sum_columns_values_6_q <= middle_sum_columns_values_5_q;
-      middle_sum_sum_sums_values_0_q <= sum_1004;
+      middle_sum_sum_sums_values_0_q <= sum_1010;
       sums_0_columns_values_0_q <= column_2;
       sums_0_columns_values_1_q <= sums_0_columns_values_0_q;
       sums_0_columns_values_2_q <= sums_0_columns_values_1_q;
@@ -2645,7 +2756,7 @@ module horopter_agreement (
       sums_0_columns_values_4_q <= sums_0_columns_values_3_q;
       sums_0_columns_values_5_q <= sums_0_columns_values_4_q;
       sums_0_columns_values_6_q <= sums_0_columns_values_5_q;
-      sums_0_sum_sums_values_0_q <= sum_1244;
+      sums_0_sum_sums_values_0_q <= sum_1250;
       sums_1_columns_values_0_q <= column_3;
       sums_1_columns_values_1_q <= sums_1_columns_values_0_q;
       sums_1_columns_values_2_q <= sums_1_columns_values_1_q;
@@ -2653,7 +2764,7 @@ module horopter_agreement (
       sums_1_columns_values_4_q <= sums_1_columns_values_3_q;
       sums_1_columns_values_5_q <= sums_1_columns_values_4_q;
       sums_1_columns_values_6_q <= sums_1_columns_values_5_q;
-      sums_1_sum_sums_values_0_q <= sum_1484;
+      sums_1_sum_sums_values_0_q <= sum_1490;
       sums_2_columns_values_0_q <= column_4;
       sums_2_columns_values_1_q <= sums_2_columns_values_0_q;
       sums_2_columns_values_2_q <= sums_2_columns_values_1_q;
@@ -2661,7 +2772,7 @@ module horopter_agreement (
       sums_2_columns_values_4_q <= sums_2_columns_values_3_q;
       sums_2_columns_values_5_q <= sums_2_columns_values_4_q;
       sums_2_columns_values_6_q <= sums_2_columns_values_5_q;
-      sums_2_sum_sums_values_0_q <= sum_1728;
+      sums_2_sum_sums_values_0_q <= sum_1734;
       sums_3_columns_values_0_q <= column_5;
       sums_3_columns_values_1_q <= sums_3_columns_values_0_q;
       sums_3_columns_values_2_q <= sums_3_columns_values_1_q;
@@ -2669,7 +2780,7 @@ module horopter_agreement (
       sums_3_columns_values_4_q <= sums_3_columns_values_3_q;
       sums_3_columns_values_5_q <= sums_3_columns_values_4_q;
       sums_3_columns_values_6_q <= sums_3_columns_values_5_q;
-      sums_3_sum_sums_values_0_q <= sum_1968;
+      sums_3_sum_sums_values_0_q <= sum_1974;
     end
   end
 
@@ -2678,7 +2789,6 @@ module horopter_agreement (
   logic saturated_s2_q;
   logic mask_s2_q;
   logic marks_first_s2_q;
-  logic marks_last_s2_q;
   logic sample_pair_whole_s2_q;
   logic sample_present_s2_q;
   logic moments_starts_s2_q;
@@ -2689,6 +2799,7 @@ module horopter_agreement (
   logic [2:0] slot_s2_q;
   logic ends_cell_s2_q;
   logic lower_half_s2_q;
+  logic draws_late_s2_q;
   logic shift_first_s2_q;
   logic [11:0] registration_slope_s2_q;
   logic [4:0] patches_band_rows_number_s2_q;
@@ -2702,82 +2813,85 @@ module horopter_agreement (
   logic [4:0] patches_summed_down_by_s2_q;
   logic [4:0] patches_step_s2_q;
   logic patches_read_searches_s2_q;
-  logic [2:0] select_503_s2_q;
+  logic [2:0] select_505_s2_q;
   logic row_starts_s2_q;
-  logic [8:0] select_507_s2_q;
-  logic and_515_s2_q;
-  logic and_516_s2_q;
-  logic equal_521_s2_q;
-  logic [6:0] select_536_s2_q;
+  logic [8:0] select_509_s2_q;
+  logic and_517_s2_q;
+  logic and_518_s2_q;
+  logic equal_523_s2_q;
+  logic [6:0] select_538_s2_q;
   logic [6:0] last_s2_2_q;
-  logic and_540_s2_q;
   logic and_542_s2_q;
-  logic equal_562_s2_q;
-  logic [12:0] select_566_s2_q;
-  logic equal_567_s2_q;
-  logic not_568_s2_q;
-  logic so_s2_q;
+  logic and_544_s2_q;
+  logic equal_564_s2_q;
+  logic [12:0] select_568_s2_q;
+  logic equal_569_s2_q;
   logic not_570_s2_q;
-  logic equal_571_s2_q;
-  logic or_572_s2_q;
-  logic less_575_s2_q;
-  logic not_576_s2_q;
+  logic not_572_s2_q;
+  logic equal_573_s2_q;
+  logic or_574_s2_q;
+  logic less_577_s2_q;
+  logic not_578_s2_q;
   logic inside_v_s2_q;
-  logic not_580_s2_q;
-  logic and_584_s2_q;
-  logic and_593_s2_q;
-  logic and_601_s2_q;
+  logic not_582_s2_q;
+  logic and_586_s2_q;
+  logic and_595_s2_q;
+  logic and_604_s2_q;
   logic [6:0] x_s2_2_q;
   logic [61:0] best_left_rdata_s2_q;
   logic [6:0] right_s2_q;
-  logic and_632_s2_q;
+  logic not_633_s2_q;
   logic and_637_s2_q;
-  logic and_639_s2_q;
-  logic equal_672_s2_q;
-  logic and_2028_s2_q;
-  logic equal_2029_s2_q;
-  logic and_2039_s2_q;
-  logic and_2041_s2_q;
-  logic [6:0] select_2045_s2_q;
-  logic or_2049_s2_q;
-  logic and_2152_s2_q;
-  logic less_2166_s2_q;
+  logic and_642_s2_q;
+  logic and_644_s2_q;
+  logic equal_677_s2_q;
+  logic and_2034_s2_q;
+  logic equal_2035_s2_q;
+  logic and_2045_s2_q;
+  logic and_2047_s2_q;
+  logic [6:0] select_2051_s2_q;
+  logic or_2055_s2_q;
+  logic and_2158_s2_q;
+  logic less_2172_s2_q;
   logic [7:0] change_s2_q;
-  logic equal_2243_s2_q;
-  logic equal_2245_s2_q;
-  logic equal_2248_s2_q;
-  logic or_2249_s2_q;
-  logic not_2250_s2_q;
-  logic [4:0] select_2273_s2_q;
-  logic select_2279_s2_q;
-  logic [3:0] select_2319_s2_q;
-  logic less_2335_s2_q;
+  logic equal_2249_s2_q;
+  logic equal_2251_s2_q;
+  logic equal_2254_s2_q;
+  logic or_2255_s2_q;
+  logic not_2256_s2_q;
+  logic [4:0] select_2279_s2_q;
+  logic select_2285_s2_q;
+  logic [3:0] select_2325_s2_q;
+  logic less_2341_s2_q;
   logic new_row_s2_q;
-  logic or_2348_s2_q;
+  logic or_2354_s2_q;
   logic [1:0] of_row_2_s2_q;
-  logic not_2365_s2_q;
-  logic or_2371_s2_q;
-  logic and_2375_s2_q;
-  logic and_2391_s2_q;
-  logic and_2394_s2_q;
-  logic and_2408_s2_q;
-  logic and_2417_s2_q;
-  logic and_2422_s2_q;
-  logic less_2423_s2_q;
-  logic equal_2424_s2_q;
-  logic or_2426_s2_q;
-  logic sum_2450_s2_q;
-  logic and_2471_s2_q;
-  logic and_2588_s2_q;
-  logic equal_2737_s2_q;
-  logic equal_2926_s2_q;
-  logic and_3033_s2_q;
-  logic equal_3118_s2_q;
-  logic less_3556_s2_q;
-  logic equal_3899_s2_q;
-  logic equal_3996_s2_q;
-  logic less_4252_s2_q;
-  logic equal_4471_s2_q;
+  logic not_2371_s2_q;
+  logic or_2377_s2_q;
+  logic and_2381_s2_q;
+  logic and_2397_s2_q;
+  logic and_2400_s2_q;
+  logic and_2414_s2_q;
+  logic and_2423_s2_q;
+  logic and_2428_s2_q;
+  logic less_2429_s2_q;
+  logic equal_2430_s2_q;
+  logic or_2432_s2_q;
+  logic sum_2456_s2_q;
+  logic and_2477_s2_q;
+  logic select_2526_s2_q;
+  logic and_2597_s2_q;
+  logic equal_2746_s2_q;
+  logic equal_2935_s2_q;
+  logic and_3052_s2_q;
+  logic equal_3137_s2_q;
+  logic less_3575_s2_q;
+  logic equal_3918_s2_q;
+  logic equal_4015_s2_q;
+  logic less_4271_s2_q;
+  logic equal_4342_s2_q;
+  logic or_4492_s2_q;
+  logic not_4535_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -2785,7 +2899,6 @@ module horopter_agreement (
       saturated_s2_q <= saturated_s1_q;
       mask_s2_q <= mask_s1_q;
       marks_first_s2_q <= sample_pair_first_q;
-      marks_last_s2_q <= sample_last_q;
       sample_pair_whole_s2_q <= sample_pair_whole_s1_q;
       sample_present_s2_q <= sample_present_s1_q;
       moments_starts_s2_q <= moments_starts_q;
@@ -2796,6 +2909,7 @@ module horopter_agreement (
       slot_s2_q <= slot_s1_q;
       ends_cell_s2_q <= ends_cell_s1_q;
       lower_half_s2_q <= lower_half_q;
+      draws_late_s2_q <= draws_late_q;
       shift_first_s2_q <= shift_first_s1_q;
       registration_slope_s2_q <= registration_slope_q[27:16];
       patches_band_rows_number_s2_q <= patches_band_rows_number_s1_q;
@@ -2809,82 +2923,85 @@ module horopter_agreement (
       patches_summed_down_by_s2_q <= patches_summed_down_by_q;
       patches_step_s2_q <= patches_step_q[4:0];
       patches_read_searches_s2_q <= patches_read_searches_q;
-      select_503_s2_q <= select_503_s1_q;
+      select_505_s2_q <= select_505_s1_q;
       row_starts_s2_q <= row_starts_s1_q;
-      select_507_s2_q <= select_507_s1_q;
-      and_515_s2_q <= and_515_s1_q;
-      and_516_s2_q <= and_516;
-      equal_521_s2_q <= equal_521_s1_q;
-      select_536_s2_q <= select_536_s1_q;
+      select_509_s2_q <= select_509_s1_q;
+      and_517_s2_q <= and_517_s1_q;
+      and_518_s2_q <= and_518;
+      equal_523_s2_q <= equal_523_s1_q;
+      select_538_s2_q <= select_538_s1_q;
       last_s2_2_q <= last_s1_2_q;
-      and_540_s2_q <= and_540_s1_q;
       and_542_s2_q <= and_542_s1_q;
-      equal_562_s2_q <= equal_562;
-      select_566_s2_q <= select_566;
-      equal_567_s2_q <= equal_567_s1_q;
-      not_568_s2_q <= not_568;
-      so_s2_q <= so_s1_q;
+      and_544_s2_q <= and_544_s1_q;
+      equal_564_s2_q <= equal_564;
+      select_568_s2_q <= select_568;
+      equal_569_s2_q <= equal_569_s1_q;
       not_570_s2_q <= not_570;
-      equal_571_s2_q <= equal_571_s1_q;
-      or_572_s2_q <= or_572_s1_q;
-      less_575_s2_q <= less_575_s1_q;
-      not_576_s2_q <= not_576_s1_q;
+      not_572_s2_q <= not_572;
+      equal_573_s2_q <= equal_573_s1_q;
+      or_574_s2_q <= or_574_s1_q;
+      less_577_s2_q <= less_577_s1_q;
+      not_578_s2_q <= not_578_s1_q;
       inside_v_s2_q <= inside_v;
-      not_580_s2_q <= not_580;
-      and_584_s2_q <= and_584;
-      and_593_s2_q <= or_572_s1_q & (left_rdata_q[70] & not_576_s1_q);
-      and_601_s2_q <= (or_572_s1_q & (left_rdata_q[68] & not_576_s1_q)) & and_600;
+      not_582_s2_q <= not_582;
+      and_586_s2_q <= and_586;
+      and_595_s2_q <= or_574_s1_q & (left_rdata_q[70] & not_578_s1_q);
+      and_604_s2_q <= (or_574_s1_q & (left_rdata_q[68] & not_578_s1_q)) & and_603;
       x_s2_2_q <= x_s1_2_q;
       best_left_rdata_s2_q <= best_left_rdata_q;
       right_s2_q <= right_s1_q;
-      and_632_s2_q <= or_572_s1_q & (left_rdata_q[71] & not_576_s1_q);
-      and_637_s2_q <= or_572_s1_q & (right_codes_rdata_q[58] & not_576_s1_q);
-      and_639_s2_q <= or_572_s1_q & (right_codes_rdata_q[59] & not_576_s1_q);
-      equal_672_s2_q <= row_s1_q == 6'h0;
-      and_2028_s2_q <= and_2028_s1_q;
-      equal_2029_s2_q <= equal_2029_s1_q;
-      and_2039_s2_q <= and_2039;
-      and_2041_s2_q <= and_2041;
-      select_2045_s2_q <= select_2045;
-      or_2049_s2_q <= or_2049;
-      and_2152_s2_q <= and_2152_s1_q;
-      less_2166_s2_q <= 5'h4 < row_q[5:1];
+      not_633_s2_q <= ~late_q;
+      and_637_s2_q <= or_574_s1_q & (left_rdata_q[71] & not_578_s1_q);
+      and_642_s2_q <= or_574_s1_q & (right_codes_rdata_q[58] & not_578_s1_q);
+      and_644_s2_q <= or_574_s1_q & (right_codes_rdata_q[59] & not_578_s1_q);
+      equal_677_s2_q <= row_s1_q == 6'h0;
+      and_2034_s2_q <= and_2034_s1_q;
+      equal_2035_s2_q <= equal_2035_s1_q;
+      and_2045_s2_q <= and_2045;
+      and_2047_s2_q <= and_2047;
+      select_2051_s2_q <= select_2051;
+      or_2055_s2_q <= or_2055;
+      and_2158_s2_q <= and_2158_s1_q;
+      less_2172_s2_q <= 5'h4 < row_q[5:1];
       change_s2_q <= change;
-      equal_2243_s2_q <= equal_2243_s1_q;
-      equal_2245_s2_q <= equal_2245_s1_q;
-      equal_2248_s2_q <= equal_2248_s1_q;
-      or_2249_s2_q <= or_2249_s1_q;
-      not_2250_s2_q <= not_2250_s1_q;
-      select_2273_s2_q <= select_2273_s1_q;
+      equal_2249_s2_q <= equal_2249_s1_q;
+      equal_2251_s2_q <= equal_2251_s1_q;
+      equal_2254_s2_q <= equal_2254_s1_q;
+      or_2255_s2_q <= or_2255_s1_q;
+      not_2256_s2_q <= not_2256_s1_q;
       select_2279_s2_q <= select_2279_s1_q;
-      select_2319_s2_q <= select_2319_s1_q;
-      less_2335_s2_q <= less_2335;
+      select_2285_s2_q <= select_2285_s1_q;
+      select_2325_s2_q <= select_2325_s1_q;
+      less_2341_s2_q <= less_2341;
       new_row_s2_q <= new_row;
-      or_2348_s2_q <= or_2348;
+      or_2354_s2_q <= or_2354;
       of_row_2_s2_q <= of_row_2;
-      not_2365_s2_q <= ~sum_2364[14];
-      or_2371_s2_q <= or_2371;
-      and_2375_s2_q <= sum_2364[14] & (~(sum_2364[13:8] == 6'h3f));
-      and_2391_s2_q <= (~difference_2383[14]) & or_2390;
-      and_2394_s2_q <= difference_2383[14] & (~(difference_2383[13:8] == 6'h3f));
-      and_2408_s2_q <= not_2244_s1_q & and_2407;
-      and_2417_s2_q <= and_2417;
-      and_2422_s2_q <= not_2244_s1_q & and_2421;
-      less_2423_s2_q <= less_2423;
-      equal_2424_s2_q <= equal_2424;
-      or_2426_s2_q <= or_2426;
-      sum_2450_s2_q <= sum_2450[5];
-      and_2471_s2_q <= or_572_s1_q & (left_rdata_q[69] & not_576_s1_q);
-      and_2588_s2_q <= (6'h6 < row_q) & (~(x_s1_q[7:2] == 6'h0));
-      equal_2737_s2_q <= {last_s1_2_q[6], or_2736} == 7'h0;
-      equal_2926_s2_q <= equal_2926_s1_q;
-      and_3033_s2_q <= or_572_s1_q & (not_576_s1_q & and_600);
-      equal_3118_s2_q <= shift == 6'h0;
-      less_3556_s2_q <= 4'he < patches_column_s1_q[4:1];
-      equal_3899_s2_q <= patches_match_row_q == 4'h0;
-      equal_3996_s2_q <= patches_step_q[6:5] == 2'h3;
-      less_4252_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_4471_s2_q <= row_s1_q[5:3] == 3'h0;
+      not_2371_s2_q <= ~sum_2370[14];
+      or_2377_s2_q <= or_2377;
+      and_2381_s2_q <= sum_2370[14] & (~(sum_2370[13:8] == 6'h3f));
+      and_2397_s2_q <= (~difference_2389[14]) & or_2396;
+      and_2400_s2_q <= difference_2389[14] & (~(difference_2389[13:8] == 6'h3f));
+      and_2414_s2_q <= not_2250_s1_q & and_2413;
+      and_2423_s2_q <= and_2423;
+      and_2428_s2_q <= not_2250_s1_q & and_2427;
+      less_2429_s2_q <= less_2429;
+      equal_2430_s2_q <= equal_2430;
+      or_2432_s2_q <= or_2432;
+      sum_2456_s2_q <= sum_2456[5];
+      and_2477_s2_q <= or_574_s1_q & (left_rdata_q[69] & not_578_s1_q);
+      select_2526_s2_q <= draws_late_q ? read_half_q : write_half_q;
+      and_2597_s2_q <= (draws_late_q | (6'h6 < row_q)) & (~(x_s1_q[7:2] == 6'h0));
+      equal_2746_s2_q <= {last_s1_2_q[6], or_2745} == 7'h0;
+      equal_2935_s2_q <= equal_2935_s1_q;
+      and_3052_s2_q <= or_574_s1_q & (not_578_s1_q & and_603);
+      equal_3137_s2_q <= shift == 6'h0;
+      less_3575_s2_q <= 4'he < patches_column_s1_q[4:1];
+      equal_3918_s2_q <= patches_match_row_q == 4'h0;
+      equal_4015_s2_q <= patches_step_q[6:5] == 2'h3;
+      less_4271_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_4342_s2_q <= equal_4342;
+      or_4492_s2_q <= and_3038 | (~(row_s1_q[5:3] == 3'h0));
+      not_4535_s2_q <= ~proven_q;
     end
   end
 
@@ -3035,179 +3152,162 @@ module horopter_agreement (
   logic centres_values_1_of_skin_q;
   logic [12:0] map_row_q;
   logic [6:0] map_width_q;
-  logic write_half_q;
-  logic read_half_q;
-  logic done_q;
-  logic proven_q;
-  logic drew_q;
-  logic said_q;
-  logic [16:0] rows_passed_q;
-  logic [8:0] columns_passed_q;
-  logic line_ended_q;
-  logic began_q;
-  logic [2:0] seen_x_q;
-  logic [2:0] seen_y_q;
-  logic [7:0] seen_column_q;
-  logic [7:0] seen_rows_left_q;
-  logic at_cell_end_q;
-  logic was_next_row_q;
-  logic [12:0] seen_base_q;
   // hls/stages/census.hpp:117
-  logic [11:0] select_519;
-  assign select_519 = select_503_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  logic [11:0] select_521;
+  assign select_521 = select_505_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
   // hls/stages/census.hpp:129
-  logic [11:0] sum_523;
-  assign sum_523 = select_519 + (equal_521_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
-  // hls/stages/census.hpp:117
   logic [11:0] sum_525;
-  assign sum_525 = {4'h0, sample_pair_pixel_1_q} + (select_503_s2_q[0] ? averager_running_1_q : 12'h0);
-  // hls/stages/census.hpp:129
+  assign sum_525 = select_521 + (equal_523_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
+  // hls/stages/census.hpp:117
   logic [11:0] sum_527;
-  assign sum_527 = sum_525 + (equal_521_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
-  // hls/stages/agreement.hpp:418
+  assign sum_527 = {4'h0, sample_pair_pixel_1_q} + (select_505_s2_q[0] ? averager_running_1_q : 12'h0);
+  // hls/stages/census.hpp:129
+  logic [11:0] sum_529;
+  assign sum_529 = sum_527 + (equal_523_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
+  // hls/stages/agreement.hpp:422
   logic whole;
-  assign whole = select_503_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
+  assign whole = select_505_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
   // hls/stages/census.hpp:130
-  logic and_531;
-  assign and_531 = whole & (averager_memory_rdata_q[24] | equal_521_s2_q);
-  // hls/stages/agreement.hpp:418
+  logic and_533;
+  assign and_533 = whole & (averager_memory_rdata_q[24] | equal_523_s2_q);
+  // hls/stages/agreement.hpp:422
   logic all_of_skin;
-  assign all_of_skin = select_503_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  assign all_of_skin = select_505_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
   // hls/stages/census.hpp:131
-  logic and_535;
-  assign and_535 = all_of_skin & (averager_memory_rdata_q[25] | equal_521_s2_q);
+  logic and_537;
+  assign and_537 = all_of_skin & (averager_memory_rdata_q[25] | equal_523_s2_q);
   // hls/stages/census.hpp:218
   logic [8:0] grey;
-  assign grey = and_515_s2_q ? sum_523[11:3] : 9'h0;
+  assign grey = and_517_s2_q ? sum_525[11:3] : 9'h0;
   // hls/stages/census.hpp:134
-  logic equal_545;
-  assign equal_545 = select_503_s2_q == 3'h1;
+  logic equal_547;
+  assign equal_547 = select_505_s2_q == 3'h1;
   // hls/stages/census.hpp:219
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_545 ? 11'h0 : averager_total_0_q);
+  assign total = {2'h0, grey} + (equal_547 ? 11'h0 : averager_total_0_q);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_548;
-  assign select_548 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
+  logic [8:0] select_550;
+  assign select_550 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
   // hls/stages/census.hpp:218
   logic [8:0] grey_2;
-  assign grey_2 = and_515_s2_q ? sum_527[11:3] : 9'h0;
+  assign grey_2 = and_517_s2_q ? sum_529[11:3] : 9'h0;
   // hls/stages/census.hpp:219
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_545 ? 11'h0 : averager_total_1_q);
+  assign total_2 = {2'h0, grey_2} + (equal_547 ? 11'h0 : averager_total_1_q);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_552;
-  assign select_552 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
+  logic [8:0] select_554;
+  assign select_554 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
   // hls/stages/census.hpp:218
-  logic and_553;
-  assign and_553 = and_515_s2_q & and_531;
+  logic and_555;
+  assign and_555 = and_517_s2_q & and_533;
   // hls/stages/census.hpp:134
-  logic select_555;
-  assign select_555 = equal_545 ? and_553 : (averager_mask_q & and_553);
+  logic select_557;
+  assign select_557 = equal_547 ? and_555 : (averager_mask_q & and_555);
   // hls/stages/agreement.hpp:276
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s2_q & select_555;
+  assign whole_2 = sample_pair_whole_s2_q & select_557;
   // hls/stages/census.hpp:218
-  logic and_557;
-  assign and_557 = and_515_s2_q & and_535;
+  logic and_559;
+  assign and_559 = and_517_s2_q & and_537;
   // hls/stages/census.hpp:134
-  logic select_559;
-  assign select_559 = equal_545 ? and_557 : (averager_of_skin_q & and_557);
+  logic select_561;
+  assign select_561 = equal_547 ? and_559 : (averager_of_skin_q & and_559);
   // hls/stages/agreement.hpp:276
-  logic and_560;
-  assign and_560 = sample_pair_whole_s2_q & select_559;
-  // hls/stages/agreement.hpp:978
-  logic select_614;
-  assign select_614 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
-  // hls/stages/agreement.hpp:979
+  logic and_562;
+  assign and_562 = sample_pair_whole_s2_q & select_561;
+  // hls/stages/agreement.hpp:985
+  logic select_617;
+  assign select_617 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  // hls/stages/agreement.hpp:986
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:992
-  logic [8:0] difference_624;
-  assign difference_624 = {2'h0, chosen} - {1'b0, x_s2_q};
-  // hls/stages/agreement.hpp:993
-  logic [9:0] sum_625;
-  assign sum_625 = {difference_624[8], difference_624} + 10'h1;
+  // hls/stages/agreement.hpp:999
+  logic [8:0] difference_627;
+  assign difference_627 = {2'h0, chosen} - {1'b0, x_s2_q};
+  // hls/stages/agreement.hpp:1000
+  logic [9:0] sum_628;
+  assign sum_628 = {difference_627[8], difference_627} + 10'h1;
   // hls/stages/agreement.hpp:247
-  logic and_627;
-  assign and_627 = (and_601_s2_q & select_614) & ({{22{sum_625[9]}}, sum_625} < 32'h3);
-  // hls/stages/agreement.hpp:149
-  logic and_629;
-  assign and_629 = or_572_s2_q & (not_576_s2_q & and_627);
-  // hls/stages/moments.hpp:77
   logic and_630;
-  assign and_630 = and_593_s2_q & and_629;
+  assign and_630 = (and_604_s2_q & select_617) & ({{22{sum_628[9]}}, sum_628} < 32'h3);
+  // hls/stages/agreement.hpp:149
+  logic and_632;
+  assign and_632 = or_574_s2_q & (not_578_s2_q & and_630);
+  // hls/stages/moments.hpp:77
+  logic and_635;
+  assign and_635 = and_595_s2_q & (and_632 & not_633_s2_q);
   // hls/stages/census.hpp:308
-  logic less_645;
-  assign less_645 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_646;
-  assign less_646 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
-  logic less_647;
-  assign less_647 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_648;
-  assign less_648 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_649;
-  assign less_649 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_650;
-  assign less_650 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_650 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_651;
-  assign less_651 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_651 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_652;
-  assign less_652 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_652 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_653;
-  assign less_653 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_653 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_654;
-  assign less_654 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_654 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_655;
-  assign less_655 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_655 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_656;
-  assign less_656 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:309
+  assign less_656 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_657;
-  assign less_657 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_657 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_658;
-  assign less_658 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_658 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_659;
-  assign less_659 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_659 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_660;
-  assign less_660 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_660 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_661;
-  assign less_661 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_661 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:309
   logic less_662;
-  assign less_662 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_662 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_663;
-  assign less_663 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_663 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_664;
-  assign less_664 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_664 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_665;
-  assign less_665 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_665 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_666;
-  assign less_666 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_666 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
   logic less_667;
-  assign less_667 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_667 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_668;
-  assign less_668 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:455
-  logic equal_669;
-  assign equal_669 = last_s2_2_q == 7'h0;
-  logic [3:0] select_673;
-  assign select_673 = equal_672_s2_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:456
-  logic [4:0] select_674;
-  assign select_674 = equal_669 ? {select_673, 1'b1} : rows_passed_above_q;
+  assign less_668 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_669;
+  assign less_669 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_670;
+  assign less_670 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_671;
+  assign less_671 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_672;
+  assign less_672 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_673;
+  assign less_673 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  // hls/stages/agreement.hpp:459
+  logic equal_674;
+  assign equal_674 = last_s2_2_q == 7'h0;
+  logic [3:0] select_678;
+  assign select_678 = equal_677_s2_q ? 4'h0 : rows_passed_above_q[3:0];
+  // hls/stages/agreement.hpp:460
+  logic [4:0] select_679;
+  assign select_679 = equal_674 ? {select_678, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:290
-  logic [3:0] select_675;
-  assign select_675 = equal_669 ? 4'h0 : census_filled_q;
+  logic [3:0] select_680;
+  assign select_680 = equal_674 ? 4'h0 : census_filled_q;
   // hls/stages/census.hpp:313
-  logic and_676;
-  assign and_676 = select_674[4] & select_675[3];
+  logic and_681;
+  assign and_681 = select_679[4] & select_680[3];
   // hls/stages/census.hpp:300
-  logic and_678;
-  assign and_678 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
-  logic and_680;
-  assign and_680 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_678);
-  // hls/stages/agreement.hpp:456
+  logic and_683;
+  assign and_683 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
+  logic and_685;
+  assign and_685 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_683);
+  // hls/stages/agreement.hpp:460
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_680;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_685;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_q & whole_3;
   logic whole_5;
@@ -3247,1003 +3347,966 @@ module horopter_agreement (
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
   // hls/stages/census.hpp:284
-  logic [9:0] difference_703;
-  assign difference_703 = {1'b0, select_548} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [8:0] xor_704;
-  assign xor_704 = difference_703[8:0] ^ {9{difference_703[9]}};
-  logic [9:0] sum_705;
-  assign sum_705 = {9'h0, difference_703[9]} + {1'b0, xor_704};
-  logic [9:0] difference_706;
-  assign difference_706 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [8:0] xor_707;
-  assign xor_707 = difference_706[8:0] ^ {9{difference_706[9]}};
-  logic [9:0] sum_708;
-  assign sum_708 = {9'h0, difference_706[9]} + {1'b0, xor_707};
-  logic [9:0] difference_710;
-  assign difference_710 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
-  logic [8:0] xor_711;
-  assign xor_711 = difference_710[8:0] ^ {9{difference_710[9]}};
-  logic [9:0] sum_712;
-  assign sum_712 = {9'h0, difference_710[9]} + {1'b0, xor_711};
-  logic [10:0] sum_713;
-  assign sum_713 = ({1'b0, sum_705} + {1'b0, sum_708}) + {1'b0, sum_712};
-  logic [9:0] difference_714;
-  assign difference_714 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [8:0] xor_715;
-  assign xor_715 = difference_714[8:0] ^ {9{difference_714[9]}};
-  logic [9:0] sum_716;
-  assign sum_716 = {9'h0, difference_714[9]} + {1'b0, xor_715};
-  logic [9:0] difference_718;
-  assign difference_718 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  logic [8:0] xor_719;
-  assign xor_719 = difference_718[8:0] ^ {9{difference_718[9]}};
-  // hls/stages/agreement.hpp:456
-  logic and_727;
-  assign and_727 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
-  logic and_728;
-  assign and_728 = and_676 & and_727;
+  logic [9:0] difference_708;
+  assign difference_708 = {1'b0, select_550} - {1'b0, census_columns_values_0_cell_0_left_q};
+  logic [8:0] xor_709;
+  assign xor_709 = difference_708[8:0] ^ {9{difference_708[9]}};
+  logic [9:0] sum_710;
+  assign sum_710 = {9'h0, difference_708[9]} + {1'b0, xor_709};
+  logic [9:0] difference_711;
+  assign difference_711 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [8:0] xor_712;
+  assign xor_712 = difference_711[8:0] ^ {9{difference_711[9]}};
+  logic [9:0] sum_713;
+  assign sum_713 = {9'h0, difference_711[9]} + {1'b0, xor_712};
+  logic [9:0] difference_715;
+  assign difference_715 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [8:0] xor_716;
+  assign xor_716 = difference_715[8:0] ^ {9{difference_715[9]}};
+  logic [9:0] sum_717;
+  assign sum_717 = {9'h0, difference_715[9]} + {1'b0, xor_716};
+  logic [10:0] sum_718;
+  assign sum_718 = ({1'b0, sum_710} + {1'b0, sum_713}) + {1'b0, sum_717};
+  logic [9:0] difference_719;
+  assign difference_719 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [8:0] xor_720;
+  assign xor_720 = difference_719[8:0] ^ {9{difference_719[9]}};
+  logic [9:0] sum_721;
+  assign sum_721 = {9'h0, difference_719[9]} + {1'b0, xor_720};
+  logic [9:0] difference_723;
+  assign difference_723 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [8:0] xor_724;
+  assign xor_724 = difference_723[8:0] ^ {9{difference_723[9]}};
+  // hls/stages/agreement.hpp:460
+  logic and_732;
+  assign and_732 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
+  logic and_733;
+  assign and_733 = and_681 & and_732;
   // hls/stages/census.hpp:320
   logic [9:0] half_grey_levels;
   assign half_grey_levels = {1'b0, census_columns_values_0_cell_2_left_q} - {1'b0, census_columns_values_1_cell_2_left_q};
   // hls/stages/moments.hpp:30
-  logic [6:0] sum_730;
-  assign sum_730 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
+  logic [6:0] sum_735;
+  assign sum_735 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
   // hls/stages/census.hpp:320
-  logic and_732;
-  assign and_732 = and_728 & ({{5{sum_730[6]}}, sum_730, half_grey_levels[3:0]} < 16'hffe1);
+  logic and_737;
+  assign and_737 = and_733 & ({{5{sum_735[6]}}, sum_735, half_grey_levels[3:0]} < 16'hffe1);
   // hls/stages/census.hpp:321
   logic [9:0] half_grey_levels_2;
   assign half_grey_levels_2 = {1'b0, census_columns_values_0_cell_2_right_q} - {1'b0, census_columns_values_1_cell_2_right_q};
   // hls/stages/moments.hpp:30
-  logic [6:0] sum_736;
-  assign sum_736 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
-  // hls/stages/agreement.hpp:807
-  logic or_752;
-  assign or_752 = shift_first_s2_q | (~shift_not_right_q);
+  logic [6:0] sum_741;
+  assign sum_741 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
+  // hls/stages/agreement.hpp:814
+  logic or_758;
+  assign or_758 = shift_first_s2_q | (~shift_not_right_q);
+  // hls/stages/agreement.hpp:815
+  logic select_760;
+  assign select_760 = or_758 ? shift_first_s2_q : (~age_s2_q[0]);
+  // hls/stages/agreement.hpp:758
+  logic less_1491;
+  assign less_1491 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
+  logic [7:0] select_1492;
+  assign select_1492 = less_1491 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic less_1493;
+  assign less_1493 = middle_sum_sum_sums_values_0_q < select_1492;
+  logic [7:0] select_1494;
+  assign select_1494 = less_1493 ? select_1492 : middle_sum_sum_sums_values_0_q;
+  logic less_1975;
+  assign less_1975 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
+  logic [7:0] select_1976;
+  assign select_1976 = less_1975 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
+  logic less_1977;
+  assign less_1977 = select_1494 < select_1976;
   // hls/stages/agreement.hpp:808
-  logic select_754;
-  assign select_754 = or_752 ? shift_first_s2_q : (~age_s2_q[0]);
-  // hls/stages/agreement.hpp:751
-  logic less_1485;
-  assign less_1485 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
-  logic [7:0] select_1486;
-  assign select_1486 = less_1485 ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic less_1487;
-  assign less_1487 = middle_sum_sum_sums_values_0_q < select_1486;
-  logic [7:0] select_1488;
-  assign select_1488 = less_1487 ? select_1486 : middle_sum_sum_sums_values_0_q;
-  logic less_1969;
-  assign less_1969 = sums_2_sum_sums_values_0_q < sums_3_sum_sums_values_0_q;
-  logic [7:0] select_1970;
-  assign select_1970 = less_1969 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
-  logic less_1971;
-  assign less_1971 = select_1488 < select_1970;
-  // hls/stages/agreement.hpp:801
   logic [7:0] of_best;
-  assign of_best = shift_allowed_q ? (less_1971 ? select_1970 : select_1488) : 8'h0;
-  // hls/stages/agreement.hpp:808
-  logic or_1975;
-  assign or_1975 = select_754 | (best_left_rdata_s2_q[16:9] < of_best);
-  // hls/stages/agreement.hpp:813
-  logic [5:0] select_1976;
-  assign select_1976 = or_1975 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
-  // hls/stages/agreement.hpp:752
-  logic or_1978;
-  assign or_1978 = less_1485 | (~less_1487);
-  logic [2:0] select_1979;
-  assign select_1979 = less_1971 ? {less_1969, 2'h0} : {1'b0, or_1978, less_1487};
-  // hls/stages/agreement.hpp:813
-  logic [2:0] select_1980;
-  assign select_1980 = or_1975 ? select_1979 : best_left_rdata_s2_q[8:6];
-  logic [7:0] select_1981;
-  assign select_1981 = or_1975 ? of_best : best_left_rdata_s2_q[16:9];
-  // hls/stages/agreement.hpp:810
-  logic equal_1982;
-  assign equal_1982 = select_1979 == 3'h1;
-  logic or_1985;
-  assign or_1985 = equal_1982 | (~(select_1979 == 3'h2));
+  assign of_best = shift_allowed_q ? (less_1977 ? select_1976 : select_1494) : 8'h0;
+  // hls/stages/agreement.hpp:815
+  logic or_1981;
+  assign or_1981 = select_760 | (best_left_rdata_s2_q[16:9] < of_best);
+  // hls/stages/agreement.hpp:820
+  logic [5:0] select_1982;
+  assign select_1982 = or_1981 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
+  // hls/stages/agreement.hpp:759
+  logic or_1984;
+  assign or_1984 = less_1491 | (~less_1493);
+  logic [2:0] select_1985;
+  assign select_1985 = less_1977 ? {less_1975, 2'h0} : {1'b0, or_1984, less_1493};
+  // hls/stages/agreement.hpp:820
+  logic [2:0] select_1986;
+  assign select_1986 = or_1981 ? select_1985 : best_left_rdata_s2_q[8:6];
   logic [7:0] select_1987;
-  assign select_1987 = or_1985 ? middle_sum_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
-  logic [7:0] select_1988;
-  assign select_1988 = equal_1982 ? (or_1985 ? sums_2_sum_sums_values_0_q : {7'h0, shift_not_right_q}) : select_1987;
-  // hls/stages/agreement.hpp:813
-  logic [7:0] select_1989;
-  assign select_1989 = or_1975 ? select_1988 : best_left_rdata_s2_q[24:17];
-  // hls/stages/agreement.hpp:810
-  logic [7:0] select_1990;
-  assign select_1990 = or_1985 ? sums_3_sum_sums_values_0_q : sums_1_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:813
-  logic [7:0] select_1992;
-  assign select_1992 = or_1975 ? (equal_1982 ? select_1987 : select_1990) : best_left_rdata_s2_q[32:25];
-  // hls/stages/agreement.hpp:779
+  assign select_1987 = or_1981 ? of_best : best_left_rdata_s2_q[16:9];
+  // hls/stages/agreement.hpp:817
+  logic equal_1988;
+  assign equal_1988 = select_1985 == 3'h1;
+  logic or_1991;
+  assign or_1991 = equal_1988 | (~(select_1985 == 3'h2));
+  logic [7:0] select_1993;
+  assign select_1993 = or_1991 ? middle_sum_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
+  logic [7:0] select_1994;
+  assign select_1994 = equal_1988 ? (or_1991 ? sums_2_sum_sums_values_0_q : {7'h0, shift_not_right_q}) : select_1993;
+  // hls/stages/agreement.hpp:820
+  logic [7:0] select_1995;
+  assign select_1995 = or_1981 ? select_1994 : best_left_rdata_s2_q[24:17];
+  // hls/stages/agreement.hpp:818
+  logic [7:0] select_1996;
+  assign select_1996 = or_1991 ? sums_3_sum_sums_values_0_q : sums_1_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:820
+  logic [7:0] select_1998;
+  assign select_1998 = or_1981 ? (equal_1988 ? select_1993 : select_1996) : best_left_rdata_s2_q[32:25];
+  // hls/stages/agreement.hpp:786
   logic [5:0] before_v;
   assign before_v = age_s2_q[0] ? middle_sum_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1994;
-  assign sum_1994 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
-  logic [6:0] sum_1995;
-  assign sum_1995 = {1'b0, before_v} + sum_1994;
-  // hls/stages/agreement.hpp:779
+  // hls/stages/agreement.hpp:787
+  logic [6:0] sum_2000;
+  assign sum_2000 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
+  logic [6:0] sum_2001;
+  assign sum_2001 = {1'b0, before_v} + sum_2000;
+  // hls/stages/agreement.hpp:786
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[0] ? sums_0_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_1997;
-  assign sum_1997 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
-  logic [6:0] sum_1998;
-  assign sum_1998 = {1'b0, before_v_2} + sum_1997;
-  // hls/stages/agreement.hpp:779
+  // hls/stages/agreement.hpp:787
+  logic [6:0] sum_2003;
+  assign sum_2003 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
+  logic [6:0] sum_2004;
+  assign sum_2004 = {1'b0, before_v_2} + sum_2003;
+  // hls/stages/agreement.hpp:786
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[0] ? sums_1_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_2000;
-  assign sum_2000 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
-  logic [6:0] sum_2001;
-  assign sum_2001 = {1'b0, before_v_3} + sum_2000;
-  // hls/stages/agreement.hpp:751
-  logic [6:0] select_2003;
-  assign select_2003 = (sum_1998 < sum_2001) ? sum_2001 : sum_1998;
-  logic [6:0] select_2005;
-  assign select_2005 = (sum_1995 < select_2003) ? select_2003 : sum_1995;
-  // hls/stages/agreement.hpp:779
+  // hls/stages/agreement.hpp:787
+  logic [6:0] sum_2006;
+  assign sum_2006 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
+  logic [6:0] sum_2007;
+  assign sum_2007 = {1'b0, before_v_3} + sum_2006;
+  // hls/stages/agreement.hpp:758
+  logic [6:0] select_2009;
+  assign select_2009 = (sum_2004 < sum_2007) ? sum_2007 : sum_2004;
+  logic [6:0] select_2011;
+  assign select_2011 = (sum_2001 < select_2009) ? select_2009 : sum_2001;
+  // hls/stages/agreement.hpp:786
   logic [5:0] before_v_4;
   assign before_v_4 = age_s2_q[0] ? sums_2_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_2007;
-  assign sum_2007 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
-  logic [6:0] sum_2008;
-  assign sum_2008 = {1'b0, before_v_4} + sum_2007;
-  // hls/stages/agreement.hpp:779
+  // hls/stages/agreement.hpp:787
+  logic [6:0] sum_2013;
+  assign sum_2013 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
+  logic [6:0] sum_2014;
+  assign sum_2014 = {1'b0, before_v_4} + sum_2013;
+  // hls/stages/agreement.hpp:786
   logic [5:0] before_v_5;
   assign before_v_5 = age_s2_q[0] ? sums_3_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:780
-  logic [6:0] sum_2010;
-  assign sum_2010 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
-  logic [6:0] sum_2011;
-  assign sum_2011 = {1'b0, before_v_5} + sum_2010;
-  // hls/stages/agreement.hpp:751
-  logic [6:0] select_2013;
-  assign select_2013 = (sum_2008 < sum_2011) ? sum_2011 : sum_2008;
-  // hls/stages/agreement.hpp:802
-  logic [6:0] of_near;
-  assign of_near = shift_allowed_q ? ((select_2005 < select_2013) ? select_2013 : select_2005) : 7'h0;
-  // hls/stages/agreement.hpp:813
-  logic less_2017;
-  assign less_2017 = best_left_rdata_s2_q[39:33] < of_near;
-  // hls/stages/agreement.hpp:817
+  // hls/stages/agreement.hpp:787
+  logic [6:0] sum_2016;
+  assign sum_2016 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
+  logic [6:0] sum_2017;
+  assign sum_2017 = {1'b0, before_v_5} + sum_2016;
+  // hls/stages/agreement.hpp:758
   logic [6:0] select_2019;
-  assign select_2019 = select_754 ? of_near : (less_2017 ? of_near : best_left_rdata_s2_q[39:33]);
-  logic [5:0] select_2021;
-  assign select_2021 = select_754 ? run_shift_s2_q : (less_2017 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
-  logic [7:0] select_2024;
-  assign select_2024 = (run_shift_s2_q == 6'h3f) ? of_best : (select_754 ? 8'h0 : best_left_rdata_s2_q[53:46]);
-  // hls/stages/agreement.hpp:818
-  logic [7:0] select_2027;
-  assign select_2027 = (run_shift_s2_q == 6'h1) ? of_best : (select_754 ? 8'h0 : best_left_rdata_s2_q[61:54]);
-  // hls/stages/agreement.hpp:823
-  logic select_2030;
-  assign select_2030 = or_752 ? shift_first_s2_q : equal_2029_s2_q;
+  assign select_2019 = (sum_2014 < sum_2017) ? sum_2017 : sum_2014;
+  // hls/stages/agreement.hpp:809
+  logic [6:0] of_near;
+  assign of_near = shift_allowed_q ? ((select_2011 < select_2019) ? select_2019 : select_2011) : 7'h0;
+  // hls/stages/agreement.hpp:820
+  logic less_2023;
+  assign less_2023 = best_left_rdata_s2_q[39:33] < of_near;
   // hls/stages/agreement.hpp:824
-  logic or_2032;
-  assign or_2032 = select_2030 | (best_right_rdata_q[7:0] < of_best);
-  // hls/stages/agreement.hpp:828
+  logic [6:0] select_2025;
+  assign select_2025 = select_760 ? of_near : (less_2023 ? of_near : best_left_rdata_s2_q[39:33]);
+  logic [5:0] select_2027;
+  assign select_2027 = select_760 ? run_shift_s2_q : (less_2023 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
+  logic [7:0] select_2030;
+  assign select_2030 = (run_shift_s2_q == 6'h3f) ? of_best : (select_760 ? 8'h0 : best_left_rdata_s2_q[53:46]);
+  // hls/stages/agreement.hpp:825
   logic [7:0] select_2033;
-  assign select_2033 = or_2032 ? of_best : best_right_rdata_q[7:0];
-  logic [6:0] select_2034;
-  assign select_2034 = or_2032 ? x_s2_2_q : best_right_rdata_q[14:8];
-  logic or_2036;
-  assign or_2036 = select_2030 | (best_right_rdata_q[21:15] < of_near);
-  // hls/stages/agreement.hpp:832
-  logic [6:0] select_2037;
-  assign select_2037 = or_2036 ? of_near : best_right_rdata_q[21:15];
-  logic [6:0] select_2038;
-  assign select_2038 = or_2036 ? x_s2_2_q : best_right_rdata_q[28:22];
+  assign select_2033 = (run_shift_s2_q == 6'h1) ? of_best : (select_760 ? 8'h0 : best_left_rdata_s2_q[61:54]);
+  // hls/stages/agreement.hpp:830
+  logic select_2036;
+  assign select_2036 = or_758 ? shift_first_s2_q : equal_2035_s2_q;
+  // hls/stages/agreement.hpp:831
+  logic or_2038;
+  assign or_2038 = select_2036 | (best_right_rdata_q[7:0] < of_best);
+  // hls/stages/agreement.hpp:835
+  logic [7:0] select_2039;
+  assign select_2039 = or_2038 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_2040;
+  assign select_2040 = or_2038 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_2042;
+  assign or_2042 = select_2036 | (best_right_rdata_q[21:15] < of_near);
+  // hls/stages/agreement.hpp:839
+  logic [6:0] select_2043;
+  assign select_2043 = or_2042 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_2044;
+  assign select_2044 = or_2042 ? x_s2_2_q : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:149
-  logic and_2052;
-  assign and_2052 = or_572_s2_q & (not_576_s2_q & (and_627 & or_2049_s2_q));
-  // hls/stages/agreement.hpp:788
-  logic and_2053;
-  assign and_2053 = not_570_s2_q & and_2052;
-  logic and_2056;
-  assign and_2056 = not_568_s2_q & (so_s2_q ? and_2039_s2_q : (equal_571_s2_q & and_629));
+  logic and_2058;
+  assign and_2058 = or_574_s2_q & (not_578_s2_q & (and_630 & or_2055_s2_q));
+  // hls/stages/agreement.hpp:795
+  logic and_2059;
+  assign and_2059 = not_572_s2_q & and_2058;
+  logic and_2062;
+  assign and_2062 = not_570_s2_q & (drew_q ? and_2045_s2_q : (equal_573_s2_q & and_632));
   // hls/stages/moments.hpp:73
-  logic and_2060;
-  assign and_2060 = moments_has_before_q & moments_memory_rdata_q[0];
-  // hls/stages/agreement.hpp:1003
-  logic and_2061;
-  assign and_2061 = not_580_s2_q & and_2060;
-  logic and_2064;
-  assign and_2064 = not_580_s2_q & (and_2060 & (moments_memory_rdata_q[1] ^ and_632_s2_q));
-  // hls/stages/moments.hpp:73
-  logic and_2069;
-  assign and_2069 = moments_has_before_q & moments_memory_rdata_q[2];
-  // hls/stages/agreement.hpp:1003
+  logic and_2066;
+  assign and_2066 = moments_has_before_q & moments_memory_rdata_q[0];
+  // hls/stages/agreement.hpp:1010
+  logic and_2067;
+  assign and_2067 = not_582_s2_q & and_2066;
   logic and_2070;
-  assign and_2070 = not_580_s2_q & and_2069;
-  logic and_2073;
-  assign and_2073 = not_580_s2_q & (and_2069 & (moments_memory_rdata_q[3] ^ and_639_s2_q));
-  // hls/stages/agreement.hpp:1128
-  logic equal_2074;
-  assign equal_2074 = x_s2_q[6:4] == 3'h7;
-  // hls/stages/agreement.hpp:1178
+  assign and_2070 = not_582_s2_q & (and_2066 & (moments_memory_rdata_q[1] ^ and_637_s2_q));
+  // hls/stages/moments.hpp:73
+  logic and_2075;
+  assign and_2075 = moments_has_before_q & moments_memory_rdata_q[2];
+  // hls/stages/agreement.hpp:1010
+  logic and_2076;
+  assign and_2076 = not_582_s2_q & and_2075;
+  logic and_2079;
+  assign and_2079 = not_582_s2_q & (and_2075 & (moments_memory_rdata_q[3] ^ and_644_s2_q));
+  // hls/stages/agreement.hpp:1136
+  logic equal_2080;
+  assign equal_2080 = x_s2_q[6:4] == 3'h7;
+  // hls/stages/agreement.hpp:1186
   logic [1:0] quarter;
   assign quarter = x_s2_q[1:0] + 2'h1;
   // hls/stages/registration.hpp:147
   logic all;
   assign all = x_s2_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:1129
-  logic [1:0] select_2077;
-  assign select_2077 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
-  // hls/stages/agreement.hpp:1142
-  logic [3:0] select_2079;
-  assign select_2079 = equal_2074 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_2077});
+  // hls/stages/agreement.hpp:1137
+  logic [1:0] select_2083;
+  assign select_2083 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
+  // hls/stages/agreement.hpp:1150
+  logic [3:0] select_2085;
+  assign select_2085 = equal_2080 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_2083});
   // hls/stages/registration.hpp:107
-  logic [1:0] sum_2080;
-  assign sum_2080 = slot_s2_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:788
-  logic [3:0] select_2081;
-  assign select_2081 = equal_567_s2_q ? select_2079 : {sum_2080, lower_half_s2_q, registration_of_right_q};
+  logic [1:0] sum_2086;
+  assign sum_2086 = slot_s2_q[1:0] + 2'h3;
+  // hls/stages/agreement.hpp:795
+  logic [3:0] select_2087;
+  assign select_2087 = equal_569_s2_q ? select_2085 : {sum_2086, lower_half_s2_q, registration_of_right_q};
   // hls/stages/patches.hpp:214
-  logic equal_2082;
-  assign equal_2082 = x_s2_q[5:0] == 6'h3f;
-  logic equal_2084;
-  assign equal_2084 = x_s2_q[5:0] == 6'h3e;
-  logic equal_2086;
-  assign equal_2086 = x_s2_q[5:0] == 6'h3d;
   logic equal_2088;
-  assign equal_2088 = x_s2_q[5:0] == 6'h3c;
+  assign equal_2088 = x_s2_q[5:0] == 6'h3f;
   logic equal_2090;
-  assign equal_2090 = x_s2_q[5:0] == 6'h3b;
+  assign equal_2090 = x_s2_q[5:0] == 6'h3e;
   logic equal_2092;
-  assign equal_2092 = x_s2_q[5:0] == 6'h36;
+  assign equal_2092 = x_s2_q[5:0] == 6'h3d;
   logic equal_2094;
-  assign equal_2094 = x_s2_q[5:0] == 6'h35;
+  assign equal_2094 = x_s2_q[5:0] == 6'h3c;
   logic equal_2096;
-  assign equal_2096 = x_s2_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1178
-  logic and_2100;
-  assign and_2100 = (~equal_2090) & ((~equal_2092) & ((~equal_2094) & (~equal_2096)));
-  logic and_2104;
-  assign and_2104 = (~equal_2082) & ((~equal_2084) & ((~equal_2086) & ((~equal_2088) & and_2100)));
-  // hls/stages/agreement.hpp:1129
-  logic less_2105;
-  assign less_2105 = x_s2_q[5:0] < 6'h29;
+  assign equal_2096 = x_s2_q[5:0] == 6'h3b;
+  logic equal_2098;
+  assign equal_2098 = x_s2_q[5:0] == 6'h36;
+  logic equal_2100;
+  assign equal_2100 = x_s2_q[5:0] == 6'h35;
+  logic equal_2102;
+  assign equal_2102 = x_s2_q[5:0] == 6'h34;
+  // hls/stages/agreement.hpp:1186
+  logic and_2106;
+  assign and_2106 = (~equal_2096) & ((~equal_2098) & ((~equal_2100) & (~equal_2102)));
+  logic and_2110;
+  assign and_2110 = (~equal_2088) & ((~equal_2090) & ((~equal_2092) & ((~equal_2094) & and_2106)));
+  // hls/stages/agreement.hpp:1137
+  logic less_2111;
+  assign less_2111 = x_s2_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
   logic [1:0] kind;
   assign kind = all ? {1'b0, x_s2_q[2]} : x_s2_q[2:1];
   // hls/stages/registration.hpp:160
-  logic or_2109;
-  assign or_2109 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:1009
-  logic [5:0] sum_2114;
-  assign sum_2114 = {1'b0, last_s2_q[6:2]} + 6'h1;
+  logic or_2115;
+  assign or_2115 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
+  // hls/stages/agreement.hpp:1016
+  logic [5:0] sum_2120;
+  assign sum_2120 = {1'b0, last_s2_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:262
   logic right_2;
-  assign right_2 = inside_v_s2_q & ({1'b0, sum_2114, last_s2_q[1]} < x_s2_q);
+  assign right_2 = inside_v_s2_q & ({1'b0, sum_2120, last_s2_q[1]} < x_s2_q);
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = inside_v_s2_q ? (right_2 & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:107
-  logic [4:0] sum_2120;
-  assign sum_2120 = {2'h0, slot_s2_q} + 5'h1f;
-  logic and_2122;
-  assign and_2122 = half_ends & ({{3{sum_2120[4]}}, sum_2120} < 8'h3);
-  // hls/stages/agreement.hpp:788
-  logic and_2123;
-  assign and_2123 = so_s2_q & and_2122;
-  logic select_2124;
-  assign select_2124 = equal_567_s2_q ? (x_s2_q[6] & (equal_2074 ? and_2104 : (less_2105 & (~or_2109)))) : and_2123;
+  logic [4:0] sum_2126;
+  assign sum_2126 = {2'h0, slot_s2_q} + 5'h1f;
+  logic and_2128;
+  assign and_2128 = half_ends & ({{3{sum_2126[4]}}, sum_2126} < 8'h3);
+  // hls/stages/agreement.hpp:795
+  logic and_2129;
+  assign and_2129 = drew_q & and_2128;
+  logic select_2130;
+  assign select_2130 = equal_569_s2_q ? (x_s2_q[6] & (equal_2080 ? and_2110 : (less_2111 & (~or_2115)))) : and_2129;
   // hls/stages/registration.hpp:258
-  logic not_2126;
-  assign not_2126 = ~lower_half_s2_q;
-  logic [3:0] select_2127;
-  assign select_2127 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_2126, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_2126};
+  logic not_2132;
+  assign not_2132 = ~lower_half_s2_q;
+  logic [3:0] select_2133;
+  assign select_2133 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_2132, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_2132};
   // hls/stages/patches.hpp:377
-  logic [1:0] select_2153;
-  assign select_2153 = and_2152_s2_q ? 2'h1 : patches_fetch_q;
-  logic [4:0] select_2154;
-  assign select_2154 = and_2152_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
+  logic [1:0] select_2159;
+  assign select_2159 = and_2158_s2_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_2160;
+  assign select_2160 = and_2158_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
   // hls/stages/agreement.hpp:276
-  logic [5:0] select_2155;
-  assign select_2155 = row_starts_s2_q ? {select_2154, select_2153[1]} : {patches_band_q, patches_fetch_q[1]};
+  logic [5:0] select_2161;
+  assign select_2161 = row_starts_s2_q ? {select_2160, select_2159[1]} : {patches_band_q, patches_fetch_q[1]};
   // hls/stages/patches.hpp:126
-  logic [1:0] select_2156;
-  assign select_2156 = row_starts_s2_q ? select_2153 : patches_fetch_q;
-  logic equal_2157;
-  assign equal_2157 = select_2156 == 2'h0;
+  logic [1:0] select_2162;
+  assign select_2162 = row_starts_s2_q ? select_2159 : patches_fetch_q;
+  logic equal_2163;
+  assign equal_2163 = select_2162 == 2'h0;
   // hls/stages/patches.hpp:103
   logic right_3;
   assign right_3 = {2'h0, last_s2_q[6:1]} < x_s2_q;
-  // hls/stages/agreement.hpp:788
-  logic and_2165;
-  assign and_2165 = not_568_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
+  // hls/stages/agreement.hpp:795
+  logic and_2171;
+  assign and_2171 = not_570_s2_q & (drew_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
   // hls/stages/registration.hpp:83
-  logic equal_2167;
-  assign equal_2167 = slot_s2_q == 3'h7;
+  logic equal_2173;
+  assign equal_2173 = slot_s2_q == 3'h7;
   // hls/stages/agreement.hpp:149
   logic [5:0] b;
-  assign b = or_572_s2_q ? (less_575_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
+  assign b = or_574_s2_q ? (less_577_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
   // hls/stages/registration.hpp:89
   logic [7:0] a;
-  assign a = equal_2167 ? registration_slope_here_q : change_s2_q;
+  assign a = equal_2173 ? registration_slope_here_q : change_s2_q;
   // hls/stages/registration.hpp:211
-  logic [6:0] select_2175;
-  assign select_2175 = b[0] ? a[7:1] : 7'h0;
-  logic [7:0] select_2176;
-  assign select_2176 = b[1] ? a : 8'h0;
-  logic [8:0] sum_2177;
-  assign sum_2177 = {{2{select_2175[6]}}, select_2175} + {select_2176[7], select_2176};
-  // hls/stages/registration.hpp:212
-  logic [7:0] select_2178;
-  assign select_2178 = b[2] ? a : 8'h0;
-  logic [7:0] select_2179;
-  assign select_2179 = b[3] ? a : 8'h0;
-  logic [8:0] sum_2180;
-  assign sum_2180 = {{2{select_2178[7]}}, select_2178[7:1]} + {select_2179[7], select_2179};
-  // hls/stages/registration.hpp:214
-  logic [10:0] sum_2181;
-  assign sum_2181 = {{3{sum_2177[8]}}, sum_2177[8:1]} + {sum_2180[8], sum_2180, select_2178[0]};
-  // hls/stages/registration.hpp:213
+  logic [6:0] select_2181;
+  assign select_2181 = b[0] ? a[7:1] : 7'h0;
   logic [7:0] select_2182;
-  assign select_2182 = b[4] ? a : 8'h0;
-  logic [7:0] select_2183;
-  assign select_2183 = b[5] ? a : 8'h0;
-  logic [8:0] difference_2184;
-  assign difference_2184 = {{2{select_2182[7]}}, select_2182[7:1]} - {select_2183[7], select_2183};
+  assign select_2182 = b[1] ? a : 8'h0;
+  logic [8:0] sum_2183;
+  assign sum_2183 = {{2{select_2181[6]}}, select_2181} + {select_2182[7], select_2182};
+  // hls/stages/registration.hpp:212
+  logic [7:0] select_2184;
+  assign select_2184 = b[2] ? a : 8'h0;
+  logic [7:0] select_2185;
+  assign select_2185 = b[3] ? a : 8'h0;
+  logic [8:0] sum_2186;
+  assign sum_2186 = {{2{select_2184[7]}}, select_2184[7:1]} + {select_2185[7], select_2185};
   // hls/stages/registration.hpp:214
-  logic [9:0] sum_2185;
-  assign sum_2185 = {difference_2184, select_2182[0]} + {sum_2181[10], sum_2181[10:2]};
+  logic [10:0] sum_2187;
+  assign sum_2187 = {{3{sum_2183[8]}}, sum_2183[8:1]} + {sum_2186[8], sum_2186, select_2184[0]};
+  // hls/stages/registration.hpp:213
+  logic [7:0] select_2188;
+  assign select_2188 = b[4] ? a : 8'h0;
+  logic [7:0] select_2189;
+  assign select_2189 = b[5] ? a : 8'h0;
+  logic [8:0] difference_2190;
+  assign difference_2190 = {{2{select_2188[7]}}, select_2188[7:1]} - {select_2189[7], select_2189};
+  // hls/stages/registration.hpp:214
+  logic [9:0] sum_2191;
+  assign sum_2191 = {difference_2190, select_2188[0]} + {sum_2187[10], sum_2187[10:2]};
   // hls/stages/registration.hpp:107
   logic [10:0] expected;
-  assign expected = equal_2167 ? {sum_2185, sum_2181[1]} : registration_expected_q;
+  assign expected = equal_2173 ? {sum_2191, sum_2187[1]} : registration_expected_q;
   // hls/stages/patches.hpp:98
-  logic [9:0] sum_2187;
-  assign sum_2187 = {expected[10], expected[10:2]} + 10'h5;
+  logic [9:0] sum_2193;
+  assign sum_2193 = {expected[10], expected[10:2]} + 10'h5;
   // hls/stages/agreement.hpp:262
-  logic and_2190;
-  assign and_2190 = less_2166_s2_q & (and_629 & ({{4{sum_2187[9]}}, sum_2187, expected[1:0]} < 16'h29));
+  logic and_2196;
+  assign and_2196 = less_2172_s2_q & (and_632 & ({{4{sum_2193[9]}}, sum_2193, expected[1:0]} < 16'h29));
   // hls/stages/patches.hpp:104
-  logic and_2194;
-  assign and_2194 = ({3'h0, last_s2_q[6:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
+  logic and_2200;
+  assign and_2200 = ({3'h0, last_s2_q[6:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
   // hls/stages/patches.hpp:102
-  logic [9:0] sum_2200;
-  assign sum_2200 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
+  logic [9:0] sum_2206;
+  assign sum_2206 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
   // hls/stages/patches.hpp:106
-  logic [9:0] sum_2202;
-  assign sum_2202 = {sum_2200[9], sum_2200[9:1]} + 10'h1;
-  // hls/stages/agreement.hpp:1018
-  logic and_2205;
-  assign and_2205 = ($signed(9'h0) < $signed(sum_2200[9:1])) & (~($signed({4'h0, last_s2_q}) < $signed({sum_2202, sum_2200[0]})));
-  logic and_2206;
-  assign and_2206 = (~(and_2194 | (equal_562_s2_q | (~(x_s2_q < {1'b0, last_s2_q}))))) & and_2205;
-  // hls/stages/agreement.hpp:788
-  logic and_2210;
-  assign and_2210 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2190 & and_2206)));
+  logic [9:0] sum_2208;
+  assign sum_2208 = {sum_2206[9], sum_2206[9:1]} + 10'h1;
+  // hls/stages/agreement.hpp:1025
   logic and_2211;
-  assign and_2211 = not_568_s2_q & and_2210;
+  assign and_2211 = ($signed(9'h0) < $signed(sum_2206[9:1])) & (~($signed({4'h0, last_s2_q}) < $signed({sum_2208, sum_2206[0]})));
+  logic and_2212;
+  assign and_2212 = (~(and_2200 | (equal_564_s2_q | (~(x_s2_q < {1'b0, last_s2_q}))))) & and_2211;
+  // hls/stages/agreement.hpp:795
+  logic and_2216;
+  assign and_2216 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2196 & and_2212)));
+  logic and_2217;
+  assign and_2217 = not_570_s2_q & and_2216;
   // hls/stages/patches.hpp:157
-  logic and_2213;
-  assign and_2213 = and_2211 & (~patches_fixed_q);
+  logic and_2219;
+  assign and_2219 = and_2217 & (~patches_fixed_q);
   // hls/stages/patches.hpp:348
-  logic select_2214;
-  assign select_2214 = and_2213 ? and_2211 : patches_choice_valid_q;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_2217;
-  assign select_2217 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
+  logic select_2220;
+  assign select_2220 = and_2219 ? and_2217 : patches_choice_valid_q;
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_2223;
+  assign select_2223 = drew_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:348
-  logic [7:0] select_2219;
-  assign select_2219 = and_2213 ? (equal_567_s2_q ? 8'h0 : select_2217) : patches_choice_column_q;
-  // hls/stages/agreement.hpp:788
-  logic [5:0] select_2222;
-  assign select_2222 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
+  logic [7:0] select_2225;
+  assign select_2225 = and_2219 ? (equal_569_s2_q ? 8'h0 : select_2223) : patches_choice_column_q;
+  // hls/stages/agreement.hpp:795
+  logic [5:0] select_2228;
+  assign select_2228 = drew_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
   // hls/stages/patches.hpp:348
-  logic [5:0] select_2224;
-  assign select_2224 = and_2213 ? (equal_567_s2_q ? 6'h0 : select_2222) : patches_choice_shift_q;
+  logic [5:0] select_2230;
+  assign select_2230 = and_2219 ? (equal_569_s2_q ? 6'h0 : select_2228) : patches_choice_shift_q;
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_2225;
-  assign sum_2225 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_2185[9]}}, sum_2185[9:2]};
+  logic [12:0] sum_2231;
+  assign sum_2231 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_2191[9]}}, sum_2191[9:2]};
   // hls/stages/registration.hpp:218
-  logic [7:0] select_2228;
-  assign select_2228 = ($signed(sum_2225[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2225[7:0];
+  logic [7:0] select_2234;
+  assign select_2234 = ($signed(sum_2231[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_2231[7:0];
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
-  assign slope = equal_2167 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2225[12:7])) ? 8'h7f : select_2228);
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_2233;
-  assign select_2233 = so_s2_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
+  assign slope = equal_2173 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2231[12:7])) ? 8'h7f : select_2234);
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_2239;
+  assign select_2239 = drew_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:348
-  logic [7:0] select_2235;
-  assign select_2235 = and_2213 ? (equal_567_s2_q ? 8'h0 : select_2233) : patches_choice_slope_q;
+  logic [7:0] select_2241;
+  assign select_2241 = and_2219 ? (equal_569_s2_q ? 8'h0 : select_2239) : patches_choice_slope_q;
   // hls/stages/patches.hpp:113
-  logic equal_2236;
-  assign equal_2236 = x_s2_q == {1'b0, last_s2_q};
-  // hls/stages/agreement.hpp:788
-  logic and_2240;
-  assign and_2240 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2194 | equal_2236)));
-  logic and_2241;
-  assign and_2241 = not_568_s2_q & and_2240;
+  logic equal_2242;
+  assign equal_2242 = x_s2_q == {1'b0, last_s2_q};
+  // hls/stages/agreement.hpp:795
+  logic and_2246;
+  assign and_2246 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (and_2200 | equal_2242)));
+  logic and_2247;
+  assign and_2247 = not_570_s2_q & and_2246;
   // hls/stages/patches.hpp:348
-  logic and_2242;
-  assign and_2242 = patches_chooses_s2_q & and_2241;
+  logic and_2248;
+  assign and_2248 = patches_chooses_s2_q & and_2247;
   // hls/stages/patches.hpp:126
-  logic [4:0] select_2256;
-  assign select_2256 = row_starts_s2_q ? select_2154 : patches_band_q;
+  logic [4:0] select_2262;
+  assign select_2262 = row_starts_s2_q ? select_2160 : patches_band_q;
   // hls/stages/patches.hpp:357
-  logic equal_2257;
-  assign equal_2257 = {patches_choosing_band_s2_q, and_2165} == {select_2256, select_2156[1]};
+  logic equal_2263;
+  assign equal_2263 = {patches_choosing_band_s2_q, and_2171} == {select_2262, select_2162[1]};
   // hls/stages/patches.hpp:490
-  logic [2:0] sum_2356;
-  assign sum_2356 = patches_code_row_s2_q[4:2] + 3'h7;
+  logic [2:0] sum_2362;
+  assign sum_2362 = patches_code_row_s2_q[4:2] + 3'h7;
   // hls/stages/patches.hpp:457
-  logic and_2372;
-  assign and_2372 = not_2365_s2_q & or_2371_s2_q;
+  logic and_2378;
+  assign and_2378 = not_2371_s2_q & or_2377_s2_q;
   // hls/stages/patches.hpp:494
-  logic [1:0] sum_2412;
-  assign sum_2412 = patches_code_row_s2_q[3:2] + 2'h3;
+  logic [1:0] sum_2418;
+  assign sum_2418 = patches_code_row_s2_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:205
-  logic [7:0] select_2437;
-  assign select_2437 = so_s2_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:1050
-  logic or_2440;
-  assign or_2440 = select_2437[7] | (~({select_2437[5], select_2437[3], select_2437[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1049
-  logic or_2443;
-  assign or_2443 = select_2437[7] | (~({select_2437[6], select_2437[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:1048
+  logic [7:0] select_2443;
+  assign select_2443 = drew_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:1057
   logic or_2446;
-  assign or_2446 = select_2437[7] | (~(select_2437[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:788
-  logic [5:0] select_2447;
-  assign select_2447 = equal_567_s2_q ? x_s2_q[5:0] : {region_row_q, or_2446, or_2443, or_2440};
-  // hls/stages/agreement.hpp:1128
-  logic not_2448;
-  assign not_2448 = ~equal_2074;
-  // hls/stages/agreement.hpp:1058
+  assign or_2446 = select_2443[7] | (~({select_2443[5], select_2443[3], select_2443[1]} == 3'h0));
+  // hls/stages/agreement.hpp:1056
+  logic or_2449;
+  assign or_2449 = select_2443[7] | (~({select_2443[6], select_2443[3:2]} == 3'h0));
+  // hls/stages/agreement.hpp:1055
   logic or_2452;
-  assign or_2452 = (~sum_2450_s2_q) | equal_2236;
-  // hls/stages/agreement.hpp:788
-  logic and_2455;
-  assign and_2455 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & or_2452));
+  assign or_2452 = select_2443[7] | (~(select_2443[6:4] == 3'h0));
+  // hls/stages/agreement.hpp:795
+  logic [5:0] select_2453;
+  assign select_2453 = equal_569_s2_q ? x_s2_q[5:0] : {region_row_q, or_2452, or_2449, or_2446};
+  // hls/stages/agreement.hpp:1136
+  logic not_2454;
+  assign not_2454 = ~equal_2080;
+  // hls/stages/agreement.hpp:1065
+  logic or_2458;
+  assign or_2458 = (~sum_2456_s2_q) | equal_2242;
+  // hls/stages/agreement.hpp:795
+  logic and_2461;
+  assign and_2461 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & or_2458));
   // hls/stages/agreement.hpp:262
   logic textured;
-  assign textured = inside_v_s2_q & (or_572_s2_q & (not_576_s2_q & and_601_s2_q));
+  assign textured = inside_v_s2_q & (or_574_s2_q & (not_578_s2_q & and_604_s2_q));
   logic explained;
-  assign explained = inside_v_s2_q & and_629;
+  assign explained = inside_v_s2_q & and_632;
   // hls/stages/agreement.hpp:149
-  logic and_2473;
-  assign and_2473 = or_572_s2_q & (not_576_s2_q & and_2471_s2_q);
+  logic and_2479;
+  assign and_2479 = or_574_s2_q & (not_578_s2_q & and_2477_s2_q);
   // hls/stages/agreement.hpp:262
-  logic and_2482;
-  assign and_2482 = inside_v_s2_q & and_2473;
-  // hls/stages/agreement.hpp:1014
-  logic select_2483;
-  assign select_2483 = slot_s2_q[2] ? shown_shown_q : and_629;
+  logic and_2488;
+  assign and_2488 = inside_v_s2_q & and_2479;
+  // hls/stages/agreement.hpp:1021
+  logic select_2489;
+  assign select_2489 = slot_s2_q[2] ? shown_shown_q : and_632;
   // hls/stages/agreement.hpp:262
   logic shown;
-  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2483);
-  // hls/stages/agreement.hpp:1014
-  logic select_2486;
-  assign select_2486 = slot_s2_q[2] ? shown_nearer_q : and_2052;
+  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2489);
+  // hls/stages/agreement.hpp:1021
+  logic select_2492;
+  assign select_2492 = slot_s2_q[2] ? shown_nearer_q : and_2058;
   // hls/stages/agreement.hpp:262
   logic near;
-  assign near = inside_v_s2_q & (select_2483 ? select_2486 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:1275
-  logic or_2489;
-  assign or_2489 = marks_first_s2_q | line_ended_q;
-  // hls/stages/agreement.hpp:1277
-  logic [16:0] select_2491;
-  assign select_2491 = marks_first_s2_q ? 17'h1 : (or_2489 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1276
-  logic [8:0] select_2493;
-  assign select_2493 = or_2489 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1284
-  logic select_2495;
-  assign select_2495 = cfg_compete_i ? (or_2489 & select_2491[16]) : (select_2493[8] & select_2491[9]);
-  // hls/stages/agreement.hpp:436
-  logic next_row;
-  assign next_row = select_2495 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1291
-  logic [6:0] select_2498;
-  assign select_2498 = next_row ? cfg_width_i[9:3] : 7'h0;
-  logic [12:0] select_2500;
-  assign select_2500 = marks_first_s2_q ? 13'h0 : (seen_base_q + {6'h0, select_2498});
-  // hls/stages/agreement.hpp:1301
-  logic equal_2501;
-  assign equal_2501 = seen_x_q == 3'h7;
-  logic [7:0] select_2503;
-  assign select_2503 = select_2495 ? 8'h0 : (seen_column_q + {7'h0, equal_2501});
-  // hls/stages/agreement.hpp:1308
+  assign near = inside_v_s2_q & (select_2489 ? select_2492 : shown_right_rdata_q[1]);
+  // hls/stages/agreement.hpp:1317
   logic [12:0] index;
-  assign index = select_2500 + {5'h0, select_2503};
-  // hls/stages/agreement.hpp:1275
-  logic select_2506;
-  assign select_2506 = marks_first_s2_q ? (done_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1261
-  logic [7:0] sum_2507;
-  assign sum_2507 = {1'b0, select_2506, 2'h0, select_2506, 1'b0, {2{select_2506}}} + {1'b0, index[12:6]};
-  // hls/stages/agreement.hpp:1274
-  logic not_2508;
-  assign not_2508 = ~marks_first_s2_q;
-  // hls/stages/agreement.hpp:436
-  logic and_2510;
-  assign and_2510 = not_2508 & (began_q | select_2495);
-  // hls/stages/agreement.hpp:1302
-  logic [2:0] select_2512;
-  assign select_2512 = select_2495 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:1307
-  logic and_2514;
-  assign and_2514 = and_2510 & (select_2512 == 3'h0);
-  logic less_2515;
-  assign less_2515 = select_2503 < {1'b0, cfg_width_i[9:3]};
-  // hls/stages/agreement.hpp:1111
-  logic [7:0] sum_2518;
-  assign sum_2518 = {2'h0, x_s2_q[7:2]} + 8'hff;
+  assign index = seen_base_q + {5'h0, seen_column_q};
+  // hls/stages/agreement.hpp:1269
+  logic [7:0] sum_2513;
+  assign sum_2513 = {1'b0, read_half_q, 2'h0, read_half_q, 1'b0, {2{read_half_q}}} + {1'b0, index[12:6]};
+  // hls/stages/agreement.hpp:1316
+  logic and_2520;
+  assign and_2520 = began_q & (seen_x_q == 3'h0);
+  logic less_2521;
+  assign less_2521 = seen_column_q < {1'b0, cfg_width_i[9:3]};
+  // hls/stages/agreement.hpp:1119
+  logic [7:0] sum_2524;
+  assign sum_2524 = {2'h0, x_s2_q[7:2]} + 8'hff;
   logic [12:0] index_2;
-  assign index_2 = {{3{sum_2518[7]}}, sum_2518, x_s2_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1261
-  logic [7:0] sum_2520;
-  assign sum_2520 = {1'b0, write_half_q, 2'h0, write_half_q, 1'b0, {2{write_half_q}}} + {1'b0, index_2[12:6]};
-  // hls/stages/agreement.hpp:1030
-  logic and_2521;
-  assign and_2521 = seen_columns_rdata_q[14] & inside_v_s2_q;
-  logic and_2522;
-  assign and_2522 = seen_columns_rdata_q[10] & inside_v_s2_q;
-  logic and_2523;
-  assign and_2523 = seen_columns_rdata_q[5] & inside_v_s2_q;
-  logic and_2524;
-  assign and_2524 = seen_columns_rdata_q[0] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1087
-  logic [1:0] sum_2526;
-  assign sum_2526 = {1'b0, and_2523} + ({1'b0, textured} + {1'b0, and_2524});
+  assign index_2 = {{3{sum_2524[7]}}, sum_2524, x_s2_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:1269
+  logic [7:0] sum_2527;
+  assign sum_2527 = {1'b0, select_2526_s2_q, 2'h0, select_2526_s2_q, 1'b0, {2{select_2526_s2_q}}} + {1'b0, index_2[12:6]};
+  // hls/stages/agreement.hpp:1037
+  logic and_2528;
+  assign and_2528 = seen_columns_rdata_q[14] & inside_v_s2_q;
+  logic and_2529;
+  assign and_2529 = seen_columns_rdata_q[10] & inside_v_s2_q;
+  logic and_2530;
+  assign and_2530 = seen_columns_rdata_q[5] & inside_v_s2_q;
+  logic and_2531;
+  assign and_2531 = seen_columns_rdata_q[0] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1094
+  logic [1:0] sum_2533;
+  assign sum_2533 = {1'b0, and_2530} + ({1'b0, textured} + {1'b0, and_2531});
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2521} + ({2'h0, and_2522} + {1'b0, sum_2526});
-  // hls/stages/agreement.hpp:1030
-  logic [7:0] select_2535;
-  assign select_2535 = inside_v_s2_q ? (sum_2450_s2_q ? select_2437 : {select_2437[6:0], 1'b0}) : select_2437;
-  // hls/stages/agreement.hpp:1050
-  logic or_2538;
-  assign or_2538 = select_2535[7] | (~({select_2535[5], select_2535[3], select_2535[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1030
-  logic and_2555;
-  assign and_2555 = seen_columns_rdata_q[16] & inside_v_s2_q;
-  logic and_2556;
-  assign and_2556 = seen_columns_rdata_q[12] & inside_v_s2_q;
-  logic and_2557;
-  assign and_2557 = seen_columns_rdata_q[8] & inside_v_s2_q;
-  logic and_2558;
-  assign and_2558 = seen_columns_rdata_q[3] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1089
-  logic [1:0] sum_2560;
-  assign sum_2560 = {1'b0, and_2557} + ({1'b0, shown} + {1'b0, and_2558});
+  assign textured_2 = {2'h0, and_2528} + ({2'h0, and_2529} + {1'b0, sum_2533});
+  // hls/stages/agreement.hpp:1037
+  logic [7:0] select_2542;
+  assign select_2542 = inside_v_s2_q ? (sum_2456_s2_q ? select_2443 : {select_2443[6:0], 1'b0}) : select_2443;
+  // hls/stages/agreement.hpp:1057
+  logic or_2545;
+  assign or_2545 = select_2542[7] | (~({select_2542[5], select_2542[3], select_2542[1]} == 3'h0));
+  // hls/stages/agreement.hpp:1037
+  logic and_2563;
+  assign and_2563 = seen_columns_rdata_q[16] & inside_v_s2_q;
+  logic and_2564;
+  assign and_2564 = seen_columns_rdata_q[12] & inside_v_s2_q;
+  logic and_2565;
+  assign and_2565 = seen_columns_rdata_q[8] & inside_v_s2_q;
+  logic and_2566;
+  assign and_2566 = seen_columns_rdata_q[3] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1096
+  logic [1:0] sum_2568;
+  assign sum_2568 = {1'b0, and_2565} + ({1'b0, shown} + {1'b0, and_2566});
   logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2555} + ({2'h0, and_2556} + {1'b0, sum_2560});
-  // hls/stages/agreement.hpp:1030
-  logic and_2571;
-  assign and_2571 = seen_columns_rdata_q[17] & inside_v_s2_q;
-  logic and_2572;
-  assign and_2572 = seen_columns_rdata_q[13] & inside_v_s2_q;
-  logic and_2573;
-  assign and_2573 = seen_columns_rdata_q[9] & inside_v_s2_q;
-  logic and_2574;
-  assign and_2574 = seen_columns_rdata_q[4] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1090
-  logic [1:0] sum_2576;
-  assign sum_2576 = {1'b0, and_2573} + ({1'b0, near} + {1'b0, and_2574});
+  assign shown_2 = {2'h0, and_2563} + ({2'h0, and_2564} + {1'b0, sum_2568});
+  // hls/stages/agreement.hpp:1037
+  logic and_2579;
+  assign and_2579 = seen_columns_rdata_q[17] & inside_v_s2_q;
+  logic and_2580;
+  assign and_2580 = seen_columns_rdata_q[13] & inside_v_s2_q;
+  logic and_2581;
+  assign and_2581 = seen_columns_rdata_q[9] & inside_v_s2_q;
+  logic and_2582;
+  assign and_2582 = seen_columns_rdata_q[4] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1097
+  logic [1:0] sum_2584;
+  assign sum_2584 = {1'b0, and_2581} + ({1'b0, near} + {1'b0, and_2582});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2571} + ({2'h0, and_2572} + {1'b0, sum_2576});
-  // hls/stages/agreement.hpp:788
-  logic and_2592;
-  assign and_2592 = ends_cell_s2_q & (and_2588_s2_q & (~({sum_2114, last_s2_q[1:0]} < x_s2_q)));
-  logic and_2594;
-  assign and_2594 = not_568_s2_q & (so_s2_q & and_2592);
+  assign near_2 = {2'h0, and_2579} + ({2'h0, and_2580} + {1'b0, sum_2584});
+  // hls/stages/agreement.hpp:795
+  logic and_2601;
+  assign and_2601 = ends_cell_s2_q & (and_2597_s2_q & (~({sum_2120, last_s2_q[1:0]} < x_s2_q)));
+  logic and_2603;
+  assign and_2603 = not_570_s2_q & (drew_q & and_2601);
   // hls/stages/agreement.hpp:276
-  logic [10:0] select_2628;
-  assign select_2628 = sample_pair_whole_s2_q ? (and_540_s2_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2630;
-  assign select_2630 = sample_pair_whole_s2_q ? (and_540_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2650;
-  assign select_2650 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_2652;
-  assign select_2652 = sample_pair_whole_s2_q ? (and_540_s2_q ? select_555 : averager_mask_q) : averager_mask_q;
-  logic select_2654;
-  assign select_2654 = sample_pair_whole_s2_q ? (and_540_s2_q ? select_559 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:520
-  logic [8:0] select_2655;
-  assign select_2655 = and_542_s2_q ? select_548 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2656;
-  assign select_2656 = and_542_s2_q ? select_552 : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2658;
-  assign select_2658 = and_542_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2659;
-  assign select_2659 = and_542_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2660;
-  assign select_2660 = and_542_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_2661;
-  assign select_2661 = and_542_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2662;
-  assign select_2662 = and_542_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic [10:0] select_2637;
+  assign select_2637 = sample_pair_whole_s2_q ? (and_542_s2_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2639;
+  assign select_2639 = sample_pair_whole_s2_q ? (and_542_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2659;
+  assign select_2659 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2661;
+  assign select_2661 = sample_pair_whole_s2_q ? (and_542_s2_q ? select_557 : averager_mask_q) : averager_mask_q;
   logic select_2663;
-  assign select_2663 = and_542_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2664;
-  assign select_2664 = and_542_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  assign select_2663 = sample_pair_whole_s2_q ? (and_542_s2_q ? select_561 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/agreement.hpp:527
+  logic [8:0] select_2664;
+  assign select_2664 = and_544_s2_q ? select_550 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2665;
-  assign select_2665 = and_542_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2666;
-  assign select_2666 = and_542_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2667;
-  assign select_2667 = and_542_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  assign select_2665 = and_544_s2_q ? select_554 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2667;
+  assign select_2667 = and_544_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_2668;
-  assign select_2668 = and_542_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2669;
-  assign select_2669 = and_542_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2670;
-  assign select_2670 = and_542_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  assign select_2668 = and_544_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2669;
+  assign select_2669 = and_544_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2670;
+  assign select_2670 = and_544_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
   logic [8:0] select_2671;
-  assign select_2671 = and_542_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2672;
-  assign select_2672 = and_542_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  assign select_2671 = and_544_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2672;
+  assign select_2672 = and_544_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
   logic select_2673;
-  assign select_2673 = and_542_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  assign select_2673 = and_544_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
   logic [8:0] select_2674;
-  assign select_2674 = and_542_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  assign select_2674 = and_544_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_2675;
-  assign select_2675 = and_542_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  assign select_2675 = and_544_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
   logic select_2676;
-  assign select_2676 = and_542_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  assign select_2676 = and_544_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
   logic [8:0] select_2677;
-  assign select_2677 = and_542_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  assign select_2677 = and_544_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
   logic [8:0] select_2678;
-  assign select_2678 = and_542_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  assign select_2678 = and_544_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
   logic select_2679;
-  assign select_2679 = and_542_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2680;
-  assign select_2680 = and_542_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  assign select_2679 = and_544_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2680;
+  assign select_2680 = and_544_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
   logic [8:0] select_2681;
-  assign select_2681 = and_542_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2682;
-  assign select_2682 = and_542_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2683;
-  assign select_2683 = and_542_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  assign select_2681 = and_544_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2682;
+  assign select_2682 = and_544_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2683;
+  assign select_2683 = and_544_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
   logic [8:0] select_2684;
-  assign select_2684 = and_542_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2685;
-  assign select_2685 = and_542_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2686;
-  assign select_2686 = and_542_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  assign select_2684 = and_544_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2685;
+  assign select_2685 = and_544_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2686;
+  assign select_2686 = and_544_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
   logic [8:0] select_2687;
-  assign select_2687 = and_542_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2688;
-  assign select_2688 = and_542_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  assign select_2687 = and_544_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2688;
+  assign select_2688 = and_544_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
   logic select_2689;
-  assign select_2689 = and_542_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  assign select_2689 = and_544_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
   logic [8:0] select_2690;
-  assign select_2690 = and_542_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  assign select_2690 = and_544_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_2691;
-  assign select_2691 = and_542_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  assign select_2691 = and_544_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
   logic select_2692;
-  assign select_2692 = and_542_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  assign select_2692 = and_544_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
   logic [8:0] select_2693;
-  assign select_2693 = and_542_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  assign select_2693 = and_544_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
   logic [8:0] select_2694;
-  assign select_2694 = and_542_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  assign select_2694 = and_544_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
   logic select_2695;
-  assign select_2695 = and_542_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  assign select_2695 = and_544_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
   logic [8:0] select_2696;
-  assign select_2696 = and_542_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  assign select_2696 = and_544_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
   logic [8:0] select_2697;
-  assign select_2697 = and_542_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  assign select_2697 = and_544_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
   logic select_2698;
-  assign select_2698 = and_542_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  assign select_2698 = and_544_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
   logic [8:0] select_2699;
-  assign select_2699 = and_542_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  assign select_2699 = and_544_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
   logic [8:0] select_2700;
-  assign select_2700 = and_542_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  assign select_2700 = and_544_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
   logic select_2701;
-  assign select_2701 = and_542_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2702;
-  assign select_2702 = and_542_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  assign select_2701 = and_544_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2702;
+  assign select_2702 = and_544_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
   logic [8:0] select_2703;
-  assign select_2703 = and_542_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2704;
-  assign select_2704 = and_542_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_2705;
-  assign select_2705 = and_542_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2706;
-  assign select_2706 = and_542_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_2707;
-  assign select_2707 = and_542_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  assign select_2703 = and_544_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2704;
+  assign select_2704 = and_544_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2705;
+  assign select_2705 = and_544_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2706;
+  assign select_2706 = and_544_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2707;
+  assign select_2707 = and_544_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
   logic [8:0] select_2708;
-  assign select_2708 = and_542_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_2709;
-  assign select_2709 = and_542_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  assign select_2708 = and_544_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2709;
+  assign select_2709 = and_544_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
   logic select_2710;
-  assign select_2710 = and_542_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  assign select_2710 = and_544_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2711;
+  assign select_2711 = and_544_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2712;
+  assign select_2712 = and_544_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2713;
+  assign select_2713 = and_544_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2714;
+  assign select_2714 = and_544_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2715;
+  assign select_2715 = and_544_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2716;
+  assign select_2716 = and_544_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2717;
+  assign select_2717 = and_544_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2718;
+  assign select_2718 = and_544_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2719;
+  assign select_2719 = and_544_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:286
-  logic [9:0] difference_2712;
-  assign difference_2712 = {1'b0, select_552} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2713;
-  assign xor_2713 = difference_2712[8:0] ^ {9{difference_2712[9]}};
-  logic [9:0] sum_2714;
-  assign sum_2714 = {9'h0, difference_2712[9]} + {1'b0, xor_2713};
-  logic [9:0] difference_2715;
-  assign difference_2715 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2716;
-  assign xor_2716 = difference_2715[8:0] ^ {9{difference_2715[9]}};
-  logic [9:0] sum_2717;
-  assign sum_2717 = {9'h0, difference_2715[9]} + {1'b0, xor_2716};
-  logic [9:0] difference_2719;
-  assign difference_2719 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2720;
-  assign xor_2720 = difference_2719[8:0] ^ {9{difference_2719[9]}};
-  logic [9:0] sum_2721;
-  assign sum_2721 = {9'h0, difference_2719[9]} + {1'b0, xor_2720};
-  logic [10:0] sum_2722;
-  assign sum_2722 = ({1'b0, sum_2714} + {1'b0, sum_2717}) + {1'b0, sum_2721};
-  logic [9:0] difference_2723;
-  assign difference_2723 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2724;
-  assign xor_2724 = difference_2723[8:0] ^ {9{difference_2723[9]}};
-  logic [9:0] sum_2725;
-  assign sum_2725 = {9'h0, difference_2723[9]} + {1'b0, xor_2724};
-  logic [9:0] difference_2727;
-  assign difference_2727 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2728;
-  assign xor_2728 = difference_2727[8:0] ^ {9{difference_2727[9]}};
+  logic [9:0] difference_2721;
+  assign difference_2721 = {1'b0, select_554} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2722;
+  assign xor_2722 = difference_2721[8:0] ^ {9{difference_2721[9]}};
+  logic [9:0] sum_2723;
+  assign sum_2723 = {9'h0, difference_2721[9]} + {1'b0, xor_2722};
+  logic [9:0] difference_2724;
+  assign difference_2724 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2725;
+  assign xor_2725 = difference_2724[8:0] ^ {9{difference_2724[9]}};
+  logic [9:0] sum_2726;
+  assign sum_2726 = {9'h0, difference_2724[9]} + {1'b0, xor_2725};
+  logic [9:0] difference_2728;
+  assign difference_2728 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2729;
+  assign xor_2729 = difference_2728[8:0] ^ {9{difference_2728[9]}};
+  logic [9:0] sum_2730;
+  assign sum_2730 = {9'h0, difference_2728[9]} + {1'b0, xor_2729};
+  logic [10:0] sum_2731;
+  assign sum_2731 = ({1'b0, sum_2723} + {1'b0, sum_2726}) + {1'b0, sum_2730};
+  logic [9:0] difference_2732;
+  assign difference_2732 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2733;
+  assign xor_2733 = difference_2732[8:0] ^ {9{difference_2732[9]}};
+  logic [9:0] sum_2734;
+  assign sum_2734 = {9'h0, difference_2732[9]} + {1'b0, xor_2733};
+  logic [9:0] difference_2736;
+  assign difference_2736 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2737;
+  assign xor_2737 = difference_2736[8:0] ^ {9{difference_2736[9]}};
   // hls/stages/moments.hpp:54
-  logic [13:0] sum_2749;
-  assign sum_2749 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
-  logic [13:0] sum_2751;
-  assign sum_2751 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
-  // hls/stages/agreement.hpp:1142
-  logic equal_2752;
-  assign equal_2752 = x_s2_q[6:0] == 7'h70;
+  logic [13:0] sum_2758;
+  assign sum_2758 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2760;
+  assign sum_2760 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
+  // hls/stages/agreement.hpp:1150
+  logic equal_2761;
+  assign equal_2761 = x_s2_q[6:0] == 7'h70;
   // hls/stages/moments.hpp:117
-  logic [13:0] select_2753;
-  assign select_2753 = equal_2752 ? sum_2749 : moments_before_0_q;
-  logic [13:0] select_2755;
-  assign select_2755 = equal_2752 ? sum_2751 : moments_before_1_q;
-  // hls/stages/agreement.hpp:788
-  logic select_2758;
-  assign select_2758 = equal_567_s2_q ? (moments_has_before_q | equal_2752) : moments_has_before_q;
-  logic [13:0] select_2761;
-  assign select_2761 = equal_567_s2_q ? ((select_2755 < select_2753) ? select_2753 : select_2755) : moments_most_before_q;
+  logic [13:0] select_2762;
+  assign select_2762 = equal_2761 ? sum_2758 : moments_before_0_q;
+  logic [13:0] select_2764;
+  assign select_2764 = equal_2761 ? sum_2760 : moments_before_1_q;
+  // hls/stages/agreement.hpp:795
+  logic select_2767;
+  assign select_2767 = equal_569_s2_q ? (moments_has_before_q | equal_2761) : moments_has_before_q;
+  logic [13:0] select_2770;
+  assign select_2770 = equal_569_s2_q ? ((select_2764 < select_2762) ? select_2762 : select_2764) : moments_most_before_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2762;
-  assign sum_2762 = {1'b0, moments_most_before_q} + 15'h3;
-  // hls/stages/agreement.hpp:788
-  logic select_2765;
-  assign select_2765 = equal_567_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2762)) : moments_left_begins_q;
+  logic [14:0] sum_2771;
+  assign sum_2771 = {1'b0, moments_most_before_q} + 15'h3;
+  // hls/stages/agreement.hpp:795
+  logic select_2774;
+  assign select_2774 = equal_569_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2771)) : moments_left_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2766;
-  assign sum_2766 = {1'b0, sum_2751} + 15'h3;
-  // hls/stages/agreement.hpp:788
-  logic select_2769;
-  assign select_2769 = equal_567_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2766)) : moments_left_alone_q;
-  logic select_2772;
-  assign select_2772 = equal_567_s2_q ? (~({3'h0, select_2755[13:2]} < sum_2766)) : moments_left_other_stops_q;
-  logic select_2775;
-  assign select_2775 = equal_567_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2762)) : moments_right_begins_q;
+  logic [14:0] sum_2775;
+  assign sum_2775 = {1'b0, sum_2760} + 15'h3;
+  // hls/stages/agreement.hpp:795
+  logic select_2778;
+  assign select_2778 = equal_569_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2775)) : moments_left_alone_q;
+  logic select_2781;
+  assign select_2781 = equal_569_s2_q ? (~({3'h0, select_2764[13:2]} < sum_2775)) : moments_left_other_stops_q;
+  logic select_2784;
+  assign select_2784 = equal_569_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2771)) : moments_right_begins_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2776;
-  assign sum_2776 = {1'b0, sum_2749} + 15'h3;
-  // hls/stages/agreement.hpp:788
-  logic select_2779;
-  assign select_2779 = equal_567_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2776)) : moments_right_alone_q;
-  logic select_2782;
-  assign select_2782 = equal_567_s2_q ? (~({3'h0, select_2753[13:2]} < sum_2776)) : moments_right_other_stops_q;
+  logic [14:0] sum_2785;
+  assign sum_2785 = {1'b0, sum_2758} + 15'h3;
+  // hls/stages/agreement.hpp:795
+  logic select_2788;
+  assign select_2788 = equal_569_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2785)) : moments_right_alone_q;
+  logic select_2791;
+  assign select_2791 = equal_569_s2_q ? (~({3'h0, select_2762[13:2]} < sum_2785)) : moments_right_other_stops_q;
   // hls/stages/moments.hpp:51
-  logic or_2785;
-  assign or_2785 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
-  // hls/stages/agreement.hpp:788
-  logic and_2793;
-  assign and_2793 = not_568_s2_q & (not_570_s2_q & (equal_571_s2_q & (inside_v_s2_q & and_2064)));
-  logic and_2797;
-  assign and_2797 = not_568_s2_q & (not_570_s2_q & (equal_571_s2_q & (inside_v_s2_q & and_2073)));
-  // hls/stages/moments.hpp:94
-  logic and_2799;
-  assign and_2799 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
-  logic select_2802;
-  assign select_2802 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2799)) : and_2799;
-  // hls/stages/agreement.hpp:788
+  logic or_2794;
+  assign or_2794 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
+  // hls/stages/agreement.hpp:795
+  logic and_2802;
+  assign and_2802 = not_570_s2_q & (not_572_s2_q & (equal_573_s2_q & (inside_v_s2_q & and_2070)));
   logic and_2806;
-  assign and_2806 = equal_567_s2_q & (equal_2752 & (cfg_prove_i & (cfg_same_table_i & select_2802)));
+  assign and_2806 = not_570_s2_q & (not_572_s2_q & (equal_573_s2_q & (inside_v_s2_q & and_2079)));
+  // hls/stages/moments.hpp:94
+  logic and_2808;
+  assign and_2808 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
+  logic select_2811;
+  assign select_2811 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2808)) : and_2808;
+  // hls/stages/agreement.hpp:795
+  logic and_2815;
+  assign and_2815 = equal_569_s2_q & (equal_2761 & (cfg_prove_i & (cfg_same_table_i & select_2811)));
   // hls/stages/moments.hpp:95
-  logic and_2809;
-  assign and_2809 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  logic and_2818;
+  assign and_2818 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
   // hls/stages/census.hpp:371
-  logic [9:0] difference_2823;
-  assign difference_2823 = {1'b0, select_548} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2832;
+  assign difference_2832 = {1'b0, select_550} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2823[9]} + (difference_2823[8:0] ^ {9{difference_2823[9]}});
-  logic [9:0] difference_2835;
-  assign difference_2835 = {1'b0, select_552} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_2832[9]} + (difference_2832[8:0] ^ {9{difference_2832[9]}});
+  logic [9:0] difference_2844;
+  assign difference_2844 = {1'b0, select_554} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2835[9]} + (difference_2835[8:0] ^ {9{difference_2835[9]}});
-  // hls/stages/agreement.hpp:788
-  logic not_3023;
-  assign not_3023 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_3024;
-  assign less_3024 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
-  // hls/stages/agreement.hpp:520
-  logic and_3031;
-  assign and_3031 = and_542_s2_q & (equal_672_s2_q & equal_2926_s2_q);
-  // hls/stages/agreement.hpp:788
-  logic and_3037;
-  assign and_3037 = not_568_s2_q & (so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & and_3033_s2_q)));
-  // hls/stages/agreement.hpp:1030
-  logic and_3057;
-  assign and_3057 = seen_columns_rdata_q[15] & inside_v_s2_q;
-  logic and_3058;
-  assign and_3058 = seen_columns_rdata_q[11] & inside_v_s2_q;
-  logic and_3059;
-  assign and_3059 = seen_columns_rdata_q[7] & inside_v_s2_q;
-  logic and_3060;
-  assign and_3060 = seen_columns_rdata_q[2] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1088
-  logic [1:0] sum_3062;
-  assign sum_3062 = {1'b0, and_3059} + ({1'b0, explained} + {1'b0, and_3060});
+  assign contrast_2 = {8'h0, difference_2844[9]} + (difference_2844[8:0] ^ {9{difference_2844[9]}});
+  // hls/stages/agreement.hpp:795
+  logic not_3042;
+  assign not_3042 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_3043;
+  assign less_3043 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  // hls/stages/agreement.hpp:527
+  logic and_3050;
+  assign and_3050 = and_544_s2_q & (equal_677_s2_q & equal_2935_s2_q);
+  // hls/stages/agreement.hpp:795
+  logic and_3056;
+  assign and_3056 = not_570_s2_q & (drew_q & (ends_cell_s2_q & (inside_v_s2_q & and_3052_s2_q)));
+  // hls/stages/agreement.hpp:1037
+  logic and_3076;
+  assign and_3076 = seen_columns_rdata_q[15] & inside_v_s2_q;
+  logic and_3077;
+  assign and_3077 = seen_columns_rdata_q[11] & inside_v_s2_q;
+  logic and_3078;
+  assign and_3078 = seen_columns_rdata_q[7] & inside_v_s2_q;
+  logic and_3079;
+  assign and_3079 = seen_columns_rdata_q[2] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1095
+  logic [1:0] sum_3081;
+  assign sum_3081 = {1'b0, and_3078} + ({1'b0, explained} + {1'b0, and_3079});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_3057} + ({2'h0, and_3058} + {1'b0, sum_3062});
-  // hls/stages/agreement.hpp:788
-  logic and_3098;
-  assign and_3098 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (and_3033_s2_q & and_2473)));
-  // hls/stages/agreement.hpp:986
+  assign explained_2 = {2'h0, and_3076} + ({2'h0, and_3077} + {1'b0, sum_3081});
+  // hls/stages/agreement.hpp:795
+  logic and_3117;
+  assign and_3117 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (and_3052_s2_q & and_2479)));
+  // hls/stages/agreement.hpp:993
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
-  // hls/stages/agreement.hpp:987
+  // hls/stages/agreement.hpp:994
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
-  // hls/stages/agreement.hpp:988
-  logic [7:0] difference_3122;
-  assign difference_3122 = best_left_rdata_s2_q[16:9] - lower;
-  logic less_3125;
-  assign less_3125 = {2'h0, difference_3122[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
+  // hls/stages/agreement.hpp:995
+  logic [7:0] difference_3141;
+  assign difference_3141 = best_left_rdata_s2_q[16:9] - lower;
+  logic less_3144;
+  assign less_3144 = {2'h0, difference_3141[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
   // hls/stages/agreement.hpp:247
-  logic and_3128;
-  assign and_3128 = not_576_s2_q & (((and_2471_s2_q & and_627) & equal_3118_s2_q) & (~less_3125));
-  // hls/stages/agreement.hpp:788
-  logic and_3132;
-  assign and_3132 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (or_572_s2_q & and_3128)));
+  logic and_3147;
+  assign and_3147 = not_578_s2_q & (((and_2477_s2_q & and_630) & equal_3137_s2_q) & (~less_3144));
+  // hls/stages/agreement.hpp:795
+  logic and_3151;
+  assign and_3151 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (or_574_s2_q & and_3147)));
   // hls/stages/agreement.hpp:149
-  logic and_3137;
-  assign and_3137 = not_576_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
-  // hls/stages/agreement.hpp:247
-  logic and_3139;
-  assign and_3139 = not_576_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_3140;
-  assign select_3140 = or_572_s2_q ? {and_3139, and_3137} : 2'h0;
-  // hls/stages/agreement.hpp:247
-  logic [1:0] select_3142;
-  assign select_3142 = less_575_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_3143;
-  assign select_3143 = or_572_s2_q ? select_3142 : 2'h0;
-  // hls/stages/agreement.hpp:1027
-  logic and_3145;
-  assign and_3145 = and_629 & (select_3140[0] & select_3143[0]);
-  // hls/stages/agreement.hpp:788
-  logic and_3149;
-  assign and_3149 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3140[1] & and_3145)));
-  logic and_3150;
-  assign and_3150 = not_568_s2_q & and_3149;
   logic and_3156;
-  assign and_3156 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3143[1] & and_3145)));
-  logic and_3157;
-  assign and_3157 = not_568_s2_q & and_3156;
-  // hls/stages/registration.hpp:76
-  logic less_3160;
-  assign less_3160 = slot_s2_q < 3'h3;
+  assign and_3156 = not_578_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
+  // hls/stages/agreement.hpp:247
+  logic and_3158;
+  assign and_3158 = not_578_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
   // hls/stages/agreement.hpp:149
-  logic [7:0] select_3162;
-  assign select_3162 = or_572_s2_q ? (less_575_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
-  logic [7:0] select_3164;
-  assign select_3164 = or_572_s2_q ? (less_575_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
-  logic [7:0] select_3166;
-  assign select_3166 = or_572_s2_q ? (less_575_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  logic [1:0] select_3159;
+  assign select_3159 = or_574_s2_q ? {and_3158, and_3156} : 2'h0;
+  // hls/stages/agreement.hpp:247
+  logic [1:0] select_3161;
+  assign select_3161 = less_577_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
+  // hls/stages/agreement.hpp:149
+  logic [1:0] select_3162;
+  assign select_3162 = or_574_s2_q ? select_3161 : 2'h0;
+  // hls/stages/agreement.hpp:1034
+  logic and_3165;
+  assign and_3165 = and_632 & (not_633_s2_q & (select_3159[0] & select_3162[0]));
+  // hls/stages/agreement.hpp:795
+  logic and_3169;
+  assign and_3169 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3159[1] & and_3165)));
+  logic and_3170;
+  assign and_3170 = not_570_s2_q & and_3169;
+  logic and_3176;
+  assign and_3176 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (select_3162[1] & and_3165)));
+  logic and_3177;
+  assign and_3177 = not_570_s2_q & and_3176;
+  // hls/stages/registration.hpp:76
+  logic less_3180;
+  assign less_3180 = slot_s2_q < 3'h3;
+  // hls/stages/agreement.hpp:149
+  logic [7:0] select_3182;
+  assign select_3182 = or_574_s2_q ? (less_577_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_3184;
+  assign select_3184 = or_574_s2_q ? (less_577_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_3186;
+  assign select_3186 = or_574_s2_q ? (less_577_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_3164} - {1'b0, select_3166};
+  assign rise_2 = {1'b0, select_3184} - {1'b0, select_3186};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_3168;
-  assign select_3168 = rise_2[8] ? select_3164 : select_3166;
+  logic [7:0] select_3188;
+  assign select_3188 = rise_2[8] ? select_3184 : select_3186;
   logic [8:0] fall;
-  assign fall = {1'b0, select_3162} - {1'b0, select_3168};
+  assign fall = {1'b0, select_3182} - {1'b0, select_3188};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:37
-  logic not_3171;
-  assign not_3171 = ~registration_displacement_over_q[9];
+  logic not_3191;
+  assign not_3191 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_3160 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_3171};
+  assign left = less_3180 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_3191};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_3173;
-  assign xor_3173 = rise_2[7:0] ^ {8{rise_2[8]}};
+  logic [7:0] xor_3193;
+  assign xor_3193 = rise_2[7:0] ^ {8{rise_2[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_3173};
+  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_3193};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_3179;
-  assign select_3179 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_3199;
+  assign select_3199 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_3160 ? {taken, 1'b1} : {not_3171, select_3179, not_3171};
+  assign taken_2 = less_3180 ? {taken, 1'b1} : {not_3191, select_3199, not_3191};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_3181;
-  assign sum_3181 = {left, 1'b1} + {taken_2, less_3160};
+  logic [10:0] sum_3201;
+  assign sum_3201 = {left, 1'b1} + {taken_2, less_3180};
   // hls/stages/agreement.hpp:257
-  logic [4:0] select_3183;
-  assign select_3183 = so_s2_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_3185;
-  assign select_3185 = equal_567_s2_q ? registration_slope_here_q : (so_s2_q ? slope : registration_slope_here_q);
-  logic [10:0] select_3187;
-  assign select_3187 = equal_567_s2_q ? registration_expected_q : (so_s2_q ? expected : registration_expected_q);
+  logic [4:0] select_3203;
+  assign select_3203 = drew_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_3205;
+  assign select_3205 = equal_569_s2_q ? registration_slope_here_q : (drew_q ? slope : registration_slope_here_q);
+  logic [10:0] select_3207;
+  assign select_3207 = equal_569_s2_q ? registration_expected_q : (drew_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_3188;
-  assign equal_3188 = slot_s2_q == 3'h4;
+  logic equal_3208;
+  assign equal_3208 = slot_s2_q == 3'h4;
   // hls/stages/agreement.hpp:262
-  logic and_3192;
-  assign and_3192 = and_629 & less_2166_s2_q;
+  logic and_3212;
+  assign and_3212 = and_632 & less_2172_s2_q;
   // hls/stages/agreement.hpp:149
-  logic [2:0] select_3194;
-  assign select_3194 = or_572_s2_q ? (less_575_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
+  logic [2:0] select_3214;
+  assign select_3214 = or_574_s2_q ? (less_577_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_3198;
-  assign sum_3198 = select_3194[2:1] + 2'h3;
+  logic [1:0] sum_3218;
+  assign sum_3218 = select_3214[2:1] + 2'h3;
   // hls/stages/registration.hpp:102
-  logic [7:0] select_3201;
-  assign select_3201 = (select_3164 < select_3166) ? ({sum_3198, select_3194[0], 5'h0} - {3'h0, select_3183}) : {sum_3198, select_3194[0], select_3183};
-  logic [7:0] select_3202;
-  assign select_3202 = ((select_3194 == 3'h0) | (select_3194 == 3'h4)) ? {sum_3198, select_3194[0], 5'h0} : select_3201;
+  logic [7:0] select_3221;
+  assign select_3221 = (select_3184 < select_3186) ? ({sum_3218, select_3214[0], 5'h0} - {3'h0, select_3203}) : {sum_3218, select_3214[0], select_3203};
+  logic [7:0] select_3222;
+  assign select_3222 = ((select_3214 == 3'h0) | (select_3214 == 3'h4)) ? {sum_3218, select_3214[0], 5'h0} : select_3221;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_3202[7]}}, select_3202} - {sum_2185[9], sum_2185, sum_2181[1]};
+  assign value_2 = {{4{select_3222[7]}}, select_3222} - {sum_2191[9], sum_2191, sum_2187[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_3205;
-  assign select_3205 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_3225;
+  assign select_3225 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_3205[11:7])) ? 12'h7f : select_3205;
+  assign residual = ($signed(5'h0) < $signed(select_3225[11:7])) ? 12'h7f : select_3225;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_3226;
-  assign difference_3226 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_3246;
+  assign difference_3246 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_3228;
-  assign and_3228 = and_3192 & ($signed(difference_3226) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_3248;
+  assign and_3248 = and_3212 & ($signed(difference_3246) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_3241;
-  assign less_3241 = $signed(difference_3226) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:788
-  logic select_3249;
-  assign select_3249 = so_s2_q ? (equal_3188 ? right_2 : registration_of_right_q) : registration_of_right_q;
-  logic select_3252;
-  assign select_3252 = so_s2_q ? (equal_2167 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
+  logic less_3261;
+  assign less_3261 = $signed(difference_3246) < $signed({7'h0, cfg_moved_half_limit_i});
+  // hls/stages/agreement.hpp:795
+  logic select_3269;
+  assign select_3269 = drew_q ? (equal_3208 ? right_2 : registration_of_right_q) : registration_of_right_q;
+  logic select_3272;
+  assign select_3272 = drew_q ? (equal_2173 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_3257;
-  assign select_3257 = (sum_2080 == 2'h2) ? (registration_fresh_q & (~select_2127)) : registration_fresh_q;
-  // hls/stages/agreement.hpp:788
-  logic [3:0] select_3259;
-  assign select_3259 = so_s2_q ? (and_2122 ? select_3257 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_3277;
+  assign select_3277 = (sum_2086 == 2'h2) ? (registration_fresh_q & (~select_2133)) : registration_fresh_q;
+  // hls/stages/agreement.hpp:795
+  logic [3:0] select_3279;
+  assign select_3279 = drew_q ? (and_2128 ? select_3277 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_3261;
-  assign select_3261 = and_3031 ? 4'hf : (equal_567_s2_q ? registration_fresh_q : select_3259);
-  // hls/stages/agreement.hpp:1129
+  logic [3:0] select_3281;
+  assign select_3281 = and_3050 ? 4'hf : (equal_569_s2_q ? registration_fresh_q : select_3279);
+  // hls/stages/agreement.hpp:1137
   logic [1:0] quarter_2;
-  assign quarter_2 = all ? x_s2_q[1:0] : select_2077;
+  assign quarter_2 = all ? x_s2_q[1:0] : select_2083;
   // hls/stages/registration.hpp:258
-  logic not_3282;
-  assign not_3282 = ~quarter_2[1];
-  logic [3:0] select_3283;
-  assign select_3283 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3282, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3282};
+  logic not_3301;
+  assign not_3301 = ~quarter_2[1];
+  logic [3:0] select_3302;
+  assign select_3302 = quarter_2[0] ? {quarter_2[1], 1'b0, not_3301, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_3301};
   // hls/stages/patches.hpp:91
-  logic parity_3417;
-  assign parity_3417 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
-  // hls/stages/agreement.hpp:460
-  logic [15:0] select_3418;
-  assign select_3418 = equal_2926_s2_q ? {patches_chance_q[14:0], parity_3417} : patches_chance_q;
+  logic parity_3436;
+  assign parity_3436 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  // hls/stages/agreement.hpp:464
+  logic [15:0] select_3437;
+  assign select_3437 = equal_2935_s2_q ? {patches_chance_q[14:0], parity_3436} : patches_chance_q;
   // hls/stages/patches.hpp:349
-  logic not_3420;
-  assign not_3420 = ~and_2241;
+  logic not_3439;
+  assign not_3439 = ~and_2247;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
@@ -4251,433 +4314,423 @@ module horopter_agreement (
   logic [5:0] further;
   assign further = last_s2_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
   // hls/stages/patches.hpp:110
-  logic [5:0] select_3423;
-  assign select_3423 = right_3 ? last_s2_q[6:1] : 6'h0;
+  logic [5:0] select_3442;
+  assign select_3442 = right_3 ? last_s2_q[6:1] : 6'h0;
   logic [6:0] from;
-  assign from = {1'b0, further} + {1'b0, select_3423};
-  // hls/stages/agreement.hpp:788
-  logic and_3429;
-  assign and_3429 = so_s2_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {1'b0, from}))));
+  assign from = {1'b0, further} + {1'b0, select_3442};
+  // hls/stages/agreement.hpp:795
+  logic and_3448;
+  assign and_3448 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {1'b0, from}))));
   // hls/stages/patches.hpp:157
-  logic and_3433;
-  assign and_3433 = not_3420 & (patches_fixed_q | ((not_568_s2_q & and_3429) & and_2213));
+  logic and_3452;
+  assign and_3452 = not_3439 & (patches_fixed_q | ((not_570_s2_q & and_3448) & and_2219));
   // hls/stages/patches.hpp:358
-  logic not_3445;
-  assign not_3445 = ~select_2156[1];
+  logic not_3464;
+  assign not_3464 = ~select_2162[1];
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3447;
-  assign select_3447 = sample_pair_whole_s2_q ? (equal_2157 ? select_2156 : {not_3445, 1'b0}) : patches_fetch_q;
+  logic [1:0] select_3466;
+  assign select_3466 = sample_pair_whole_s2_q ? (equal_2163 ? select_2162 : {not_3464, 1'b0}) : patches_fetch_q;
   // hls/stages/patches.hpp:526
   logic [55:0] other;
   assign other = new_row_s2_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
   // hls/stages/agreement.hpp:275
-  logic [51:0] select_3546;
-  assign select_3546 = or_2249_s2_q ? {and_2394_s2_q, and_2391_s2_q, and_2375_s2_q, and_2372, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_3548;
-  assign select_3548 = equal_2243_s2_q ? patches_codes_at_q : (equal_2245_s2_q ? other[55:4] : select_3546);
+  logic [51:0] select_3565;
+  assign select_3565 = or_2255_s2_q ? {and_2400_s2_q, and_2397_s2_q, and_2381_s2_q, and_2378, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3567;
+  assign select_3567 = equal_2249_s2_q ? patches_codes_at_q : (equal_2251_s2_q ? other[55:4] : select_3565);
   // hls/stages/patches.hpp:509
   logic [27:0] word;
-  assign word = or_2348_s2_q ? patches_right_codes_rdata_q : 28'h0;
+  assign word = or_2354_s2_q ? patches_right_codes_rdata_q : 28'h0;
   // hls/stages/patches.hpp:525
-  logic [27:0] select_3551;
-  assign select_3551 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
+  logic [27:0] select_3570;
+  assign select_3570 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
   // hls/stages/agreement.hpp:275
-  logic [27:0] select_3553;
-  assign select_3553 = equal_2245_s2_q ? (new_row_s2_q ? word : select_3551) : patches_codes_further_q;
+  logic [27:0] select_3572;
+  assign select_3572 = equal_2251_s2_q ? (new_row_s2_q ? word : select_3570) : patches_codes_further_q;
   // hls/stages/patches.hpp:527
-  logic [55:0] select_3555;
-  assign select_3555 = less_2335_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3574;
+  assign select_3574 = less_2341_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/patches.hpp:497
-  logic [55:0] select_3557;
-  assign select_3557 = less_3556_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3576;
+  assign select_3576 = less_3575_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/agreement.hpp:275
-  logic [55:0] select_3559;
-  assign select_3559 = or_2249_s2_q ? (equal_2248_s2_q ? patches_next_codes_q : select_3557) : patches_next_codes_q;
-  logic [55:0] select_3561;
-  assign select_3561 = equal_2243_s2_q ? patches_next_codes_q : (equal_2245_s2_q ? select_3555 : select_3559);
+  logic [55:0] select_3578;
+  assign select_3578 = or_2255_s2_q ? (equal_2254_s2_q ? patches_next_codes_q : select_3576) : patches_next_codes_q;
+  logic [55:0] select_3580;
+  assign select_3580 = equal_2249_s2_q ? patches_next_codes_q : (equal_2251_s2_q ? select_3574 : select_3578);
   // hls/stages/count_bits.hpp:24
-  logic parity_3566;
-  assign parity_3566 = ^{and_2394_s2_q, and_2391_s2_q, and_2375_s2_q, and_2372};
+  logic parity_3585;
+  assign parity_3585 = ^{and_2400_s2_q, and_2397_s2_q, and_2381_s2_q, and_2378};
   // hls/stages/count_bits.hpp:25
-  logic or_3570;
-  assign or_3570 = ({and_2375_s2_q, and_2372} == 2'h3) | (and_2391_s2_q & (and_2375_s2_q | and_2372));
-  logic and_3571;
-  assign and_3571 = and_2394_s2_q & (^{and_2391_s2_q, and_2375_s2_q, and_2372});
+  logic or_3589;
+  assign or_3589 = ({and_2381_s2_q, and_2378} == 2'h3) | (and_2397_s2_q & (and_2381_s2_q | and_2378));
+  logic and_3590;
+  assign and_3590 = and_2400_s2_q & (^{and_2397_s2_q, and_2381_s2_q, and_2378});
   // hls/stages/count_bits.hpp:24
-  logic xor_3572;
-  assign xor_3572 = or_3570 ^ and_3571;
+  logic xor_3591;
+  assign xor_3591 = or_3589 ^ and_3590;
   // hls/stages/count_bits.hpp:27
-  logic and_3573;
-  assign and_3573 = or_3570 & and_3571;
+  logic and_3592;
+  assign and_3592 = or_3589 & and_3590;
   // hls/stages/agreement.hpp:275
-  logic [2:0] select_3575;
-  assign select_3575 = or_2249_s2_q ? (and_2417_s2_q ? {and_3573, xor_3572, parity_3566} : 3'h0) : 3'h0;
+  logic [2:0] select_3594;
+  assign select_3594 = or_2255_s2_q ? (and_2423_s2_q ? {and_3592, xor_3591, parity_3585} : 3'h0) : 3'h0;
   // hls/stages/patches.hpp:168
-  logic [9:0] sum_3579;
-  assign sum_3579 = {7'h0, patches_set_q} + (equal_2248_s2_q ? 10'h0 : patches_size_q);
+  logic [9:0] sum_3598;
+  assign sum_3598 = {7'h0, patches_set_q} + (equal_2254_s2_q ? 10'h0 : patches_size_q);
   // hls/stages/patches.hpp:526
-  logic [47:0] select_3589;
-  assign select_3589 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  logic [47:0] select_3608;
+  assign select_3608 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
   // hls/stages/agreement.hpp:275
-  logic [47:0] select_3591;
-  assign select_3591 = equal_2243_s2_q ? patches_left_row_q : (equal_2245_s2_q ? select_3589 : patches_left_row_q);
+  logic [47:0] select_3610;
+  assign select_3610 = equal_2249_s2_q ? patches_left_row_q : (equal_2251_s2_q ? select_3608 : patches_left_row_q);
   // hls/stages/patches.hpp:528
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3589;
+  assign bits = other[47:0] ^ select_3608;
   // hls/stages/count_bits.hpp:24
-  logic xor_3595;
-  assign xor_3595 = bits[17] ^ (^{select_3589[16:15], other[16:15]});
-  logic xor_3598;
-  assign xor_3598 = bits[11] ^ (^{select_3589[10:9], other[10:9]});
-  logic xor_3601;
-  assign xor_3601 = bits[14] ^ (^{select_3589[13:12], other[13:12]});
-  logic xor_3604;
-  assign xor_3604 = xor_3595 ^ (^{select_3589[14:9], other[14:9]});
-  logic xor_3607;
-  assign xor_3607 = bits[47] ^ (^{select_3589[46:45], other[46:45]});
-  logic xor_3610;
-  assign xor_3610 = bits[8] ^ (^{select_3589[7:6], other[7:6]});
-  logic xor_3613;
-  assign xor_3613 = bits[2] ^ (^{select_3589[1:0], other[1:0]});
-  logic xor_3616;
-  assign xor_3616 = bits[5] ^ (^{select_3589[4:3], other[4:3]});
-  logic xor_3619;
-  assign xor_3619 = xor_3610 ^ (^{select_3589[5:0], other[5:0]});
-  logic parity_3621;
-  assign parity_3621 = ^{select_3589[47:45], select_3589[8:0], other[47:45], other[8:0]};
-  logic xor_3622;
-  assign xor_3622 = xor_3604 ^ parity_3621;
-  logic xor_3625;
-  assign xor_3625 = bits[44] ^ (^{select_3589[43:42], other[43:42]});
-  logic xor_3628;
-  assign xor_3628 = bits[38] ^ (^{select_3589[37:36], other[37:36]});
-  logic xor_3631;
-  assign xor_3631 = bits[41] ^ (^{select_3589[40:39], other[40:39]});
-  logic xor_3637;
-  assign xor_3637 = bits[26] ^ (^{select_3589[25:24], other[25:24]});
-  logic xor_3640;
-  assign xor_3640 = bits[20] ^ (^{select_3589[19:18], other[19:18]});
-  logic xor_3643;
-  assign xor_3643 = bits[23] ^ (^{select_3589[22:21], other[22:21]});
-  logic xor_3646;
-  assign xor_3646 = xor_3637 ^ (^{select_3589[23:18], other[23:18]});
-  logic xor_3649;
-  assign xor_3649 = bits[35] ^ (^{select_3589[34:33], other[34:33]});
-  logic xor_3652;
-  assign xor_3652 = bits[29] ^ (^{select_3589[28:27], other[28:27]});
-  logic xor_3655;
-  assign xor_3655 = bits[32] ^ (^{select_3589[31:30], other[31:30]});
-  logic xor_3658;
-  assign xor_3658 = xor_3649 ^ (^{select_3589[32:27], other[32:27]});
+  logic xor_3614;
+  assign xor_3614 = bits[17] ^ (^{select_3608[16:15], other[16:15]});
+  logic xor_3617;
+  assign xor_3617 = bits[11] ^ (^{select_3608[10:9], other[10:9]});
+  logic xor_3620;
+  assign xor_3620 = bits[14] ^ (^{select_3608[13:12], other[13:12]});
+  logic xor_3623;
+  assign xor_3623 = xor_3614 ^ (^{select_3608[14:9], other[14:9]});
+  logic xor_3626;
+  assign xor_3626 = bits[47] ^ (^{select_3608[46:45], other[46:45]});
+  logic xor_3629;
+  assign xor_3629 = bits[8] ^ (^{select_3608[7:6], other[7:6]});
+  logic xor_3632;
+  assign xor_3632 = bits[2] ^ (^{select_3608[1:0], other[1:0]});
+  logic xor_3635;
+  assign xor_3635 = bits[5] ^ (^{select_3608[4:3], other[4:3]});
+  logic xor_3638;
+  assign xor_3638 = xor_3629 ^ (^{select_3608[5:0], other[5:0]});
+  logic parity_3640;
+  assign parity_3640 = ^{select_3608[47:45], select_3608[8:0], other[47:45], other[8:0]};
+  logic xor_3641;
+  assign xor_3641 = xor_3623 ^ parity_3640;
+  logic xor_3644;
+  assign xor_3644 = bits[44] ^ (^{select_3608[43:42], other[43:42]});
+  logic xor_3647;
+  assign xor_3647 = bits[38] ^ (^{select_3608[37:36], other[37:36]});
+  logic xor_3650;
+  assign xor_3650 = bits[41] ^ (^{select_3608[40:39], other[40:39]});
+  logic xor_3656;
+  assign xor_3656 = bits[26] ^ (^{select_3608[25:24], other[25:24]});
   logic xor_3659;
-  assign xor_3659 = xor_3646 ^ xor_3658;
-  // hls/stages/count_bits.hpp:25
-  logic or_3667;
-  assign or_3667 = (xor_3598 & xor_3601) | (xor_3595 & (xor_3598 | xor_3601));
-  logic or_3671;
-  assign or_3671 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3675;
-  assign or_3675 = (xor_3613 & xor_3616) | (xor_3610 & (xor_3613 | xor_3616));
-  // hls/stages/count_bits.hpp:23
-  logic or_3682;
-  assign or_3682 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  assign xor_3659 = bits[20] ^ (^{select_3608[19:18], other[19:18]});
+  logic xor_3662;
+  assign xor_3662 = bits[23] ^ (^{select_3608[22:21], other[22:21]});
+  logic xor_3665;
+  assign xor_3665 = xor_3656 ^ (^{select_3608[23:18], other[23:18]});
+  logic xor_3668;
+  assign xor_3668 = bits[35] ^ (^{select_3608[34:33], other[34:33]});
+  logic xor_3671;
+  assign xor_3671 = bits[29] ^ (^{select_3608[28:27], other[28:27]});
+  logic xor_3674;
+  assign xor_3674 = bits[32] ^ (^{select_3608[31:30], other[31:30]});
+  logic xor_3677;
+  assign xor_3677 = xor_3668 ^ (^{select_3608[32:27], other[32:27]});
+  logic xor_3678;
+  assign xor_3678 = xor_3665 ^ xor_3677;
   // hls/stages/count_bits.hpp:25
   logic or_3686;
-  assign or_3686 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  assign or_3686 = (xor_3617 & xor_3620) | (xor_3614 & (xor_3617 | xor_3620));
   logic or_3690;
-  assign or_3690 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3693;
-  assign parity_3693 = ^{or_3690, or_3686, or_3682};
+  assign or_3690 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+  logic or_3694;
+  assign or_3694 = (xor_3632 & xor_3635) | (xor_3629 & (xor_3632 | xor_3635));
   // hls/stages/count_bits.hpp:23
-  logic or_3697;
-  assign or_3697 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
-  // hls/stages/count_bits.hpp:25
   logic or_3701;
-  assign or_3701 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  assign or_3701 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  // hls/stages/count_bits.hpp:25
   logic or_3705;
-  assign or_3705 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+  assign or_3705 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  logic or_3709;
+  assign or_3709 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3708;
-  assign parity_3708 = ^{or_3705, or_3701, or_3697};
-  logic parity_3711;
-  assign parity_3711 = ^{or_3705, or_3701, or_3697, or_3690, or_3686, or_3682, or_3675, or_3671, or_3667};
+  logic parity_3712;
+  assign parity_3712 = ^{or_3709, or_3705, or_3701};
   // hls/stages/count_bits.hpp:23
-  logic or_3715;
-  assign or_3715 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  logic or_3716;
+  assign or_3716 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
   // hls/stages/count_bits.hpp:25
-  logic or_3719;
-  assign or_3719 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3723;
-  assign or_3723 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
-  // hls/stages/count_bits.hpp:23
-  logic or_3731;
-  assign or_3731 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_3735;
-  assign or_3735 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-  logic or_3739;
-  assign or_3739 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+  logic or_3720;
+  assign or_3720 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3724;
+  assign or_3724 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3742;
-  assign parity_3742 = ^{or_3739, or_3735, or_3731};
+  logic parity_3727;
+  assign parity_3727 = ^{or_3724, or_3720, or_3716};
+  logic parity_3730;
+  assign parity_3730 = ^{or_3724, or_3720, or_3716, or_3709, or_3705, or_3701, or_3694, or_3690, or_3686};
   // hls/stages/count_bits.hpp:23
-  logic or_3746;
-  assign or_3746 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+  logic or_3734;
+  assign or_3734 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
   // hls/stages/count_bits.hpp:25
+  logic or_3738;
+  assign or_3738 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3742;
+  assign or_3742 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+  // hls/stages/count_bits.hpp:23
   logic or_3750;
-  assign or_3750 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  assign or_3750 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
   logic or_3754;
-  assign or_3754 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  assign or_3754 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  logic or_3758;
+  assign or_3758 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3757;
-  assign parity_3757 = ^{or_3754, or_3750, or_3746};
-  logic parity_3760;
-  assign parity_3760 = ^{or_3754, or_3750, or_3746, or_3739, or_3735, or_3731, or_3723, or_3719, or_3715};
+  logic parity_3761;
+  assign parity_3761 = ^{or_3758, or_3754, or_3750};
+  // hls/stages/count_bits.hpp:23
+  logic or_3765;
+  assign or_3765 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
   // hls/stages/count_bits.hpp:25
-  logic or_3764;
-  assign or_3764 = (xor_3628 & xor_3631) | (xor_3625 & (xor_3628 | xor_3631));
-  logic or_3768;
-  assign or_3768 = (xor_3640 & xor_3643) | (xor_3637 & (xor_3640 | xor_3643));
-  logic or_3772;
-  assign or_3772 = (xor_3652 & xor_3655) | (xor_3649 & (xor_3652 | xor_3655));
+  logic or_3769;
+  assign or_3769 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3773;
+  assign or_3773 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3775;
-  assign parity_3775 = ^{or_3772, or_3768, or_3764};
+  logic parity_3776;
+  assign parity_3776 = ^{or_3773, or_3769, or_3765};
+  logic parity_3779;
+  assign parity_3779 = ^{or_3773, or_3769, or_3765, or_3758, or_3754, or_3750, or_3742, or_3738, or_3734};
   // hls/stages/count_bits.hpp:25
-  logic and_3776;
-  assign and_3776 = xor_3622 & (^{xor_3659, select_3589[44:36], other[44:36]});
-  logic or_3780;
-  assign or_3780 = (xor_3607 & xor_3619) | (xor_3604 & (xor_3607 | xor_3619));
-  logic and_3783;
-  assign and_3783 = (xor_3625 ^ (^{select_3589[41:36], other[41:36]})) & (xor_3646 | xor_3658);
-  logic or_3784;
-  assign or_3784 = (xor_3646 & xor_3658) | and_3783;
+  logic or_3783;
+  assign or_3783 = (xor_3647 & xor_3650) | (xor_3644 & (xor_3647 | xor_3650));
+  logic or_3787;
+  assign or_3787 = (xor_3659 & xor_3662) | (xor_3656 & (xor_3659 | xor_3662));
+  logic or_3791;
+  assign or_3791 = (xor_3671 & xor_3674) | (xor_3668 & (xor_3671 | xor_3674));
   // hls/stages/count_bits.hpp:24
-  logic parity_3787;
-  assign parity_3787 = ^{or_3784, or_3780, and_3776};
-  logic parity_3790;
-  assign parity_3790 = ^{or_3784, or_3780, and_3776, or_3772, or_3768, or_3764, or_3754, or_3750, or_3746, or_3739, or_3735, or_3731, or_3723, or_3719, or_3715};
-  logic parity_3792;
-  assign parity_3792 = ^{or_3784, or_3780, and_3776, or_3772, or_3768, or_3764, or_3754, or_3750, or_3746, or_3739, or_3735, or_3731, or_3723, or_3719, or_3715, or_3705, or_3701, or_3697, or_3690, or_3686, or_3682, or_3675, or_3671, or_3667};
+  logic parity_3794;
+  assign parity_3794 = ^{or_3791, or_3787, or_3783};
   // hls/stages/count_bits.hpp:25
-  logic and_3793;
-  assign and_3793 = parity_3711 & parity_3790;
-  logic or_3797;
-  assign or_3797 = (parity_3693 & parity_3708) | ((^{or_3675, or_3671, or_3667}) & (parity_3693 | parity_3708));
-  logic or_3801;
-  assign or_3801 = (parity_3775 & parity_3787) | (parity_3760 & (parity_3775 | parity_3787));
-  logic or_3808;
-  assign or_3808 = (parity_3742 & parity_3757) | ((^{or_3723, or_3719, or_3715}) & (parity_3742 | parity_3757));
-  logic or_3812;
-  assign or_3812 = (or_3768 & or_3772) | (or_3764 & (or_3768 | or_3772));
+  logic and_3795;
+  assign and_3795 = xor_3641 & (^{xor_3678, select_3608[44:36], other[44:36]});
+  logic or_3799;
+  assign or_3799 = (xor_3626 & xor_3638) | (xor_3623 & (xor_3626 | xor_3638));
+  logic and_3802;
+  assign and_3802 = (xor_3644 ^ (^{select_3608[41:36], other[41:36]})) & (xor_3665 | xor_3677);
+  logic or_3803;
+  assign or_3803 = (xor_3665 & xor_3677) | and_3802;
+  // hls/stages/count_bits.hpp:24
+  logic parity_3806;
+  assign parity_3806 = ^{or_3803, or_3799, and_3795};
+  logic parity_3809;
+  assign parity_3809 = ^{or_3803, or_3799, and_3795, or_3791, or_3787, or_3783, or_3773, or_3769, or_3765, or_3758, or_3754, or_3750, or_3742, or_3738, or_3734};
+  logic parity_3811;
+  assign parity_3811 = ^{or_3803, or_3799, and_3795, or_3791, or_3787, or_3783, or_3773, or_3769, or_3765, or_3758, or_3754, or_3750, or_3742, or_3738, or_3734, or_3724, or_3720, or_3716, or_3709, or_3705, or_3701, or_3694, or_3690, or_3686};
+  // hls/stages/count_bits.hpp:25
+  logic and_3812;
+  assign and_3812 = parity_3730 & parity_3809;
   logic or_3816;
-  assign or_3816 = (or_3780 & or_3784) | (and_3776 & (or_3780 | or_3784));
-  // hls/stages/count_bits.hpp:23
-  logic or_3823;
-  assign or_3823 = (or_3719 & or_3723) | (or_3715 & (or_3719 | or_3723));
-  // hls/stages/count_bits.hpp:25
+  assign or_3816 = (parity_3712 & parity_3727) | ((^{or_3694, or_3690, or_3686}) & (parity_3712 | parity_3727));
+  logic or_3820;
+  assign or_3820 = (parity_3794 & parity_3806) | (parity_3779 & (parity_3794 | parity_3806));
   logic or_3827;
-  assign or_3827 = (or_3735 & or_3739) | (or_3731 & (or_3735 | or_3739));
+  assign or_3827 = (parity_3761 & parity_3776) | ((^{or_3742, or_3738, or_3734}) & (parity_3761 | parity_3776));
   logic or_3831;
-  assign or_3831 = (or_3750 & or_3754) | (or_3746 & (or_3750 | or_3754));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3834;
-  assign parity_3834 = ^{or_3831, or_3827, or_3823};
+  assign or_3831 = (or_3787 & or_3791) | (or_3783 & (or_3787 | or_3791));
+  logic or_3835;
+  assign or_3835 = (or_3799 & or_3803) | (and_3795 & (or_3799 | or_3803));
   // hls/stages/count_bits.hpp:23
-  logic or_3838;
-  assign or_3838 = (or_3671 & or_3675) | (or_3667 & (or_3671 | or_3675));
-  // hls/stages/count_bits.hpp:25
   logic or_3842;
-  assign or_3842 = (or_3686 & or_3690) | (or_3682 & (or_3686 | or_3690));
+  assign or_3842 = (or_3738 & or_3742) | (or_3734 & (or_3738 | or_3742));
+  // hls/stages/count_bits.hpp:25
   logic or_3846;
-  assign or_3846 = (or_3701 & or_3705) | (or_3697 & (or_3701 | or_3705));
+  assign or_3846 = (or_3754 & or_3758) | (or_3750 & (or_3754 | or_3758));
+  logic or_3850;
+  assign or_3850 = (or_3769 & or_3773) | (or_3765 & (or_3769 | or_3773));
   // hls/stages/count_bits.hpp:24
-  logic parity_3849;
-  assign parity_3849 = ^{or_3846, or_3842, or_3838};
-  logic parity_3852;
-  assign parity_3852 = ^{or_3846, or_3842, or_3838, or_3831, or_3827, or_3823, or_3816, or_3812, or_3808};
-  logic parity_3854;
-  assign parity_3854 = ^{or_3846, or_3842, or_3838, or_3831, or_3827, or_3823, or_3816, or_3812, or_3808, or_3801, or_3797, and_3793};
+  logic parity_3853;
+  assign parity_3853 = ^{or_3850, or_3846, or_3842};
+  // hls/stages/count_bits.hpp:23
+  logic or_3857;
+  assign or_3857 = (or_3690 & or_3694) | (or_3686 & (or_3690 | or_3694));
   // hls/stages/count_bits.hpp:25
-  logic or_3858;
-  assign or_3858 = (or_3812 & or_3816) | (or_3808 & (or_3812 | or_3816));
-  logic or_3862;
-  assign or_3862 = (or_3827 & or_3831) | (or_3823 & (or_3827 | or_3831));
-  logic or_3866;
-  assign or_3866 = (or_3842 & or_3846) | (or_3838 & (or_3842 | or_3846));
+  logic or_3861;
+  assign or_3861 = (or_3705 & or_3709) | (or_3701 & (or_3705 | or_3709));
+  logic or_3865;
+  assign or_3865 = (or_3720 & or_3724) | (or_3716 & (or_3720 | or_3724));
   // hls/stages/count_bits.hpp:24
-  logic parity_3869;
-  assign parity_3869 = ^{or_3866, or_3862, or_3858};
+  logic parity_3868;
+  assign parity_3868 = ^{or_3865, or_3861, or_3857};
+  logic parity_3871;
+  assign parity_3871 = ^{or_3865, or_3861, or_3857, or_3850, or_3846, or_3842, or_3835, or_3831, or_3827};
+  logic parity_3873;
+  assign parity_3873 = ^{or_3865, or_3861, or_3857, or_3850, or_3846, or_3842, or_3835, or_3831, or_3827, or_3820, or_3816, and_3812};
   // hls/stages/count_bits.hpp:25
-  logic and_3870;
-  assign and_3870 = (^{or_3801, or_3797, and_3793}) & parity_3852;
-  logic or_3874;
-  assign or_3874 = (or_3797 & or_3801) | (and_3793 & (or_3797 | or_3801));
-  logic or_3878;
-  assign or_3878 = (parity_3834 & parity_3849) | ((^{or_3816, or_3812, or_3808}) & (parity_3834 | parity_3849));
+  logic or_3877;
+  assign or_3877 = (or_3831 & or_3835) | (or_3827 & (or_3831 | or_3835));
+  logic or_3881;
+  assign or_3881 = (or_3846 & or_3850) | (or_3842 & (or_3846 | or_3850));
+  logic or_3885;
+  assign or_3885 = (or_3861 & or_3865) | (or_3857 & (or_3861 | or_3865));
   // hls/stages/count_bits.hpp:24
-  logic parity_3881;
-  assign parity_3881 = ^{or_3878, or_3874, and_3870};
+  logic parity_3888;
+  assign parity_3888 = ^{or_3885, or_3881, or_3877};
   // hls/stages/count_bits.hpp:25
-  logic and_3883;
-  assign and_3883 = parity_3869 & parity_3881;
-  logic or_3887;
-  assign or_3887 = (or_3862 & or_3866) | (or_3858 & (or_3862 | or_3866));
-  logic or_3891;
-  assign or_3891 = (or_3874 & or_3878) | (and_3870 & (or_3874 | or_3878));
+  logic and_3889;
+  assign and_3889 = (^{or_3820, or_3816, and_3812}) & parity_3871;
+  logic or_3893;
+  assign or_3893 = (or_3816 & or_3820) | (and_3812 & (or_3816 | or_3820));
+  logic or_3897;
+  assign or_3897 = (parity_3853 & parity_3868) | ((^{or_3835, or_3831, or_3827}) & (parity_3853 | parity_3868));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3900;
+  assign parity_3900 = ^{or_3897, or_3893, and_3889};
+  // hls/stages/count_bits.hpp:25
+  logic and_3902;
+  assign and_3902 = parity_3888 & parity_3900;
+  logic or_3906;
+  assign or_3906 = (or_3881 & or_3885) | (or_3877 & (or_3881 | or_3885));
+  logic or_3910;
+  assign or_3910 = (or_3893 & or_3897) | (and_3889 & (or_3893 | or_3897));
   // hls/stages/agreement.hpp:275
-  logic [4:0] select_3936;
-  assign select_3936 = equal_2245_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
-  logic select_3939;
-  assign select_3939 = equal_2243_s2_q ? patches_summed_first_q : (equal_2245_s2_q ? new_row_s2_q : patches_summed_first_q);
-  // hls/stages/patches.hpp:559
-  logic [9:0] select_3947;
-  assign select_3947 = less_2423_s2_q ? (or_2426_s2_q ? patches_rows_rdata_q[9:0] : 10'h0) : 10'h0;
-  logic [4:0] select_3950;
-  assign select_3950 = less_2423_s2_q ? (or_2426_s2_q ? patches_rows_rdata_q[14:10] : 5'h0) : 5'h0;
-  logic [4:0] select_3953;
-  assign select_3953 = less_2423_s2_q ? (or_2426_s2_q ? patches_step_s2_q : 5'h0) : 5'h0;
-  // hls/stages/agreement.hpp:275
+  logic [4:0] select_3955;
+  assign select_3955 = equal_2251_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
   logic select_3958;
-  assign select_3958 = equal_2243_s2_q ? (less_2423_s2_q & (or_2426_s2_q & (patches_step_s2_q == 5'h0))) : patches_read_first_q;
+  assign select_3958 = equal_2249_s2_q ? patches_summed_first_q : (equal_2251_s2_q ? new_row_s2_q : patches_summed_first_q);
+  // hls/stages/patches.hpp:559
+  logic [9:0] select_3966;
+  assign select_3966 = less_2429_s2_q ? (or_2432_s2_q ? patches_rows_rdata_q[9:0] : 10'h0) : 10'h0;
+  logic [4:0] select_3969;
+  assign select_3969 = less_2429_s2_q ? (or_2432_s2_q ? patches_rows_rdata_q[14:10] : 5'h0) : 5'h0;
+  logic [4:0] select_3972;
+  assign select_3972 = less_2429_s2_q ? (or_2432_s2_q ? patches_step_s2_q : 5'h0) : 5'h0;
+  // hls/stages/agreement.hpp:275
+  logic select_3977;
+  assign select_3977 = equal_2249_s2_q ? (less_2429_s2_q & (or_2432_s2_q & (patches_step_s2_q == 5'h0))) : patches_read_first_q;
   // hls/stages/patches.hpp:180
-  logic or_3963;
-  assign or_3963 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3964;
-  assign and_3964 = patches_read_searches_s2_q & or_3963;
+  logic or_3982;
+  assign or_3982 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3983;
+  assign and_3983 = patches_read_searches_s2_q & or_3982;
   // hls/stages/patches.hpp:543
-  logic [4:0] select_3965;
-  assign select_3965 = and_3964 ? patches_read_at_q : patches_peak_row_q;
+  logic [4:0] select_3984;
+  assign select_3984 = and_3983 ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:550
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3965};
+  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3984};
   // hls/stages/patches.hpp:559
-  logic and_3970;
-  assign and_3970 = less_2423_s2_q & (or_2426_s2_q & (equal_2424_s2_q & (away == 6'h3f)));
-  logic and_3975;
-  assign and_3975 = less_2423_s2_q & (or_2426_s2_q & (equal_2424_s2_q & (away == 6'h1)));
+  logic and_3989;
+  assign and_3989 = less_2429_s2_q & (or_2432_s2_q & (equal_2430_s2_q & (away == 6'h3f)));
+  logic and_3994;
+  assign and_3994 = less_2429_s2_q & (or_2432_s2_q & (equal_2430_s2_q & (away == 6'h1)));
   // hls/stages/patches.hpp:556
-  logic [6:0] sum_3977;
-  assign sum_3977 = {away[5], away} + 7'h7d;
+  logic [6:0] sum_3996;
+  assign sum_3996 = {away[5], away} + 7'h7d;
   // hls/stages/patches.hpp:557
-  logic [9:0] select_3980;
-  assign select_3980 = (equal_2424_s2_q & ({sum_3977[6], sum_3977} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  logic [9:0] select_3999;
+  assign select_3999 = (equal_2430_s2_q & ({sum_3996[6], sum_3996} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
   // hls/stages/patches.hpp:559
-  logic [9:0] select_3982;
-  assign select_3982 = less_2423_s2_q ? (or_2426_s2_q ? select_3980 : 10'h3ff) : 10'h3ff;
+  logic [9:0] select_4001;
+  assign select_4001 = less_2429_s2_q ? (or_2432_s2_q ? select_3999 : 10'h3ff) : 10'h3ff;
   // hls/stages/patches.hpp:542
-  logic [14:0] select_3984;
-  assign select_3984 = and_3964 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  logic [14:0] select_4003;
+  assign select_4003 = and_3983 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3985;
-  assign select_3985 = equal_2243_s2_q ? select_3984[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3986;
-  assign select_3986 = equal_2243_s2_q ? select_3984[14:10] : patches_peak_best_column_q;
+  logic [9:0] select_4004;
+  assign select_4004 = equal_2249_s2_q ? select_4003[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_4005;
+  assign select_4005 = equal_2249_s2_q ? select_4003[14:10] : patches_peak_best_column_q;
   // hls/stages/patches.hpp:544
-  logic [9:0] select_3988;
-  assign select_3988 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
+  logic [9:0] select_4007;
+  assign select_4007 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3989;
-  assign select_3989 = equal_2243_s2_q ? select_3988 : patches_peak_above_q;
+  logic [9:0] select_4008;
+  assign select_4008 = equal_2249_s2_q ? select_4007 : patches_peak_above_q;
   // hls/stages/patches.hpp:545
-  logic [9:0] select_3990;
-  assign select_3990 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  logic [9:0] select_4009;
+  assign select_4009 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3991;
-  assign select_3991 = equal_2243_s2_q ? select_3990 : patches_peak_below_q;
+  logic [9:0] select_4010;
+  assign select_4010 = equal_2249_s2_q ? select_4009 : patches_peak_below_q;
   // hls/stages/patches.hpp:546
-  logic [9:0] select_3993;
-  assign select_3993 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
+  logic [9:0] select_4012;
+  assign select_4012 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3995;
-  assign select_3995 = equal_2243_s2_q ? (patches_read_first_q ? patches_read_far_q : select_3993) : patches_peak_far_q;
-  logic [9:0] select_3998;
-  assign select_3998 = equal_2243_s2_q ? (equal_3996_s2_q ? sum_3579 : patches_peak_size_q) : patches_peak_size_q;
-  // hls/stages/agreement.hpp:788
-  logic select_4249;
-  assign select_4249 = equal_567_s2_q ? shown_shown_q : (so_s2_q ? select_2483 : shown_shown_q);
-  logic select_4251;
-  assign select_4251 = equal_567_s2_q ? shown_nearer_q : (so_s2_q ? select_2486 : shown_nearer_q);
+  logic [9:0] select_4014;
+  assign select_4014 = equal_2249_s2_q ? (patches_read_first_q ? patches_read_far_q : select_4012) : patches_peak_far_q;
+  logic [9:0] select_4017;
+  assign select_4017 = equal_2249_s2_q ? (equal_4015_s2_q ? sum_3598 : patches_peak_size_q) : patches_peak_size_q;
+  // hls/stages/agreement.hpp:795
+  logic select_4268;
+  assign select_4268 = equal_569_s2_q ? shown_shown_q : (drew_q ? select_2489 : shown_shown_q);
+  logic select_4270;
+  assign select_4270 = equal_569_s2_q ? shown_nearer_q : (drew_q ? select_2492 : shown_nearer_q);
   // hls/stages/division.hpp:34
-  logic [7:0] sum_4253;
-  assign sum_4253 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:460
-  logic [2:0] select_4255;
-  assign select_4255 = less_4252_s2_q ? (sum_4253[7] ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_4257;
-  assign select_4257 = equal_2926_s2_q ? (equal_672_s2_q ? 3'h0 : select_4255) : region_row_q;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_4262;
-  assign select_4262 = equal_567_s2_q ? select_2437 : (so_s2_q ? (ends_cell_s2_q ? select_2535 : select_2437) : 8'h1);
-  // hls/stages/agreement.hpp:460
-  logic [8:0] select_4276;
-  assign select_4276 = equal_672_s2_q ? {{2{difference_4274[6]}}, difference_4274} : (less_4252_s2_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:520
-  logic [8:0] select_4278;
-  assign select_4278 = and_542_s2_q ? (equal_2926_s2_q ? select_4276 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:460
-  logic [6:0] select_4280;
-  assign select_4280 = equal_672_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_4282;
-  assign select_4282 = and_542_s2_q ? (equal_2926_s2_q ? select_4280 : region_down_back_q) : region_down_back_q;
+  logic [7:0] sum_4272;
+  assign sum_4272 = region_down_rest_q[8:1] + 8'h3;
+  // hls/stages/agreement.hpp:464
+  logic [2:0] select_4274;
+  assign select_4274 = less_4271_s2_q ? (sum_4272[7] ? region_row_q : next_region_row_q) : region_row_q;
+  logic [2:0] select_4276;
+  assign select_4276 = equal_2935_s2_q ? (equal_677_s2_q ? 3'h0 : select_4274) : region_row_q;
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_4281;
+  assign select_4281 = equal_569_s2_q ? select_2443 : (drew_q ? (ends_cell_s2_q ? select_2542 : select_2443) : 8'h1);
+  // hls/stages/agreement.hpp:464
+  logic [8:0] select_4295;
+  assign select_4295 = equal_677_s2_q ? {{2{difference_4293[6]}}, difference_4293} : (less_4271_s2_q ? region_down_next_q : region_down_rest_q);
+  // hls/stages/agreement.hpp:527
+  logic [8:0] select_4297;
+  assign select_4297 = and_544_s2_q ? (equal_2935_s2_q ? select_4295 : region_down_rest_q) : region_down_rest_q;
+  // hls/stages/agreement.hpp:464
+  logic [6:0] select_4299;
+  assign select_4299 = equal_677_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:527
+  logic [6:0] select_4301;
+  assign select_4301 = and_544_s2_q ? (equal_2935_s2_q ? select_4299 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4283;
-  assign sum_4283 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_4302;
+  assign sum_4302 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4284;
-  assign select_4284 = sum_4253[7] ? {1'b1, sum_4253[6:0], region_down_rest_q[0]} : sum_4283;
+  logic [8:0] select_4303;
+  assign select_4303 = sum_4272[7] ? {1'b1, sum_4272[6:0], region_down_rest_q[0]} : sum_4302;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_4253[7];
-  // hls/stages/agreement.hpp:460
-  logic select_4288;
-  assign select_4288 = equal_2926_s2_q ? (equal_672_s2_q | (less_4252_s2_q ? next : region_fresh_q)) : region_fresh_q;
+  assign next = ~sum_4272[7];
+  // hls/stages/agreement.hpp:464
+  logic select_4307;
+  assign select_4307 = equal_2935_s2_q ? (equal_677_s2_q | (less_4271_s2_q ? next : region_fresh_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:205
-  logic or_4293;
-  assign or_4293 = segment_starts_q | not_570_s2_q;
-  // hls/stages/agreement.hpp:1030
-  logic select_4296;
-  assign select_4296 = inside_v_s2_q ? (sum_2450_s2_q ? (equal_2236 & or_2452) : or_2452) : or_4293;
-  // hls/stages/agreement.hpp:788
-  logic select_4299;
-  assign select_4299 = equal_567_s2_q ? or_4293 : (so_s2_q ? (ends_cell_s2_q ? select_4296 : or_4293) : or_4293);
-  // hls/stages/agreement.hpp:1147
-  logic equal_4323;
-  assign equal_4323 = x_s2_q[6:0] == 7'h7f;
-  // hls/stages/agreement.hpp:788
-  logic select_4459;
-  assign select_4459 = so_s2_q ? (ends_cell_s2_q ? and_2523 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4462;
-  assign select_4462 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
-  logic select_4464;
-  assign select_4464 = equal_567_s2_q ? centres_values_0_of_skin_q : (so_s2_q ? select_4462 : centres_values_0_of_skin_q);
-  logic select_4465;
-  assign select_4465 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_4467;
-  assign select_4467 = equal_567_s2_q ? centres_values_1_textured_q : (so_s2_q ? select_4465 : centres_values_1_textured_q);
-  logic select_4468;
-  assign select_4468 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_4470;
-  assign select_4470 = equal_567_s2_q ? centres_values_1_of_skin_q : (so_s2_q ? select_4468 : centres_values_1_of_skin_q);
-  // hls/stages/agreement.hpp:460
-  logic [12:0] select_4474;
-  assign select_4474 = equal_2926_s2_q ? (equal_4471_s2_q ? 13'h0 : (map_row_q + {6'h0, map_width_q})) : map_row_q;
-  // hls/stages/agreement.hpp:520
-  logic [6:0] select_4477;
-  assign select_4477 = and_542_s2_q ? (equal_2926_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:1300
-  logic [2:0] select_4488;
-  assign select_4488 = select_2495 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:436
-  logic [7:0] select_4494;
-  assign select_4494 = marks_first_s2_q ? (less_4490 ? {sum_4491, cfg_height_i[5:3]} : 8'h0) : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic or_4312;
+  assign or_4312 = segment_starts_q | not_572_s2_q;
+  // hls/stages/agreement.hpp:1037
+  logic select_4315;
+  assign select_4315 = inside_v_s2_q ? (sum_2456_s2_q ? (equal_2242 & or_2458) : or_2458) : or_4312;
+  // hls/stages/agreement.hpp:795
+  logic select_4318;
+  assign select_4318 = equal_569_s2_q ? or_4312 : (drew_q ? (ends_cell_s2_q ? select_4315 : or_4312) : or_4312);
+  logic select_4478;
+  assign select_4478 = drew_q ? (ends_cell_s2_q ? and_2530 : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_4481;
+  assign select_4481 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4483;
+  assign select_4483 = equal_569_s2_q ? centres_values_0_of_skin_q : (drew_q ? select_4481 : centres_values_0_of_skin_q);
+  logic select_4484;
+  assign select_4484 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4486;
+  assign select_4486 = equal_569_s2_q ? centres_values_1_textured_q : (drew_q ? select_4484 : centres_values_1_textured_q);
+  logic select_4487;
+  assign select_4487 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4489;
+  assign select_4489 = equal_569_s2_q ? centres_values_1_of_skin_q : (drew_q ? select_4487 : centres_values_1_of_skin_q);
+  // hls/stages/agreement.hpp:464
+  logic [12:0] select_4495;
+  assign select_4495 = equal_2935_s2_q ? (or_4492_s2_q ? (map_row_q + {6'h0, map_width_q}) : 13'h0) : map_row_q;
+  // hls/stages/agreement.hpp:527
+  logic [6:0] select_4498;
+  assign select_4498 = and_544_s2_q ? (equal_2935_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
   // hls/stages/registration.hpp:258
-  logic not_4564;
-  assign not_4564 = ~quarter[1];
-  logic [3:0] select_4565;
-  assign select_4565 = quarter[0] ? {quarter[1], 1'b0, not_4564, 1'b0} : {1'b0, quarter[1], 1'b0, not_4564};
+  logic not_4585;
+  assign not_4585 = ~quarter[1];
+  logic [3:0] select_4586;
+  assign select_4586 = quarter[0] ? {quarter[1], 1'b0, not_4585, 1'b0} : {1'b0, quarter[1], 1'b0, not_4585};
 
   // Memory registration_sums, 12 x 32 and parity, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4688,9 +4741,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 33'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_2081;
+  assign registration_sums_raddr = select_2087;
   logic registration_sums_re;
-  assign registration_sums_re = s2_en & select_2124;
+  assign registration_sums_re = s2_en & select_2130;
   logic [32:0] registration_sums_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) registration_sums_word_q <= registration_sums_mem[registration_sums_raddr];
@@ -4710,9 +4763,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 24'h0;
 `endif
   logic [5:0] patches_choices_raddr;
-  assign patches_choices_raddr = select_2155;
+  assign patches_choices_raddr = select_2161;
   logic patches_choices_re;
-  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_2157));
+  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_2163));
   logic [23:0] patches_choices_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_choices_word_q <= patches_choices_mem[patches_choices_raddr];
@@ -4723,7 +4776,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_choices_read_q <= rst_ni & patches_choices_re;
   assign patches_choices_error = patches_choices_read_q & ^patches_choices_word_q;
 
-  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1398; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1408; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4732,9 +4785,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 31'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_2447;
+  assign regions_raddr = select_2453;
   logic regions_re;
-  assign regions_re = s2_en & (equal_567_s2_q ? (x_s2_q[6] & not_2448) : and_2455);
+  assign regions_re = s2_en & (equal_569_s2_q ? (x_s2_q[6] & not_2454) : and_2461);
   logic [30:0] regions_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) regions_word_q <= regions_mem[regions_raddr];
@@ -4745,7 +4798,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) regions_read_q <= rst_ni & regions_re;
   assign regions_error = regions_read_q & ^regions_word_q;
 
-  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1409; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1419; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] map_mem [0:9599];
@@ -4753,9 +4806,9 @@ module horopter_agreement (
   initial for (int i = 0; i < 9600; i++) map_mem[i] = 3'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_2507, index[5:0]};
+  assign map_raddr = {sum_2513, index[5:0]};
   logic map_re;
-  assign map_re = s2_en & (and_2514 & less_2515);
+  assign map_re = s2_en & (and_2520 & less_2521);
   logic [2:0] map_word_q;
   always_ff @(posedge clk_i) begin
     if (en_i) map_word_q <= map_mem[map_raddr];
@@ -4768,11 +4821,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [8:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_507_s2_q;
+  assign averager_memory_waddr = select_509_s2_q;
   logic averager_memory_we;
-  assign averager_memory_we = s2_en & and_516_s2_q;
+  assign averager_memory_we = s2_en & and_518_s2_q;
   logic [25:0] averager_memory_wdata;
-  assign averager_memory_wdata = {and_535, and_531, sum_527, sum_523};
+  assign averager_memory_wdata = {and_537, and_533, sum_529, sum_525};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {^averager_memory_wdata, averager_memory_wdata};
   end
@@ -4792,9 +4845,9 @@ module horopter_agreement (
   logic [6:0] census_memory_waddr;
   assign census_memory_waddr = last_s2_2_q;
   logic census_memory_we;
-  assign census_memory_we = s2_en & and_542_s2_q;
+  assign census_memory_we = s2_en & and_544_s2_q;
   logic [77:0] census_memory_wdata;
-  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_560, whole_2, select_552, select_548};
+  assign census_memory_wdata = {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_562, whole_2, select_554, select_550};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (census_memory_we) census_memory_mem[census_memory_waddr] <= {^census_memory_wdata, census_memory_wdata};
   end
@@ -4812,11 +4865,11 @@ module horopter_agreement (
 
   // Memory moments_memory, write
   logic [12:0] moments_memory_waddr;
-  assign moments_memory_waddr = select_566_s2_q;
+  assign moments_memory_waddr = select_568_s2_q;
   logic moments_memory_we;
-  assign moments_memory_we = s2_en & and_584_s2_q;
+  assign moments_memory_we = s2_en & and_586_s2_q;
   logic [3:0] moments_memory_wdata;
-  assign moments_memory_wdata = {and_639_s2_q, and_637_s2_q, and_632_s2_q, and_630};
+  assign moments_memory_wdata = {and_644_s2_q, and_642_s2_q, and_637_s2_q, and_635};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {^moments_memory_wdata, moments_memory_wdata};
   end
@@ -4836,9 +4889,9 @@ module horopter_agreement (
   logic [6:0] best_left_waddr;
   assign best_left_waddr = x_s2_2_q;
   logic best_left_we;
-  assign best_left_we = s2_en & and_2028_s2_q;
+  assign best_left_we = s2_en & and_2034_s2_q;
   logic [61:0] best_left_wdata;
-  assign best_left_wdata = {select_2027, select_2024, select_2021, select_2019, select_1992, select_1989, select_1981, select_1980, select_1976};
+  assign best_left_wdata = {select_2033, select_2030, select_2027, select_2025, select_1998, select_1995, select_1987, select_1986, select_1982};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_left_we) best_left_mem[best_left_waddr] <= {^best_left_wdata, best_left_wdata};
   end
@@ -4871,9 +4924,9 @@ module horopter_agreement (
   logic [6:0] best_right_waddr;
   assign best_right_waddr = right_s2_q;
   logic best_right_we;
-  assign best_right_we = s2_en & and_2028_s2_q;
+  assign best_right_we = s2_en & and_2034_s2_q;
   logic [28:0] best_right_wdata;
-  assign best_right_wdata = {select_2038, select_2037, select_2034, select_2033};
+  assign best_right_wdata = {select_2044, select_2043, select_2040, select_2039};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (best_right_we) best_right_mem[best_right_waddr] <= {^best_right_wdata, best_right_wdata};
   end
@@ -4891,11 +4944,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [6:0] shown_right_waddr;
-  assign shown_right_waddr = select_2045_s2_q;
+  assign shown_right_waddr = select_2051_s2_q;
   logic shown_right_we;
-  assign shown_right_we = s2_en & and_2056;
+  assign shown_right_we = s2_en & and_2062;
   logic [1:0] shown_right_wdata;
-  assign shown_right_wdata = {and_2053, not_570_s2_q};
+  assign shown_right_wdata = {and_2059, not_572_s2_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (shown_right_we) shown_right_mem[shown_right_waddr] <= {^shown_right_wdata, shown_right_wdata};
   end
@@ -4917,7 +4970,7 @@ module horopter_agreement (
   logic left_turns_we;
   assign left_turns_we = s2_en & moments_taken_q;
   logic [1:0] left_turns_wdata;
-  assign left_turns_wdata = {and_2064, and_2061};
+  assign left_turns_wdata = {and_2070, and_2067};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (left_turns_we) left_turns_mem[left_turns_waddr] <= {^left_turns_wdata, left_turns_wdata};
   end
@@ -4939,7 +4992,7 @@ module horopter_agreement (
   logic right_turns_we;
   assign right_turns_we = s2_en & moments_taken_q;
   logic [1:0] right_turns_wdata;
-  assign right_turns_wdata = {and_2073, and_2070};
+  assign right_turns_wdata = {and_2079, and_2076};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (right_turns_we) right_turns_mem[right_turns_waddr] <= {^right_turns_wdata, right_turns_wdata};
   end
@@ -4957,11 +5010,11 @@ module horopter_agreement (
 
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_2356, patches_code_row_s2_q[1:0], of_row_2_s2_q};
+  assign patches_right_codes_waddr = {sum_2362, patches_code_row_s2_q[1:0], of_row_2_s2_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s2_en & and_2408_s2_q;
+  assign patches_right_codes_we = s2_en & and_2414_s2_q;
   logic [27:0] patches_right_codes_wdata;
-  assign patches_right_codes_wdata = {and_2394_s2_q, and_2391_s2_q, and_2375_s2_q, and_2372, patches_codes_at_q[51:28]};
+  assign patches_right_codes_wdata = {and_2400_s2_q, and_2397_s2_q, and_2381_s2_q, and_2378, patches_codes_at_q[51:28]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {^patches_right_codes_wdata, patches_right_codes_wdata};
   end
@@ -4979,11 +5032,11 @@ module horopter_agreement (
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_2412, patches_code_row_s2_q[1:0]};
+  assign patches_left_codes_waddr = {sum_2418, patches_code_row_s2_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s2_en & and_2422_s2_q;
+  assign patches_left_codes_we = s2_en & and_2428_s2_q;
   logic [47:0] patches_left_codes_wdata;
-  assign patches_left_codes_wdata = {and_2394_s2_q, and_2391_s2_q, and_2375_s2_q, and_2372, patches_codes_at_q[51:8]};
+  assign patches_left_codes_wdata = {and_2400_s2_q, and_2397_s2_q, and_2381_s2_q, and_2378, patches_codes_at_q[51:8]};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {^patches_left_codes_wdata, patches_left_codes_wdata};
   end
@@ -5003,9 +5056,9 @@ module horopter_agreement (
   logic [6:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s2_q[6:0];
   logic seen_columns_we;
-  assign seen_columns_we = s2_en & and_2041_s2_q;
+  assign seen_columns_we = s2_en & and_2047_s2_q;
   logic [17:0] seen_columns_wdata;
-  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2482, textured};
+  assign seen_columns_wdata = {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2488, textured};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {^seen_columns_wdata, seen_columns_wdata};
   end
@@ -5107,125 +5160,91 @@ module horopter_agreement (
       centres_values_1_of_skin_q <= 1'b0;
       map_row_q <= 13'h0;
       map_width_q <= 7'h0;
-      write_half_q <= 1'b0;
-      read_half_q <= 1'b1;
-      done_q <= 1'b0;
-      proven_q <= 1'b0;
-      drew_q <= 1'b0;
-      said_q <= 1'b0;
-      rows_passed_q <= 17'h0;
-      columns_passed_q <= 9'h0;
-      line_ended_q <= 1'b1;
-      began_q <= 1'b0;
-      seen_x_q <= 3'h0;
-      seen_y_q <= 3'h0;
-      seen_column_q <= 8'h0;
-      seen_rows_left_q <= 8'h0;
-      at_cell_end_q <= 1'b0;
-      was_next_row_q <= 1'b0;
-      seen_base_q <= 13'h0;
     end else if (s2_en) begin
       sample_pair_pixel_0_q <= pixel_0_s2_q;
       sample_pair_pixel_1_q <= pixel_1_s2_q;
       sample_of_skin_q <= mask_s2_q;
       averager_running_mask_q <= sample_pair_whole_s2_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2650;
-      averager_mask_q <= select_2652;
-      averager_of_skin_q <= select_2654;
-      census_filled_q <= and_542_s2_q ? {select_675[2:0], 1'b1} : census_filled_q;
-      moments_turned_0_q <= sum_2749;
-      moments_turned_1_q <= sum_2751;
-      moments_before_0_q <= equal_567_s2_q ? select_2753 : moments_before_0_q;
-      moments_before_1_q <= equal_567_s2_q ? select_2755 : moments_before_1_q;
-      moments_has_before_q <= select_2758;
-      moments_most_before_q <= select_2761;
-      moments_left_begins_q <= select_2765;
-      moments_left_alone_q <= select_2769;
-      moments_left_other_stops_q <= select_2772;
-      moments_right_begins_q <= select_2775;
-      moments_right_alone_q <= select_2779;
-      moments_right_other_stops_q <= select_2782;
-      moments_out_of_step_q <= or_2785;
-      moments_turns_0_q <= and_2793;
-      moments_turns_1_q <= and_2797;
-      moments_begins_alone_q <= and_2806;
-      moments_ends_q <= equal_567_s2_q & (equal_2752 & (not_2807 | and_2809));
-      rows_passed_above_q <= and_542_s2_q ? select_674 : rows_passed_above_q;
-      shift_allowed_q <= not_3023 & (~less_3024);
+      averager_running_of_skin_q <= select_2659;
+      averager_mask_q <= select_2661;
+      averager_of_skin_q <= select_2663;
+      census_filled_q <= and_544_s2_q ? {select_680[2:0], 1'b1} : census_filled_q;
+      moments_turned_0_q <= sum_2758;
+      moments_turned_1_q <= sum_2760;
+      moments_before_0_q <= equal_569_s2_q ? select_2762 : moments_before_0_q;
+      moments_before_1_q <= equal_569_s2_q ? select_2764 : moments_before_1_q;
+      moments_has_before_q <= select_2767;
+      moments_most_before_q <= select_2770;
+      moments_left_begins_q <= select_2774;
+      moments_left_alone_q <= select_2778;
+      moments_left_other_stops_q <= select_2781;
+      moments_right_begins_q <= select_2784;
+      moments_right_alone_q <= select_2788;
+      moments_right_other_stops_q <= select_2791;
+      moments_out_of_step_q <= or_2794;
+      moments_turns_0_q <= and_2802;
+      moments_turns_1_q <= and_2806;
+      moments_begins_alone_q <= and_2815;
+      moments_ends_q <= equal_569_s2_q & (equal_2761 & (not_2816 | and_2818));
+      rows_passed_above_q <= and_544_s2_q ? select_679 : rows_passed_above_q;
+      shift_allowed_q <= not_3042 & (~less_3043);
       shift_not_right_q <= $signed(run_shift_s2_q) < $signed(6'h1);
-      counts_turned_left_q <= and_3031 ? 14'h0 : (counts_turned_left_q + {13'h0, and_3150});
-      counts_turned_right_q <= and_3031 ? 14'h0 : (counts_turned_right_q + {13'h0, and_3157});
-      registration_displacement_over_q <= so_s2_q ? sum_3181[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_3183;
-      registration_slope_here_q <= select_3185;
-      registration_expected_q <= select_3187;
-      registration_of_right_q <= equal_567_s2_q ? registration_of_right_q : select_3249;
-      registration_was_inside_q <= equal_567_s2_q ? registration_was_inside_q : select_3252;
-      registration_fresh_q <= select_3261;
-      patches_chance_q <= and_542_s2_q ? select_3418 : patches_chance_q;
-      patches_fixed_q <= and_3433;
-      patches_choice_valid_q <= and_2241 ? (select_2214 & not_3420) : select_2214;
-      patches_choice_column_q <= select_2219;
-      patches_choice_shift_q <= select_2224;
-      patches_choice_slope_q <= select_2235;
-      patches_band_q <= sample_pair_whole_s2_q ? select_2256 : patches_band_q;
-      patches_fetch_q <= select_3447;
-      patches_codes_at_q <= select_3548;
-      patches_codes_further_q <= equal_2243_s2_q ? patches_codes_further_q : select_3553;
-      patches_next_codes_q <= select_3561;
-      patches_set_q <= equal_2243_s2_q ? 3'h0 : (equal_2245_s2_q ? 3'h0 : select_3575);
-      patches_size_q <= sum_3579;
-      patches_left_row_q <= select_3591;
-      patches_summed_row_column_q <= equal_2243_s2_q ? patches_summed_row_column_q : select_3936;
-      patches_summed_first_q <= select_3939;
-      patches_read_row_differing_q <= equal_2243_s2_q ? select_3947 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_2243_s2_q ? select_3950 : patches_read_row_column_q;
-      patches_read_at_q <= equal_2243_s2_q ? select_3953 : patches_read_at_q;
-      patches_read_first_q <= select_3958;
-      patches_read_above_q <= equal_2243_s2_q ? and_3970 : patches_read_above_q;
-      patches_read_below_q <= equal_2243_s2_q ? and_3975 : patches_read_below_q;
-      patches_read_far_q <= equal_2243_s2_q ? select_3982 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_3985;
-      patches_peak_best_column_q <= select_3986;
-      patches_peak_row_q <= equal_2243_s2_q ? select_3965 : patches_peak_row_q;
-      patches_peak_above_q <= select_3989;
-      patches_peak_below_q <= select_3991;
-      patches_peak_far_q <= select_3995;
-      patches_peak_size_q <= select_3998;
-      patches_frame_ended_q <= equal_567_s2_q & equal_2752;
-      shown_shown_q <= select_4249;
-      shown_nearer_q <= select_4251;
-      region_row_q <= and_542_s2_q ? select_4257 : region_row_q;
+      counts_turned_left_q <= and_3050 ? 14'h0 : (counts_turned_left_q + {13'h0, and_3170});
+      counts_turned_right_q <= and_3050 ? 14'h0 : (counts_turned_right_q + {13'h0, and_3177});
+      registration_displacement_over_q <= drew_q ? sum_3201[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_3203;
+      registration_slope_here_q <= select_3205;
+      registration_expected_q <= select_3207;
+      registration_of_right_q <= equal_569_s2_q ? registration_of_right_q : select_3269;
+      registration_was_inside_q <= equal_569_s2_q ? registration_was_inside_q : select_3272;
+      registration_fresh_q <= select_3281;
+      patches_chance_q <= and_544_s2_q ? select_3437 : patches_chance_q;
+      patches_fixed_q <= and_3452;
+      patches_choice_valid_q <= and_2247 ? (select_2220 & not_3439) : select_2220;
+      patches_choice_column_q <= select_2225;
+      patches_choice_shift_q <= select_2230;
+      patches_choice_slope_q <= select_2241;
+      patches_band_q <= sample_pair_whole_s2_q ? select_2262 : patches_band_q;
+      patches_fetch_q <= select_3466;
+      patches_codes_at_q <= select_3567;
+      patches_codes_further_q <= equal_2249_s2_q ? patches_codes_further_q : select_3572;
+      patches_next_codes_q <= select_3580;
+      patches_set_q <= equal_2249_s2_q ? 3'h0 : (equal_2251_s2_q ? 3'h0 : select_3594);
+      patches_size_q <= sum_3598;
+      patches_left_row_q <= select_3610;
+      patches_summed_row_column_q <= equal_2249_s2_q ? patches_summed_row_column_q : select_3955;
+      patches_summed_first_q <= select_3958;
+      patches_read_row_differing_q <= equal_2249_s2_q ? select_3966 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_2249_s2_q ? select_3969 : patches_read_row_column_q;
+      patches_read_at_q <= equal_2249_s2_q ? select_3972 : patches_read_at_q;
+      patches_read_first_q <= select_3977;
+      patches_read_above_q <= equal_2249_s2_q ? and_3989 : patches_read_above_q;
+      patches_read_below_q <= equal_2249_s2_q ? and_3994 : patches_read_below_q;
+      patches_read_far_q <= equal_2249_s2_q ? select_4001 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_4004;
+      patches_peak_best_column_q <= select_4005;
+      patches_peak_row_q <= equal_2249_s2_q ? select_3984 : patches_peak_row_q;
+      patches_peak_above_q <= select_4008;
+      patches_peak_below_q <= select_4010;
+      patches_peak_far_q <= select_4014;
+      patches_peak_size_q <= select_4017;
+      patches_frame_ended_q <= equal_569_s2_q & equal_2761;
+      shown_shown_q <= select_4268;
+      shown_nearer_q <= select_4270;
+      region_row_q <= and_544_s2_q ? select_4276 : region_row_q;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_4262;
-      region_down_rest_q <= select_4278;
-      region_down_back_q <= select_4282;
-      region_down_next_q <= select_4284;
-      region_fresh_q <= and_542_s2_q ? select_4288 : region_fresh_q;
-      segment_starts_q <= select_4299;
-      centres_values_0_textured_q <= equal_567_s2_q ? centres_values_0_textured_q : select_4459;
-      centres_values_0_of_skin_q <= select_4464;
-      centres_values_1_textured_q <= select_4467;
-      centres_values_1_of_skin_q <= select_4470;
-      map_row_q <= and_542_s2_q ? select_4474 : map_row_q;
-      map_width_q <= select_4477;
-      write_half_q <= marks_first_s2_q ? (write_half_q ^ done_q) : write_half_q;
-      read_half_q <= select_2506;
-      done_q <= not_2508 & ((~drew_q) & (done_q | said_q));
-      proven_q <= marks_first_s2_q ? done_q : proven_q;
-      drew_q <= so_s2_q;
-      said_q <= equal_567_s2_q & equal_4323;
-      rows_passed_q <= select_2491;
-      columns_passed_q <= {select_2493[7:0], or_2489};
-      line_ended_q <= marks_last_s2_q;
-      began_q <= and_2510;
-      seen_x_q <= select_2512;
-      seen_y_q <= marks_first_s2_q ? 3'h0 : select_4488;
-      seen_column_q <= select_2503;
-      seen_rows_left_q <= select_4494;
-      at_cell_end_q <= (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
-      was_next_row_q <= next_row;
-      seen_base_q <= select_2500;
+      region_columns_q <= select_4281;
+      region_down_rest_q <= select_4297;
+      region_down_back_q <= select_4301;
+      region_down_next_q <= select_4303;
+      region_fresh_q <= and_544_s2_q ? select_4307 : region_fresh_q;
+      segment_starts_q <= select_4318;
+      centres_values_0_textured_q <= equal_569_s2_q ? centres_values_0_textured_q : select_4478;
+      centres_values_0_of_skin_q <= select_4483;
+      centres_values_1_textured_q <= select_4486;
+      centres_values_1_of_skin_q <= select_4489;
+      map_row_q <= and_544_s2_q ? select_4495 : map_row_q;
+      map_width_q <= select_4498;
     end
   end
 
@@ -5298,73 +5317,74 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      averager_running_0_q <= sample_pair_whole_s2_q ? select_519 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s2_q ? sum_525 : averager_running_1_q;
-      averager_total_0_q <= select_2628;
-      averager_total_1_q <= select_2630;
-      census_columns_values_0_cell_0_left_q <= select_2655;
-      census_columns_values_0_cell_0_right_q <= select_2656;
-      census_columns_values_0_cell_0_mask_q <= and_542_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2658;
-      census_columns_values_0_cell_1_right_q <= select_2659;
-      census_columns_values_0_cell_1_mask_q <= select_2660;
-      census_columns_values_0_cell_2_left_q <= select_2661;
-      census_columns_values_0_cell_2_right_q <= select_2662;
-      census_columns_values_0_cell_2_mask_q <= select_2663;
-      census_columns_values_0_cell_2_of_skin_q <= select_2664;
-      census_columns_values_0_cell_3_left_q <= select_2665;
-      census_columns_values_0_cell_3_right_q <= select_2666;
-      census_columns_values_0_cell_3_mask_q <= select_2667;
-      census_columns_values_0_cell_4_left_q <= select_2668;
-      census_columns_values_0_cell_4_right_q <= select_2669;
-      census_columns_values_0_cell_4_mask_q <= select_2670;
-      census_columns_values_1_cell_0_left_q <= select_2671;
-      census_columns_values_1_cell_0_right_q <= select_2672;
-      census_columns_values_1_cell_0_mask_q <= select_2673;
-      census_columns_values_1_cell_1_left_q <= select_2674;
-      census_columns_values_1_cell_1_right_q <= select_2675;
-      census_columns_values_1_cell_1_mask_q <= select_2676;
-      census_columns_values_1_cell_2_left_q <= select_2677;
-      census_columns_values_1_cell_2_right_q <= select_2678;
-      census_columns_values_1_cell_2_mask_q <= select_2679;
-      census_columns_values_1_cell_2_of_skin_q <= select_2680;
-      census_columns_values_1_cell_3_left_q <= select_2681;
-      census_columns_values_1_cell_3_right_q <= select_2682;
-      census_columns_values_1_cell_3_mask_q <= select_2683;
-      census_columns_values_1_cell_4_left_q <= select_2684;
-      census_columns_values_1_cell_4_right_q <= select_2685;
-      census_columns_values_1_cell_4_mask_q <= select_2686;
-      census_columns_values_2_cell_0_left_q <= select_2687;
-      census_columns_values_2_cell_0_right_q <= select_2688;
-      census_columns_values_2_cell_0_mask_q <= select_2689;
-      census_columns_values_2_cell_1_left_q <= select_2690;
-      census_columns_values_2_cell_1_right_q <= select_2691;
-      census_columns_values_2_cell_1_mask_q <= select_2692;
-      census_columns_values_2_cell_2_left_q <= select_2693;
-      census_columns_values_2_cell_2_right_q <= select_2694;
-      census_columns_values_2_cell_2_mask_q <= select_2695;
-      census_columns_values_2_cell_3_left_q <= select_2696;
-      census_columns_values_2_cell_3_right_q <= select_2697;
-      census_columns_values_2_cell_3_mask_q <= select_2698;
-      census_columns_values_2_cell_4_left_q <= select_2699;
-      census_columns_values_2_cell_4_right_q <= select_2700;
-      census_columns_values_2_cell_4_mask_q <= select_2701;
-      census_columns_values_3_cell_0_mask_q <= select_2702;
-      census_columns_values_3_cell_1_left_q <= select_2703;
-      census_columns_values_3_cell_1_right_q <= select_2704;
-      census_columns_values_3_cell_1_mask_q <= select_2705;
-      census_columns_values_3_cell_2_mask_q <= select_2706;
-      census_columns_values_3_cell_3_left_q <= select_2707;
-      census_columns_values_3_cell_3_right_q <= select_2708;
-      census_columns_values_3_cell_3_mask_q <= select_2709;
-      census_columns_values_3_cell_4_mask_q <= select_2710;
-      sharpness_last_mean_0_q <= and_542_s2_q ? select_548 : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_542_s2_q ? select_552 : sharpness_last_mean_1_q;
+      averager_running_0_q <= sample_pair_whole_s2_q ? select_521 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s2_q ? sum_527 : averager_running_1_q;
+      averager_total_0_q <= select_2637;
+      averager_total_1_q <= select_2639;
+      census_columns_values_0_cell_0_left_q <= select_2664;
+      census_columns_values_0_cell_0_right_q <= select_2665;
+      census_columns_values_0_cell_0_mask_q <= and_544_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
+      census_columns_values_0_cell_1_left_q <= select_2667;
+      census_columns_values_0_cell_1_right_q <= select_2668;
+      census_columns_values_0_cell_1_mask_q <= select_2669;
+      census_columns_values_0_cell_2_left_q <= select_2670;
+      census_columns_values_0_cell_2_right_q <= select_2671;
+      census_columns_values_0_cell_2_mask_q <= select_2672;
+      census_columns_values_0_cell_2_of_skin_q <= select_2673;
+      census_columns_values_0_cell_3_left_q <= select_2674;
+      census_columns_values_0_cell_3_right_q <= select_2675;
+      census_columns_values_0_cell_3_mask_q <= select_2676;
+      census_columns_values_0_cell_4_left_q <= select_2677;
+      census_columns_values_0_cell_4_right_q <= select_2678;
+      census_columns_values_0_cell_4_mask_q <= select_2679;
+      census_columns_values_1_cell_0_left_q <= select_2680;
+      census_columns_values_1_cell_0_right_q <= select_2681;
+      census_columns_values_1_cell_0_mask_q <= select_2682;
+      census_columns_values_1_cell_1_left_q <= select_2683;
+      census_columns_values_1_cell_1_right_q <= select_2684;
+      census_columns_values_1_cell_1_mask_q <= select_2685;
+      census_columns_values_1_cell_2_left_q <= select_2686;
+      census_columns_values_1_cell_2_right_q <= select_2687;
+      census_columns_values_1_cell_2_mask_q <= select_2688;
+      census_columns_values_1_cell_2_of_skin_q <= select_2689;
+      census_columns_values_1_cell_3_left_q <= select_2690;
+      census_columns_values_1_cell_3_right_q <= select_2691;
+      census_columns_values_1_cell_3_mask_q <= select_2692;
+      census_columns_values_1_cell_4_left_q <= select_2693;
+      census_columns_values_1_cell_4_right_q <= select_2694;
+      census_columns_values_1_cell_4_mask_q <= select_2695;
+      census_columns_values_2_cell_0_left_q <= select_2696;
+      census_columns_values_2_cell_0_right_q <= select_2697;
+      census_columns_values_2_cell_0_mask_q <= select_2698;
+      census_columns_values_2_cell_1_left_q <= select_2699;
+      census_columns_values_2_cell_1_right_q <= select_2700;
+      census_columns_values_2_cell_1_mask_q <= select_2701;
+      census_columns_values_2_cell_2_left_q <= select_2702;
+      census_columns_values_2_cell_2_right_q <= select_2703;
+      census_columns_values_2_cell_2_mask_q <= select_2704;
+      census_columns_values_2_cell_3_left_q <= select_2705;
+      census_columns_values_2_cell_3_right_q <= select_2706;
+      census_columns_values_2_cell_3_mask_q <= select_2707;
+      census_columns_values_2_cell_4_left_q <= select_2708;
+      census_columns_values_2_cell_4_right_q <= select_2709;
+      census_columns_values_2_cell_4_mask_q <= select_2710;
+      census_columns_values_3_cell_0_mask_q <= select_2711;
+      census_columns_values_3_cell_1_left_q <= select_2712;
+      census_columns_values_3_cell_1_right_q <= select_2713;
+      census_columns_values_3_cell_1_mask_q <= select_2714;
+      census_columns_values_3_cell_2_mask_q <= select_2715;
+      census_columns_values_3_cell_3_left_q <= select_2716;
+      census_columns_values_3_cell_3_right_q <= select_2717;
+      census_columns_values_3_cell_3_mask_q <= select_2718;
+      census_columns_values_3_cell_4_mask_q <= select_2719;
+      sharpness_last_mean_0_q <= and_544_s2_q ? select_550 : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_544_s2_q ? select_554 : sharpness_last_mean_1_q;
     end
   end
 
   logic saturated_s3_q;
   logic marks_first_s3_q;
+  logic marks_last_s3_q;
   logic [7:0] sample_pair_pixel_0_s3_q;
   logic [7:0] sample_pair_pixel_1_s3_q;
   logic sample_pair_whole_s3_q;
@@ -5375,6 +5395,7 @@ module horopter_agreement (
   logic [2:0] slot_s3_q;
   logic ends_cell_s3_q;
   logic lower_half_s3_q;
+  logic draws_late_s3_q;
   logic registration_of_right_s3_q;
   logic [4:0] patches_choosing_band_s3_q;
   logic patches_lower_s3_q;
@@ -5388,24 +5409,20 @@ module horopter_agreement (
   logic region_fresh_s3_q;
   logic centres_values_1_textured_s3_q;
   logic centres_values_1_of_skin_s3_q;
-  logic [2:0] select_503_s3_q;
+  logic [2:0] select_505_s3_q;
   logic row_starts_s3_q;
-  logic [6:0] select_536_s3_q;
+  logic [6:0] select_538_s3_q;
   logic [6:0] last_s3_q;
-  logic and_540_s3_q;
   logic and_542_s3_q;
+  logic and_544_s3_q;
   logic [8:0] grey_s3_q;
-  logic equal_545_s3_q;
+  logic equal_547_s3_q;
   logic [8:0] grey_2_s3_q;
   logic whole_2_s3_q;
-  logic equal_562_s3_q;
-  logic equal_567_s3_q;
-  logic not_568_s3_q;
-  logic less_645_s3_q;
-  logic less_646_s3_q;
-  logic less_647_s3_q;
-  logic less_648_s3_q;
-  logic less_649_s3_q;
+  logic equal_564_s3_q;
+  logic equal_569_s3_q;
+  logic not_570_s3_q;
+  logic so_s3_q;
   logic less_650_s3_q;
   logic less_651_s3_q;
   logic less_652_s3_q;
@@ -5425,96 +5442,104 @@ module horopter_agreement (
   logic less_666_s3_q;
   logic less_667_s3_q;
   logic less_668_s3_q;
-  logic and_676_s3_q;
-  logic and_701_s3_q;
-  logic and_702_s3_q;
-  logic [11:0] sum_717_s3_q;
-  logic [9:0] sum_720_s3_q;
-  logic and_728_s3_q;
-  logic and_732_s3_q;
-  logic less_733_s3_q;
-  logic less_737_s3_q;
-  logic less_739_s3_q;
-  logic equal_2074_s3_q;
+  logic less_669_s3_q;
+  logic less_670_s3_q;
+  logic less_671_s3_q;
+  logic less_672_s3_q;
+  logic less_673_s3_q;
+  logic and_681_s3_q;
+  logic and_706_s3_q;
+  logic and_707_s3_q;
+  logic [11:0] sum_722_s3_q;
+  logic [9:0] sum_725_s3_q;
+  logic and_733_s3_q;
+  logic and_737_s3_q;
+  logic less_738_s3_q;
+  logic less_742_s3_q;
+  logic less_744_s3_q;
+  logic equal_2080_s3_q;
   logic all_s3_q;
-  logic [1:0] sum_2080_s3_q;
-  logic equal_2082_s3_q;
-  logic equal_2084_s3_q;
-  logic equal_2086_s3_q;
+  logic [1:0] sum_2086_s3_q;
   logic equal_2088_s3_q;
   logic equal_2090_s3_q;
   logic equal_2092_s3_q;
   logic equal_2094_s3_q;
   logic equal_2096_s3_q;
-  logic less_2105_s3_q;
-  logic or_2109_s3_q;
-  logic equal_2129_s3_q;
-  logic and_2139_s3_q;
-  logic select_2156_s3_q;
-  logic equal_2157_s3_q;
-  logic and_2165_s3_q;
-  logic equal_2167_s3_q;
-  logic select_2214_s3_q;
-  logic and_2242_s3_q;
-  logic equal_2243_s3_q;
-  logic equal_2245_s3_q;
-  logic not_2250_s3_q;
-  logic and_2258_s3_q;
-  logic [4:0] select_2273_s3_q;
-  logic select_2279_s3_q;
-  logic [3:0] select_2319_s3_q;
-  logic or_2440_s3_q;
-  logic or_2443_s3_q;
+  logic equal_2098_s3_q;
+  logic equal_2100_s3_q;
+  logic equal_2102_s3_q;
+  logic less_2111_s3_q;
+  logic or_2115_s3_q;
+  logic equal_2135_s3_q;
+  logic and_2145_s3_q;
+  logic select_2162_s3_q;
+  logic equal_2163_s3_q;
+  logic and_2171_s3_q;
+  logic equal_2173_s3_q;
+  logic select_2220_s3_q;
+  logic and_2248_s3_q;
+  logic equal_2249_s3_q;
+  logic equal_2251_s3_q;
+  logic not_2256_s3_q;
+  logic and_2264_s3_q;
+  logic [4:0] select_2279_s3_q;
+  logic select_2285_s3_q;
+  logic [3:0] select_2325_s3_q;
   logic or_2446_s3_q;
-  logic not_2448_s3_q;
+  logic or_2449_s3_q;
+  logic or_2452_s3_q;
+  logic not_2454_s3_q;
   logic textured_s3_q;
   logic explained_s3_q;
-  logic and_2475_s3_q;
-  logic and_2480_s3_q;
-  logic and_2514_s3_q;
-  logic less_2515_s3_q;
+  logic and_2481_s3_q;
+  logic and_2486_s3_q;
+  logic and_2520_s3_q;
+  logic less_2521_s3_q;
   logic [5:0] index_2_s3_q;
-  logic [7:0] sum_2520_s3_q;
+  logic [7:0] sum_2527_s3_q;
   logic [2:0] textured_2_s3_q;
-  logic or_2538_s3_q;
-  logic or_2541_s3_q;
-  logic or_2544_s3_q;
+  logic or_2545_s3_q;
+  logic or_2548_s3_q;
+  logic or_2551_s3_q;
   logic [2:0] shown_2_s3_q;
   logic [2:0] near_2_s3_q;
-  logic and_2594_s3_q;
-  logic [11:0] sum_2726_s3_q;
-  logic [9:0] sum_2729_s3_q;
-  logic equal_2737_s3_q;
+  logic and_2603_s3_q;
+  logic [11:0] sum_2735_s3_q;
+  logic [9:0] sum_2738_s3_q;
+  logic equal_2746_s3_q;
   logic [8:0] contrast_s3_q;
   logic [8:0] contrast_2_s3_q;
-  logic and_3031_s3_q;
-  logic and_3037_s3_q;
+  logic and_3050_s3_q;
+  logic and_3056_s3_q;
   logic [2:0] explained_2_s3_q;
-  logic and_3099_s3_q;
-  logic and_3133_s3_q;
-  logic and_3191_s3_q;
-  logic and_3192_s3_q;
+  logic and_3118_s3_q;
+  logic and_3152_s3_q;
+  logic and_3211_s3_q;
+  logic and_3212_s3_q;
   logic [7:0] residual_s3_q;
-  logic and_3228_s3_q;
-  logic and_3242_s3_q;
-  logic equal_3285_s3_q;
-  logic parity_3663_s3_q;
-  logic parity_3792_s3_q;
-  logic parity_3854_s3_q;
-  logic xor_3882_s3_q;
-  logic parity_3894_s3_q;
-  logic or_3898_s3_q;
-  logic equal_3899_s3_q;
-  logic and_3999_s3_q;
-  logic less_4024_s3_q;
-  logic equal_4323_s3_q;
-  logic and_4500_s3_q;
-  logic not_4514_s3_q;
-  logic equal_4567_s3_q;
+  logic and_3248_s3_q;
+  logic and_3262_s3_q;
+  logic equal_3304_s3_q;
+  logic parity_3682_s3_q;
+  logic parity_3811_s3_q;
+  logic parity_3873_s3_q;
+  logic xor_3901_s3_q;
+  logic parity_3913_s3_q;
+  logic or_3917_s3_q;
+  logic equal_3918_s3_q;
+  logic and_4018_s3_q;
+  logic less_4043_s3_q;
+  logic equal_4342_s3_q;
+  logic and_4506_s3_q;
+  logic and_4521_s3_q;
+  logic and_4523_s3_q;
+  logic not_4535_s3_q;
+  logic equal_4588_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       saturated_s3_q <= saturated_s2_q;
       marks_first_s3_q <= marks_first_s2_q;
+      marks_last_s3_q <= line_ended_q;
       sample_pair_pixel_0_s3_q <= sample_pair_pixel_0_q;
       sample_pair_pixel_1_s3_q <= sample_pair_pixel_1_q;
       sample_pair_whole_s3_q <= sample_pair_whole_s2_q;
@@ -5525,6 +5550,7 @@ module horopter_agreement (
       slot_s3_q <= slot_s2_q;
       ends_cell_s3_q <= ends_cell_s2_q;
       lower_half_s3_q <= lower_half_s2_q;
+      draws_late_s3_q <= draws_late_s2_q;
       registration_of_right_s3_q <= registration_of_right_q;
       patches_choosing_band_s3_q <= patches_choosing_band_s2_q;
       patches_lower_s3_q <= patches_lower_s2_q;
@@ -5538,24 +5564,20 @@ module horopter_agreement (
       region_fresh_s3_q <= region_fresh_q;
       centres_values_1_textured_s3_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s3_q <= centres_values_1_of_skin_q;
-      select_503_s3_q <= select_503_s2_q;
+      select_505_s3_q <= select_505_s2_q;
       row_starts_s3_q <= row_starts_s2_q;
-      select_536_s3_q <= select_536_s2_q;
+      select_538_s3_q <= select_538_s2_q;
       last_s3_q <= last_s2_2_q;
-      and_540_s3_q <= and_540_s2_q;
       and_542_s3_q <= and_542_s2_q;
+      and_544_s3_q <= and_544_s2_q;
       grey_s3_q <= grey;
-      equal_545_s3_q <= equal_545;
+      equal_547_s3_q <= equal_547;
       grey_2_s3_q <= grey_2;
       whole_2_s3_q <= whole_2;
-      equal_562_s3_q <= equal_562_s2_q;
-      equal_567_s3_q <= equal_567_s2_q;
-      not_568_s3_q <= not_568_s2_q;
-      less_645_s3_q <= less_645;
-      less_646_s3_q <= less_646;
-      less_647_s3_q <= less_647;
-      less_648_s3_q <= less_648;
-      less_649_s3_q <= less_649;
+      equal_564_s3_q <= equal_564_s2_q;
+      equal_569_s3_q <= equal_569_s2_q;
+      not_570_s3_q <= not_570_s2_q;
+      so_s3_q <= drew_q;
       less_650_s3_q <= less_650;
       less_651_s3_q <= less_651;
       less_652_s3_q <= less_652;
@@ -5575,92 +5597,99 @@ module horopter_agreement (
       less_666_s3_q <= less_666;
       less_667_s3_q <= less_667;
       less_668_s3_q <= less_668;
-      and_676_s3_q <= and_676;
-      and_701_s3_q <= whole_22 & and_676;
-      and_702_s3_q <= census_columns_values_1_cell_2_mask_q & and_676;
-      sum_717_s3_q <= {1'b0, sum_713} + {2'h0, sum_716};
-      sum_720_s3_q <= {9'h0, difference_718[9]} + {1'b0, xor_719};
-      and_728_s3_q <= and_728;
-      and_732_s3_q <= and_732;
-      less_733_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
-      less_737_s3_q <= {{5{sum_736[6]}}, sum_736, half_grey_levels_2[3:0]} < 16'hffe1;
-      less_739_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
-      equal_2074_s3_q <= equal_2074;
+      less_669_s3_q <= less_669;
+      less_670_s3_q <= less_670;
+      less_671_s3_q <= less_671;
+      less_672_s3_q <= less_672;
+      less_673_s3_q <= less_673;
+      and_681_s3_q <= and_681;
+      and_706_s3_q <= whole_22 & and_681;
+      and_707_s3_q <= census_columns_values_1_cell_2_mask_q & and_681;
+      sum_722_s3_q <= {1'b0, sum_718} + {2'h0, sum_721};
+      sum_725_s3_q <= {9'h0, difference_723[9]} + {1'b0, xor_724};
+      and_733_s3_q <= and_733;
+      and_737_s3_q <= and_737;
+      less_738_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
+      less_742_s3_q <= {{5{sum_741[6]}}, sum_741, half_grey_levels_2[3:0]} < 16'hffe1;
+      less_744_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
+      equal_2080_s3_q <= equal_2080;
       all_s3_q <= all;
-      sum_2080_s3_q <= sum_2080;
-      equal_2082_s3_q <= equal_2082;
-      equal_2084_s3_q <= equal_2084;
-      equal_2086_s3_q <= equal_2086;
+      sum_2086_s3_q <= sum_2086;
       equal_2088_s3_q <= equal_2088;
       equal_2090_s3_q <= equal_2090;
       equal_2092_s3_q <= equal_2092;
       equal_2094_s3_q <= equal_2094;
       equal_2096_s3_q <= equal_2096;
-      less_2105_s3_q <= less_2105;
-      or_2109_s3_q <= or_2109;
-      equal_2129_s3_q <= (registration_fresh_q & select_2127) == 4'h0;
-      and_2139_s3_q <= not_568_s2_q & and_2123;
-      select_2156_s3_q <= select_2156[1];
-      equal_2157_s3_q <= equal_2157;
-      and_2165_s3_q <= and_2165;
-      equal_2167_s3_q <= equal_2167;
-      select_2214_s3_q <= select_2214;
-      and_2242_s3_q <= and_2242;
-      equal_2243_s3_q <= equal_2243_s2_q;
-      equal_2245_s3_q <= equal_2245_s2_q;
-      not_2250_s3_q <= not_2250_s2_q;
-      and_2258_s3_q <= and_2242 & equal_2257;
-      select_2273_s3_q <= select_2273_s2_q;
+      equal_2098_s3_q <= equal_2098;
+      equal_2100_s3_q <= equal_2100;
+      equal_2102_s3_q <= equal_2102;
+      less_2111_s3_q <= less_2111;
+      or_2115_s3_q <= or_2115;
+      equal_2135_s3_q <= (registration_fresh_q & select_2133) == 4'h0;
+      and_2145_s3_q <= not_570_s2_q & and_2129;
+      select_2162_s3_q <= select_2162[1];
+      equal_2163_s3_q <= equal_2163;
+      and_2171_s3_q <= and_2171;
+      equal_2173_s3_q <= equal_2173;
+      select_2220_s3_q <= select_2220;
+      and_2248_s3_q <= and_2248;
+      equal_2249_s3_q <= equal_2249_s2_q;
+      equal_2251_s3_q <= equal_2251_s2_q;
+      not_2256_s3_q <= not_2256_s2_q;
+      and_2264_s3_q <= and_2248 & equal_2263;
       select_2279_s3_q <= select_2279_s2_q;
-      select_2319_s3_q <= select_2319_s2_q;
-      or_2440_s3_q <= or_2440;
-      or_2443_s3_q <= or_2443;
+      select_2285_s3_q <= select_2285_s2_q;
+      select_2325_s3_q <= select_2325_s2_q;
       or_2446_s3_q <= or_2446;
-      not_2448_s3_q <= not_2448;
+      or_2449_s3_q <= or_2449;
+      or_2452_s3_q <= or_2452;
+      not_2454_s3_q <= not_2454;
       textured_s3_q <= textured;
       explained_s3_q <= explained;
-      and_2475_s3_q <= inside_v_s2_q & (and_2473 & and_2052);
-      and_2480_s3_q <= not_568_s2_q & and_2455;
-      and_2514_s3_q <= and_2514;
-      less_2515_s3_q <= less_2515;
+      and_2481_s3_q <= inside_v_s2_q & (and_2479 & and_2058);
+      and_2486_s3_q <= not_570_s2_q & and_2461;
+      and_2520_s3_q <= and_2520;
+      less_2521_s3_q <= less_2521;
       index_2_s3_q <= index_2[5:0];
-      sum_2520_s3_q <= sum_2520;
+      sum_2527_s3_q <= sum_2527;
       textured_2_s3_q <= textured_2;
-      or_2538_s3_q <= or_2538;
-      or_2541_s3_q <= select_2535[7] | (~({select_2535[6], select_2535[3:2]} == 3'h0));
-      or_2544_s3_q <= select_2535[7] | (~(select_2535[6:4] == 3'h0));
+      or_2545_s3_q <= or_2545;
+      or_2548_s3_q <= select_2542[7] | (~({select_2542[6], select_2542[3:2]} == 3'h0));
+      or_2551_s3_q <= select_2542[7] | (~(select_2542[6:4] == 3'h0));
       shown_2_s3_q <= shown_2;
       near_2_s3_q <= near_2;
-      and_2594_s3_q <= and_2594;
-      sum_2726_s3_q <= {1'b0, sum_2722} + {2'h0, sum_2725};
-      sum_2729_s3_q <= {9'h0, difference_2727[9]} + {1'b0, xor_2728};
-      equal_2737_s3_q <= equal_2737_s2_q;
+      and_2603_s3_q <= and_2603;
+      sum_2735_s3_q <= {1'b0, sum_2731} + {2'h0, sum_2734};
+      sum_2738_s3_q <= {9'h0, difference_2736[9]} + {1'b0, xor_2737};
+      equal_2746_s3_q <= equal_2746_s2_q;
       contrast_s3_q <= contrast;
       contrast_2_s3_q <= contrast_2;
-      and_3031_s3_q <= and_3031;
-      and_3037_s3_q <= and_3037;
+      and_3050_s3_q <= and_3050;
+      and_3056_s3_q <= and_3056;
       explained_2_s3_q <= explained_2;
-      and_3099_s3_q <= not_568_s2_q & and_3098;
-      and_3133_s3_q <= not_568_s2_q & and_3132;
-      and_3191_s3_q <= not_568_s2_q & (so_s2_q & (half_ends & equal_3188));
-      and_3192_s3_q <= and_3192;
+      and_3118_s3_q <= not_570_s2_q & and_3117;
+      and_3152_s3_q <= not_570_s2_q & and_3151;
+      and_3211_s3_q <= not_570_s2_q & (drew_q & (half_ends & equal_3208));
+      and_3212_s3_q <= and_3212;
       residual_s3_q <= residual[7:0];
-      and_3228_s3_q <= and_3228;
-      and_3242_s3_q <= and_3192 & less_3241;
-      equal_3285_s3_q <= (registration_fresh_q & select_3283) == 4'h0;
-      parity_3663_s3_q <= ^{xor_3659, xor_3622, select_3589[44:36], other[44:36]};
-      parity_3792_s3_q <= parity_3792;
-      parity_3854_s3_q <= parity_3854;
-      xor_3882_s3_q <= parity_3869 ^ parity_3881;
-      parity_3894_s3_q <= ^{or_3891, or_3887, and_3883};
-      or_3898_s3_q <= (or_3887 & or_3891) | (and_3883 & (or_3887 | or_3891));
-      equal_3899_s3_q <= equal_3899_s2_q;
-      and_3999_s3_q <= equal_2243_s2_q & equal_3996_s2_q;
-      less_4024_s3_q <= select_3989 < select_3991;
-      equal_4323_s3_q <= equal_4323;
-      and_4500_s3_q <= and_2594 & ({sum_2520, index_2[5:0]} == {sum_2507, index[5:0]});
-      not_4514_s3_q <= ~proven_q;
-      equal_4567_s3_q <= (registration_fresh_q & select_4565) == 4'h0;
+      and_3248_s3_q <= and_3248;
+      and_3262_s3_q <= and_3212 & less_3261;
+      equal_3304_s3_q <= (registration_fresh_q & select_3302) == 4'h0;
+      parity_3682_s3_q <= ^{xor_3678, xor_3641, select_3608[44:36], other[44:36]};
+      parity_3811_s3_q <= parity_3811;
+      parity_3873_s3_q <= parity_3873;
+      xor_3901_s3_q <= parity_3888 ^ parity_3900;
+      parity_3913_s3_q <= ^{or_3910, or_3906, and_3902};
+      or_3917_s3_q <= (or_3906 & or_3910) | (and_3902 & (or_3906 | or_3910));
+      equal_3918_s3_q <= equal_3918_s2_q;
+      and_4018_s3_q <= equal_2249_s2_q & equal_4015_s2_q;
+      less_4043_s3_q <= select_4008 < select_4010;
+      equal_4342_s3_q <= equal_4342_s2_q;
+      and_4506_s3_q <= said_q;
+      and_4521_s3_q <= and_2603 & ({sum_2527, index_2[5:0]} == {sum_2513, index[5:0]});
+      and_4523_s3_q <= less_3031 & proven_q;
+      not_4535_s3_q <= not_4535_s2_q;
+      equal_4588_s3_q <= (registration_fresh_q & select_4586) == 4'h0;
     end
   end
 
@@ -5841,745 +5870,748 @@ module horopter_agreement (
   logic nearer_q;
   // hls/stages/census.hpp:284
   logic [11:0] texture;
-  assign texture = sum_717_s3_q + {2'h0, sum_720_s3_q};
+  assign texture = sum_722_s3_q + {2'h0, sum_725_s3_q};
   // hls/stages/census.hpp:295
-  logic [12:0] sum_722;
-  assign sum_722 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-  logic [13:0] sum_724;
-  assign sum_724 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_722});
+  logic [12:0] sum_727;
+  assign sum_727 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+  logic [13:0] sum_729;
+  assign sum_729 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_727});
   // hls/stages/census.hpp:317
-  logic less_725;
-  assign less_725 = 9'h4 < sum_724[13:5];
-  logic and_726;
-  assign and_726 = and_676_s3_q & less_725;
+  logic less_730;
+  assign less_730 = 9'h4 < sum_729[13:5];
+  logic and_731;
+  assign and_731 = and_681_s3_q & less_730;
   // hls/stages/moments.hpp:30
-  logic and_738;
-  assign and_738 = (and_701_s3_q & and_728_s3_q) & less_737_s3_q;
+  logic and_743;
+  assign and_743 = (and_706_s3_q & and_733_s3_q) & less_742_s3_q;
   // hls/stages/registration.hpp:265
-  logic equal_2131;
-  assign equal_2131 = sum_2080_s3_q == 2'h0;
+  logic equal_2137;
+  assign equal_2137 = sum_2086_s3_q == 2'h0;
   // hls/stages/registration.hpp:263
   logic [6:0] down;
-  assign down = sum_2080_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_2086_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:265
-  logic [13:0] select_2133;
-  assign select_2133 = equal_2131 ? registration_half_across_q : {{7{down[6]}}, down};
-  logic [19:0] sum_2134;
-  assign sum_2134 = (equal_2129_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_2133[13]}}, select_2133};
+  logic [13:0] select_2139;
+  assign select_2139 = equal_2137 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_2140;
+  assign sum_2140 = (equal_2135_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_2139[13]}}, select_2139};
   // hls/stages/registration.hpp:264
   logic [6:0] up;
-  assign up = sum_2080_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_2086_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:266
-  logic [6:0] select_2137;
-  assign select_2137 = equal_2131 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_2138;
-  assign sum_2138 = (equal_2129_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_2137[6]}}, select_2137};
+  logic [6:0] select_2143;
+  assign select_2143 = equal_2137 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_2144;
+  assign sum_2144 = (equal_2135_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_2143[6]}}, select_2143};
   // hls/stages/patches.hpp:357
-  logic [22:0] select_2259;
-  assign select_2259 = and_2258_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2214_s3_q} : patches_choices_rdata_q;
+  logic [22:0] select_2265;
+  assign select_2265 = and_2264_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2220_s3_q} : patches_choices_rdata_q;
   // hls/stages/patches.hpp:127
-  logic select_2261;
-  assign select_2261 = equal_2157_s3_q ? patches_place_0_valid_q : (select_2156_s3_q ? patches_place_0_valid_q : select_2259[0]);
+  logic select_2267;
+  assign select_2267 = equal_2163_s3_q ? patches_place_0_valid_q : (select_2162_s3_q ? patches_place_0_valid_q : select_2265[0]);
   // hls/stages/patches.hpp:132
-  logic [8:0] sum_2262;
-  assign sum_2262 = {1'b0, select_536_s3_q, select_503_s3_q[2]} + 9'h3;
+  logic [8:0] sum_2268;
+  assign sum_2268 = {1'b0, select_538_s3_q, select_505_s3_q[2]} + 9'h3;
   // hls/stages/patches.hpp:358
-  logic [21:0] select_2263;
-  assign select_2263 = select_2156_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2259[22:1];
+  logic [21:0] select_2269;
+  assign select_2269 = select_2162_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_2265[22:1];
   // hls/stages/patches.hpp:127
-  logic [7:0] select_2264;
-  assign select_2264 = equal_2157_s3_q ? patches_place_0_column_q : select_2263[7:0];
-  logic [5:0] select_2265;
-  assign select_2265 = equal_2157_s3_q ? patches_place_0_shift_q : select_2263[13:8];
+  logic [7:0] select_2270;
+  assign select_2270 = equal_2163_s3_q ? patches_place_0_column_q : select_2269[7:0];
+  logic [5:0] select_2271;
+  assign select_2271 = equal_2163_s3_q ? patches_place_0_shift_q : select_2269[13:8];
   // hls/stages/patches.hpp:327
-  logic [8:0] sum_2266;
-  assign sum_2266 = {1'b0, select_2264} + {{3{select_2265[5]}}, select_2265};
+  logic [8:0] sum_2272;
+  assign sum_2272 = {1'b0, select_2270} + {{3{select_2271[5]}}, select_2271};
   // hls/stages/patches.hpp:132
-  logic equal_2267;
-  assign equal_2267 = {sum_2266, sum_2262[0], select_503_s3_q[1:0]} == {1'b0, sum_2262[8:1], 3'h0};
+  logic equal_2273;
+  assign equal_2273 = {sum_2272, sum_2268[0], select_505_s3_q[1:0]} == {1'b0, sum_2268[8:1], 3'h0};
   // hls/stages/patches.hpp:134
-  logic or_2269;
-  assign or_2269 = row_starts_s3_q | (select_2261 & equal_2267);
+  logic or_2275;
+  assign or_2275 = row_starts_s3_q | (select_2267 & equal_2273);
   // hls/stages/agreement.hpp:276
-  logic [4:0] select_2270;
-  assign select_2270 = or_2269 ? 5'h0 : patches_right_next_0_q[4:0];
+  logic [4:0] select_2276;
+  assign select_2276 = or_2275 ? 5'h0 : patches_right_next_0_q[4:0];
   // hls/stages/patches.hpp:134
-  logic [5:0] select_2280;
-  assign select_2280 = or_2269 ? {row_starts_s3_q, 5'h0} : patches_right_next_0_q;
+  logic [5:0] select_2286;
+  assign select_2286 = or_2275 ? {row_starts_s3_q, 5'h0} : patches_right_next_0_q;
   // hls/stages/patches.hpp:138
-  logic and_2282;
-  assign and_2282 = select_2279_s3_q & (~select_2280[5]);
+  logic and_2288;
+  assign and_2288 = select_2285_s3_q & (~select_2286[5]);
   // hls/stages/patches.hpp:127
-  logic select_2290;
-  assign select_2290 = equal_2157_s3_q ? patches_place_1_valid_q : (select_2156_s3_q ? select_2259[0] : patches_place_1_valid_q);
+  logic select_2296;
+  assign select_2296 = equal_2163_s3_q ? patches_place_1_valid_q : (select_2162_s3_q ? select_2265[0] : patches_place_1_valid_q);
   // hls/stages/patches.hpp:358
-  logic [21:0] select_2291;
-  assign select_2291 = select_2156_s3_q ? select_2259[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  logic [21:0] select_2297;
+  assign select_2297 = select_2162_s3_q ? select_2265[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:127
-  logic [7:0] select_2292;
-  assign select_2292 = equal_2157_s3_q ? patches_place_1_column_q : select_2291[7:0];
-  logic [5:0] select_2293;
-  assign select_2293 = equal_2157_s3_q ? patches_place_1_shift_q : select_2291[13:8];
-  // hls/stages/patches.hpp:327
-  logic [8:0] sum_2294;
-  assign sum_2294 = {1'b0, select_2292} + {{3{select_2293[5]}}, select_2293};
-  // hls/stages/patches.hpp:132
-  logic equal_2295;
-  assign equal_2295 = {sum_2294[8], sum_2262, select_503_s3_q[1:0]} == {1'b0, sum_2294[7:0], 3'h0};
-  // hls/stages/patches.hpp:134
-  logic or_2297;
-  assign or_2297 = row_starts_s3_q | (select_2290 & equal_2295);
-  // hls/stages/agreement.hpp:276
-  logic [4:0] select_2298;
-  assign select_2298 = or_2297 ? 5'h0 : patches_right_next_1_q[4:0];
-  // hls/stages/patches.hpp:134
+  logic [7:0] select_2298;
+  assign select_2298 = equal_2163_s3_q ? patches_place_1_column_q : select_2297[7:0];
   logic [5:0] select_2299;
-  assign select_2299 = or_2297 ? {row_starts_s3_q, 5'h0} : patches_right_next_1_q;
+  assign select_2299 = equal_2163_s3_q ? patches_place_1_shift_q : select_2297[13:8];
+  // hls/stages/patches.hpp:327
+  logic [8:0] sum_2300;
+  assign sum_2300 = {1'b0, select_2298} + {{3{select_2299[5]}}, select_2299};
+  // hls/stages/patches.hpp:132
+  logic equal_2301;
+  assign equal_2301 = {sum_2300[8], sum_2268, select_505_s3_q[1:0]} == {1'b0, sum_2300[7:0], 3'h0};
+  // hls/stages/patches.hpp:134
+  logic or_2303;
+  assign or_2303 = row_starts_s3_q | (select_2296 & equal_2301);
+  // hls/stages/agreement.hpp:276
+  logic [4:0] select_2304;
+  assign select_2304 = or_2303 ? 5'h0 : patches_right_next_1_q[4:0];
+  // hls/stages/patches.hpp:134
+  logic [5:0] select_2305;
+  assign select_2305 = or_2303 ? {row_starts_s3_q, 5'h0} : patches_right_next_1_q;
   // hls/stages/patches.hpp:138
-  logic and_2301;
-  assign and_2301 = select_2279_s3_q & (~select_2299[5]);
+  logic and_2307;
+  assign and_2307 = select_2285_s3_q & (~select_2305[5]);
   // hls/stages/patches.hpp:323
-  logic [7:0] sum_2308;
-  assign sum_2308 = select_2264 + 8'hff;
+  logic [7:0] sum_2314;
+  assign sum_2314 = select_2270 + 8'hff;
   // hls/stages/patches.hpp:133
-  logic equal_2309;
-  assign equal_2309 = {sum_2308[7], select_536_s3_q, select_503_s3_q} == {1'b0, sum_2308[6:0], 3'h4};
+  logic equal_2315;
+  assign equal_2315 = {sum_2314[7], select_538_s3_q, select_505_s3_q} == {1'b0, sum_2314[6:0], 3'h4};
   // hls/stages/patches.hpp:135
-  logic or_2311;
-  assign or_2311 = row_starts_s3_q | (select_2261 & equal_2309);
-  logic [4:0] select_2312;
-  assign select_2312 = or_2311 ? {row_starts_s3_q, 4'h0} : patches_left_next_0_q;
+  logic or_2317;
+  assign or_2317 = row_starts_s3_q | (select_2267 & equal_2315);
+  logic [4:0] select_2318;
+  assign select_2318 = or_2317 ? {row_starts_s3_q, 4'h0} : patches_left_next_0_q;
   // hls/stages/patches.hpp:323
-  logic [7:0] sum_2313;
-  assign sum_2313 = select_2292 + 8'hff;
+  logic [7:0] sum_2319;
+  assign sum_2319 = select_2298 + 8'hff;
   // hls/stages/patches.hpp:133
-  logic equal_2314;
-  assign equal_2314 = {sum_2313[7], select_536_s3_q, select_503_s3_q} == {1'b0, sum_2313[6:0], 3'h4};
+  logic equal_2320;
+  assign equal_2320 = {sum_2319[7], select_538_s3_q, select_505_s3_q} == {1'b0, sum_2319[6:0], 3'h4};
   // hls/stages/patches.hpp:135
-  logic [4:0] select_2317;
-  assign select_2317 = (row_starts_s3_q | (select_2290 & equal_2314)) ? {row_starts_s3_q, 4'h0} : patches_left_next_1_q;
+  logic [4:0] select_2323;
+  assign select_2323 = (row_starts_s3_q | (select_2296 & equal_2320)) ? {row_starts_s3_q, 4'h0} : patches_left_next_1_q;
   // hls/stages/patches.hpp:143
   logic [3:0] column_6;
-  assign column_6 = select_2312[4] ? select_2317[3:0] : select_2312[3:0];
+  assign column_6 = select_2318[4] ? select_2323[3:0] : select_2318[3:0];
   // hls/stages/agreement.hpp:276
-  logic select_2320;
-  assign select_2320 = or_2311 ? row_starts_s3_q : patches_left_next_0_q[4];
+  logic select_2326;
+  assign select_2326 = or_2317 ? row_starts_s3_q : patches_left_next_0_q[4];
   // hls/stages/patches.hpp:143
-  logic and_2326;
-  assign and_2326 = (select_2279_s3_q & (select_2273_s3_q[3] ^ select_2273_s3_q[4])) & ((~select_2312[4]) | (~select_2317[4]));
+  logic and_2332;
+  assign and_2332 = (select_2285_s3_q & (select_2279_s3_q[3] ^ select_2279_s3_q[4])) & ((~select_2318[4]) | (~select_2323[4]));
   // hls/stages/patches.hpp:186
-  logic less_2430;
-  assign less_2430 = patches_sums_values_0_q < patches_best_differing_q;
+  logic less_2436;
+  assign less_2436 = patches_sums_values_0_q < patches_best_differing_q;
   // hls/stages/patches.hpp:187
-  logic not_2431;
-  assign not_2431 = ~less_2430;
-  logic [1:0] select_2432;
-  assign select_2432 = patches_summed_first_s3_q ? 2'h2 : {less_2430, not_2431};
-  logic [12:0] select_2434;
-  assign select_2434 = select_2432[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
-  logic [14:0] select_2435;
-  assign select_2435 = select_2432[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
-  logic [14:0] select_2436;
-  assign select_2436 = (select_2432 == 2'h2) ? {select_2434[12:8], patches_sums_values_0_q[9:8], select_2434[7:0]} : select_2435;
-  // hls/stages/agreement.hpp:900
-  logic [6:0] select_2461;
-  assign select_2461 = segment_started_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:901
-  logic [6:0] sum_2462;
-  assign sum_2462 = {6'h0, textured_s3_q} + select_2461;
-  // hls/stages/agreement.hpp:1061
-  logic [9:0] sum_2464;
-  assign sum_2464 = {3'h0, sum_2462} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
-  // hls/stages/agreement.hpp:900
-  logic [6:0] select_2466;
-  assign select_2466 = segment_started_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:901
-  logic [6:0] sum_2467;
-  assign sum_2467 = {6'h0, explained_s3_q} + select_2466;
-  // hls/stages/agreement.hpp:1062
-  logic [9:0] sum_2469;
-  assign sum_2469 = {3'h0, sum_2467} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
-  // hls/stages/agreement.hpp:900
-  logic [6:0] select_2476;
-  assign select_2476 = segment_started_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:902
-  logic [6:0] sum_2477;
-  assign sum_2477 = {6'h0, and_2475_s3_q} + select_2476;
-  // hls/stages/agreement.hpp:1063
-  logic [9:0] sum_2479;
-  assign sum_2479 = {3'h0, sum_2477} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
-  // hls/stages/agreement.hpp:1094
-  logic [2:0] select_2529;
-  assign select_2529 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2530;
-  assign difference_2530 = {1'b0, textured_2_s3_q} - {1'b0, select_2529};
-  logic [4:0] t;
-  assign t = {difference_2530[3], difference_2530} + (equal_562_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1100
-  logic equal_2533;
-  assign equal_2533 = t[4:1] == 4'h0;
+  logic not_2437;
+  assign not_2437 = ~less_2436;
+  logic [1:0] select_2438;
+  assign select_2438 = patches_summed_first_s3_q ? 2'h2 : {less_2436, not_2437};
+  logic [12:0] select_2440;
+  assign select_2440 = select_2438[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
+  logic [14:0] select_2441;
+  assign select_2441 = select_2438[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
+  logic [14:0] select_2442;
+  assign select_2442 = (select_2438 == 2'h2) ? {select_2440[12:8], patches_sums_values_0_q[9:8], select_2440[7:0]} : select_2441;
+  // hls/stages/agreement.hpp:907
+  logic [6:0] select_2467;
+  assign select_2467 = segment_started_q ? segment_textured_q : 7'h0;
+  // hls/stages/agreement.hpp:908
+  logic [6:0] sum_2468;
+  assign sum_2468 = {6'h0, textured_s3_q} + select_2467;
+  // hls/stages/agreement.hpp:1068
+  logic [9:0] sum_2470;
+  assign sum_2470 = {3'h0, sum_2468} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
+  // hls/stages/agreement.hpp:907
+  logic [6:0] select_2472;
+  assign select_2472 = segment_started_q ? segment_explained_q : 7'h0;
+  // hls/stages/agreement.hpp:908
+  logic [6:0] sum_2473;
+  assign sum_2473 = {6'h0, explained_s3_q} + select_2472;
+  // hls/stages/agreement.hpp:1069
+  logic [9:0] sum_2475;
+  assign sum_2475 = {3'h0, sum_2473} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
+  // hls/stages/agreement.hpp:907
+  logic [6:0] select_2482;
+  assign select_2482 = segment_started_q ? segment_nearer_q : 7'h0;
+  // hls/stages/agreement.hpp:909
+  logic [6:0] sum_2483;
+  assign sum_2483 = {6'h0, and_2481_s3_q} + select_2482;
+  // hls/stages/agreement.hpp:1070
+  logic [9:0] sum_2485;
+  assign sum_2485 = {3'h0, sum_2483} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
   // hls/stages/agreement.hpp:1101
-  logic not_2545;
-  assign not_2545 = ~region_row_s3_q[2];
-  logic [2:0] select_2546;
-  assign select_2546 = region_row_s3_q[1] ? {1'b0, not_2545, 1'b0} : {region_row_s3_q[2], 1'b0, not_2545};
-  logic [5:0] select_2547;
-  assign select_2547 = region_row_s3_q[0] ? {select_2546[2], 1'b0, select_2546[1], 1'b0, select_2546[0], 1'b0} : {1'b0, select_2546[2], 1'b0, select_2546[1], 1'b0, select_2546[0]};
-  logic [11:0] select_2548;
-  assign select_2548 = or_2544_s3_q ? {select_2547[5], 1'b0, select_2547[4], 1'b0, select_2547[3], 1'b0, select_2547[2], 1'b0, select_2547[1], 1'b0, select_2547[0], 1'b0} : {1'b0, select_2547[5], 1'b0, select_2547[4], 1'b0, select_2547[3], 1'b0, select_2547[2], 1'b0, select_2547[1], 1'b0, select_2547[0]};
-  logic [23:0] select_2549;
-  assign select_2549 = or_2541_s3_q ? {select_2548[11], 1'b0, select_2548[10], 1'b0, select_2548[9], 1'b0, select_2548[8], 1'b0, select_2548[7], 1'b0, select_2548[6], 1'b0, select_2548[5], 1'b0, select_2548[4], 1'b0, select_2548[3], 1'b0, select_2548[2], 1'b0, select_2548[1], 1'b0, select_2548[0], 1'b0} : {1'b0, select_2548[11], 1'b0, select_2548[10], 1'b0, select_2548[9], 1'b0, select_2548[8], 1'b0, select_2548[7], 1'b0, select_2548[6], 1'b0, select_2548[5], 1'b0, select_2548[4], 1'b0, select_2548[3], 1'b0, select_2548[2], 1'b0, select_2548[1], 1'b0, select_2548[0]};
-  logic [47:0] select_2550;
-  assign select_2550 = or_2538_s3_q ? {select_2549[23], 1'b0, select_2549[22], 1'b0, select_2549[21], 1'b0, select_2549[20], 1'b0, select_2549[19], 1'b0, select_2549[18], 1'b0, select_2549[17], 1'b0, select_2549[16], 1'b0, select_2549[15], 1'b0, select_2549[14], 1'b0, select_2549[13], 1'b0, select_2549[12], 1'b0, select_2549[11], 1'b0, select_2549[10], 1'b0, select_2549[9], 1'b0, select_2549[8], 1'b0, select_2549[7], 1'b0, select_2549[6], 1'b0, select_2549[5], 1'b0, select_2549[4], 1'b0, select_2549[3], 1'b0, select_2549[2], 1'b0, select_2549[1], 1'b0, select_2549[0], 1'b0} : {1'b0, select_2549[23], 1'b0, select_2549[22], 1'b0, select_2549[21], 1'b0, select_2549[20], 1'b0, select_2549[19], 1'b0, select_2549[18], 1'b0, select_2549[17], 1'b0, select_2549[16], 1'b0, select_2549[15], 1'b0, select_2549[14], 1'b0, select_2549[13], 1'b0, select_2549[12], 1'b0, select_2549[11], 1'b0, select_2549[10], 1'b0, select_2549[9], 1'b0, select_2549[8], 1'b0, select_2549[7], 1'b0, select_2549[6], 1'b0, select_2549[5], 1'b0, select_2549[4], 1'b0, select_2549[3], 1'b0, select_2549[2], 1'b0, select_2549[1], 1'b0, select_2549[0]};
-  // hls/stages/agreement.hpp:1030
-  logic and_2554;
-  assign and_2554 = good_known_q & (~((good_q & select_2550) == 48'h0));
-  // hls/stages/agreement.hpp:1096
-  logic [2:0] select_2563;
-  assign select_2563 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2564;
-  assign difference_2564 = {1'b0, shown_2_s3_q} - {1'b0, select_2563};
-  logic [4:0] around;
-  assign around = {difference_2564[3], difference_2564} + (equal_562_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  logic [2:0] select_2536;
+  assign select_2536 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2537;
+  assign difference_2537 = {1'b0, textured_2_s3_q} - {1'b0, select_2536};
+  logic [4:0] t;
+  assign t = {difference_2537[3], difference_2537} + (equal_564_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1107
+  logic equal_2540;
+  assign equal_2540 = t[4:1] == 4'h0;
+  // hls/stages/agreement.hpp:1108
+  logic [2:0] region_row;
+  assign region_row = draws_late_s3_q ? 3'h5 : region_row_s3_q;
+  // hls/stages/agreement.hpp:1109
+  logic not_2553;
+  assign not_2553 = ~region_row[2];
+  logic [2:0] select_2554;
+  assign select_2554 = region_row[1] ? {1'b0, not_2553, 1'b0} : {region_row[2], 1'b0, not_2553};
+  logic [5:0] select_2555;
+  assign select_2555 = region_row[0] ? {select_2554[2], 1'b0, select_2554[1], 1'b0, select_2554[0], 1'b0} : {1'b0, select_2554[2], 1'b0, select_2554[1], 1'b0, select_2554[0]};
+  logic [11:0] select_2556;
+  assign select_2556 = or_2551_s3_q ? {select_2555[5], 1'b0, select_2555[4], 1'b0, select_2555[3], 1'b0, select_2555[2], 1'b0, select_2555[1], 1'b0, select_2555[0], 1'b0} : {1'b0, select_2555[5], 1'b0, select_2555[4], 1'b0, select_2555[3], 1'b0, select_2555[2], 1'b0, select_2555[1], 1'b0, select_2555[0]};
+  logic [23:0] select_2557;
+  assign select_2557 = or_2548_s3_q ? {select_2556[11], 1'b0, select_2556[10], 1'b0, select_2556[9], 1'b0, select_2556[8], 1'b0, select_2556[7], 1'b0, select_2556[6], 1'b0, select_2556[5], 1'b0, select_2556[4], 1'b0, select_2556[3], 1'b0, select_2556[2], 1'b0, select_2556[1], 1'b0, select_2556[0], 1'b0} : {1'b0, select_2556[11], 1'b0, select_2556[10], 1'b0, select_2556[9], 1'b0, select_2556[8], 1'b0, select_2556[7], 1'b0, select_2556[6], 1'b0, select_2556[5], 1'b0, select_2556[4], 1'b0, select_2556[3], 1'b0, select_2556[2], 1'b0, select_2556[1], 1'b0, select_2556[0]};
+  logic [47:0] select_2558;
+  assign select_2558 = or_2545_s3_q ? {select_2557[23], 1'b0, select_2557[22], 1'b0, select_2557[21], 1'b0, select_2557[20], 1'b0, select_2557[19], 1'b0, select_2557[18], 1'b0, select_2557[17], 1'b0, select_2557[16], 1'b0, select_2557[15], 1'b0, select_2557[14], 1'b0, select_2557[13], 1'b0, select_2557[12], 1'b0, select_2557[11], 1'b0, select_2557[10], 1'b0, select_2557[9], 1'b0, select_2557[8], 1'b0, select_2557[7], 1'b0, select_2557[6], 1'b0, select_2557[5], 1'b0, select_2557[4], 1'b0, select_2557[3], 1'b0, select_2557[2], 1'b0, select_2557[1], 1'b0, select_2557[0], 1'b0} : {1'b0, select_2557[23], 1'b0, select_2557[22], 1'b0, select_2557[21], 1'b0, select_2557[20], 1'b0, select_2557[19], 1'b0, select_2557[18], 1'b0, select_2557[17], 1'b0, select_2557[16], 1'b0, select_2557[15], 1'b0, select_2557[14], 1'b0, select_2557[13], 1'b0, select_2557[12], 1'b0, select_2557[11], 1'b0, select_2557[10], 1'b0, select_2557[9], 1'b0, select_2557[8], 1'b0, select_2557[7], 1'b0, select_2557[6], 1'b0, select_2557[5], 1'b0, select_2557[4], 1'b0, select_2557[3], 1'b0, select_2557[2], 1'b0, select_2557[1], 1'b0, select_2557[0]};
+  // hls/stages/agreement.hpp:1037
+  logic and_2562;
+  assign and_2562 = good_known_q & (~((good_q & select_2558) == 48'h0));
   // hls/stages/agreement.hpp:1103
-  logic [5:0] sum_2567;
-  assign sum_2567 = {1'b0, around} + {2'h0, around[4:1]};
+  logic [2:0] select_2571;
+  assign select_2571 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2572;
+  assign difference_2572 = {1'b0, shown_2_s3_q} - {1'b0, select_2571};
+  logic [4:0] around;
+  assign around = {difference_2572[3], difference_2572} + (equal_564_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1111
+  logic [5:0] sum_2575;
+  assign sum_2575 = {1'b0, around} + {2'h0, around[4:1]};
   logic is_seen;
-  assign is_seen = equal_2533 ? and_2554 : (~({sum_2567, around[0]} < {2'h0, t}));
-  // hls/stages/agreement.hpp:1097
-  logic [2:0] select_2579;
-  assign select_2579 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2580;
-  assign difference_2580 = {1'b0, near_2_s3_q} - {1'b0, select_2579};
+  assign is_seen = equal_2540 ? and_2562 : (~({sum_2575, around[0]} < {2'h0, t}));
+  // hls/stages/agreement.hpp:1104
+  logic [2:0] select_2587;
+  assign select_2587 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2588;
+  assign difference_2588 = {1'b0, near_2_s3_q} - {1'b0, select_2587};
   logic [4:0] n;
-  assign n = {difference_2580[3], difference_2580} + (equal_562_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1112
-  logic and_2584;
-  assign and_2584 = is_seen & ({1'b0, around[4:1]} < n);
+  assign n = {difference_2588[3], difference_2588} + (equal_564_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1120
+  logic and_2592;
+  assign and_2592 = is_seen & ({1'b0, around[4:1]} < n);
   // hls/stages/agreement.hpp:276
-  logic [8:0] select_2620;
-  assign select_2620 = sample_pair_whole_s3_q ? (and_540_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2622;
-  assign select_2622 = sample_pair_whole_s3_q ? (and_540_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2624;
-  assign select_2624 = sample_pair_whole_s3_q ? (and_540_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2626;
-  assign select_2626 = sample_pair_whole_s3_q ? (and_540_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  logic [8:0] select_2629;
+  assign select_2629 = sample_pair_whole_s3_q ? (and_542_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2631;
+  assign select_2631 = sample_pair_whole_s3_q ? (and_542_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2633;
+  assign select_2633 = sample_pair_whole_s3_q ? (and_542_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2635;
+  assign select_2635 = sample_pair_whole_s3_q ? (and_542_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2631;
-  assign sum_2631 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
-  logic [9:0] difference_2632;
-  assign difference_2632 = {1'b0, sum_2631[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_2640;
+  assign sum_2640 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
+  logic [9:0] difference_2641;
+  assign difference_2641 = {1'b0, sum_2640[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2633;
-  assign xor_2633 = {difference_2632[8:0], sum_2631[0]} ^ {10{difference_2632[9]}};
+  logic [9:0] xor_2642;
+  assign xor_2642 = {difference_2641[8:0], sum_2640[0]} ^ {10{difference_2641[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2632[9]} + {1'b0, xor_2633};
+  assign size = {10'h0, difference_2641[9]} + {1'b0, xor_2642};
   // hls/stages/census.hpp:222
   logic [13:0] detail;
-  assign detail = {3'h0, size} + (equal_545_s3_q ? 14'h0 : averager_detail_0_q);
+  assign detail = {3'h0, size} + (equal_547_s3_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2638;
-  assign select_2638 = sample_pair_whole_s3_q ? (and_540_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2647;
+  assign select_2647 = sample_pair_whole_s3_q ? (and_542_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2639;
-  assign sum_2639 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
-  logic [9:0] difference_2640;
-  assign difference_2640 = {1'b0, sum_2639[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_2648;
+  assign sum_2648 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
+  logic [9:0] difference_2649;
+  assign difference_2649 = {1'b0, sum_2648[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2641;
-  assign xor_2641 = {difference_2640[8:0], sum_2639[0]} ^ {10{difference_2640[9]}};
+  logic [9:0] xor_2650;
+  assign xor_2650 = {difference_2649[8:0], sum_2648[0]} ^ {10{difference_2649[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2640[9]} + {1'b0, xor_2641};
+  assign size_2 = {10'h0, difference_2649[9]} + {1'b0, xor_2650};
   // hls/stages/census.hpp:222
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2} + (equal_545_s3_q ? 14'h0 : averager_detail_1_q);
+  assign detail_2 = {3'h0, size_2} + (equal_547_s3_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:276
-  logic [13:0] select_2646;
-  assign select_2646 = sample_pair_whole_s3_q ? (and_540_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2655;
+  assign select_2655 = sample_pair_whole_s3_q ? (and_542_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/census.hpp:286
-  logic [11:0] sum_2730;
-  assign sum_2730 = sum_2726_s3_q + {2'h0, sum_2729_s3_q};
-  // hls/stages/agreement.hpp:520
-  logic [11:0] select_2732;
-  assign select_2732 = and_542_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2733;
-  assign select_2733 = and_542_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [11:0] select_2734;
-  assign select_2734 = and_542_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_2735;
-  assign select_2735 = and_542_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  logic [11:0] sum_2739;
+  assign sum_2739 = sum_2735_s3_q + {2'h0, sum_2738_s3_q};
+  // hls/stages/agreement.hpp:527
+  logic [11:0] select_2741;
+  assign select_2741 = and_544_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2742;
+  assign select_2742 = and_544_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2743;
+  assign select_2743 = and_544_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2744;
+  assign select_2744 = and_544_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:296
-  logic [12:0] sum_2738;
-  assign sum_2738 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2730};
-  logic [13:0] sum_2740;
-  assign sum_2740 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2738});
+  logic [12:0] sum_2747;
+  assign sum_2747 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2739};
+  logic [13:0] sum_2749;
+  assign sum_2749 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2747});
   // hls/stages/census.hpp:323
-  logic and_2742;
-  assign and_2742 = and_701_s3_q & (9'h4 < sum_2740[13:5]);
+  logic and_2751;
+  assign and_2751 = and_706_s3_q & (9'h4 < sum_2749[13:5]);
   // hls/stages/census.hpp:324
-  logic and_2743;
-  assign and_2743 = and_701_s3_q & less_725;
+  logic and_2752;
+  assign and_2752 = and_706_s3_q & less_730;
   // hls/stages/census.hpp:325
-  logic [19:0] sum_2744;
-  assign sum_2744 = census_left_misses_q + {{17{and_2743}}, and_2742, 1'b0, and_2742};
-  // hls/stages/agreement.hpp:520
-  logic [19:0] select_2746;
-  assign select_2746 = and_542_s3_q ? (equal_2737_s3_q ? 20'h0 : sum_2744) : census_left_misses_q;
+  logic [19:0] sum_2753;
+  assign sum_2753 = census_left_misses_q + {{17{and_2752}}, and_2751, 1'b0, and_2751};
+  // hls/stages/agreement.hpp:527
+  logic [19:0] select_2755;
+  assign select_2755 = and_544_s3_q ? (equal_2746_s3_q ? 20'h0 : sum_2753) : census_left_misses_q;
   // hls/stages/agreement.hpp:276
-  logic [27:0] select_2816;
-  assign select_2816 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
-  // hls/stages/agreement.hpp:520
-  logic select_2819;
-  assign select_2819 = and_542_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic [27:0] select_2825;
+  assign select_2825 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
+  // hls/stages/agreement.hpp:527
+  logic select_2828;
+  assign select_2828 = and_544_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:373
-  logic and_2822;
-  assign and_2822 = whole_2_s3_q & (~(last_s3_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:457
-  logic and_2828;
-  assign and_2828 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
-  logic and_2829;
-  assign and_2829 = and_2822 & and_2828;
+  logic and_2831;
+  assign and_2831 = whole_2_s3_q & (~(last_s3_q[6:1] == 6'h0));
+  // hls/stages/agreement.hpp:461
+  logic and_2837;
+  assign and_2837 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
+  logic and_2838;
+  assign and_2838 = and_2831 & and_2837;
   // hls/stages/census.hpp:372
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2816[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2825[13:0]};
   // hls/stages/census.hpp:374
-  logic [12:0] select_2831;
-  assign select_2831 = and_2829 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2840;
+  assign select_2840 = and_2838 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:375
-  logic [23:0] select_2833;
-  assign select_2833 = equal_2737_s3_q ? {11'h0, select_2831} : (sharpness_sums_detail_0_q + {11'h0, select_2831});
-  // hls/stages/agreement.hpp:457
-  logic and_2840;
-  assign and_2840 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
-  logic and_2841;
-  assign and_2841 = and_2822 & and_2840;
+  logic [23:0] select_2842;
+  assign select_2842 = equal_2746_s3_q ? {11'h0, select_2840} : (sharpness_sums_detail_0_q + {11'h0, select_2840});
+  // hls/stages/agreement.hpp:461
+  logic and_2849;
+  assign and_2849 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
+  logic and_2850;
+  assign and_2850 = and_2831 & and_2849;
   // hls/stages/census.hpp:372
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2816[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2825[27:14]};
   // hls/stages/census.hpp:374
-  logic [12:0] select_2843;
-  assign select_2843 = and_2841 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2852;
+  assign select_2852 = and_2850 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:375
-  logic [23:0] select_2845;
-  assign select_2845 = equal_2737_s3_q ? {11'h0, select_2843} : (sharpness_sums_detail_1_q + {11'h0, select_2843});
-  logic [8:0] select_2848;
-  assign select_2848 = and_2829 ? contrast_s3_q : 9'h0;
-  logic [23:0] sum_2849;
-  assign sum_2849 = (equal_2737_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2848};
-  logic [8:0] select_2852;
-  assign select_2852 = and_2841 ? contrast_2_s3_q : 9'h0;
-  logic [23:0] sum_2853;
-  assign sum_2853 = (equal_2737_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2852};
+  logic [23:0] select_2854;
+  assign select_2854 = equal_2746_s3_q ? {11'h0, select_2852} : (sharpness_sums_detail_1_q + {11'h0, select_2852});
+  logic [8:0] select_2857;
+  assign select_2857 = and_2838 ? contrast_s3_q : 9'h0;
+  logic [23:0] sum_2858;
+  assign sum_2858 = (equal_2746_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2857};
+  logic [8:0] select_2861;
+  assign select_2861 = and_2850 ? contrast_2_s3_q : 9'h0;
+  logic [23:0] sum_2862;
+  assign sum_2862 = (equal_2746_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2861};
   // hls/stages/agreement.hpp:211
-  logic equal_2855;
-  assign equal_2855 = x_s3_q[7:3] == 5'h0;
+  logic equal_2864;
+  assign equal_2864 = x_s3_q[7:3] == 5'h0;
   // hls/stages/census.hpp:388
-  logic less_2856;
-  assign less_2856 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
+  logic less_2865;
+  assign less_2865 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
   // hls/stages/census.hpp:427
-  logic less_2857;
-  assign less_2857 = x_s3_q[4:0] < 5'h3;
-  logic not_2858;
-  assign not_2858 = ~x_s3_q[1];
-  logic [2:0] select_2859;
-  assign select_2859 = x_s3_q[0] ? {1'b0, not_2858, 1'b0} : {x_s3_q[1], 1'b0, not_2858};
-  logic [5:0] select_2860;
-  assign select_2860 = slot_s3_q[2] ? {select_2859[2], 1'b0, select_2859[1], 1'b0, select_2859[0], 1'b0} : {1'b0, select_2859[2], 1'b0, select_2859[1], 1'b0, select_2859[0]};
-  logic [11:0] select_2861;
-  assign select_2861 = slot_s3_q[1] ? {select_2860[5], 1'b0, select_2860[4], 1'b0, select_2860[3], 1'b0, select_2860[2], 1'b0, select_2860[1], 1'b0, select_2860[0], 1'b0} : {1'b0, select_2860[5], 1'b0, select_2860[4], 1'b0, select_2860[3], 1'b0, select_2860[2], 1'b0, select_2860[1], 1'b0, select_2860[0]};
-  logic [23:0] select_2862;
-  assign select_2862 = slot_s3_q[0] ? {select_2861[11], 1'b0, select_2861[10], 1'b0, select_2861[9], 1'b0, select_2861[8], 1'b0, select_2861[7], 1'b0, select_2861[6], 1'b0, select_2861[5], 1'b0, select_2861[4], 1'b0, select_2861[3], 1'b0, select_2861[2], 1'b0, select_2861[1], 1'b0, select_2861[0], 1'b0} : {1'b0, select_2861[11], 1'b0, select_2861[10], 1'b0, select_2861[9], 1'b0, select_2861[8], 1'b0, select_2861[7], 1'b0, select_2861[6], 1'b0, select_2861[5], 1'b0, select_2861[4], 1'b0, select_2861[3], 1'b0, select_2861[2], 1'b0, select_2861[1], 1'b0, select_2861[0]};
+  logic less_2866;
+  assign less_2866 = x_s3_q[4:0] < 5'h3;
+  logic not_2867;
+  assign not_2867 = ~x_s3_q[1];
+  logic [2:0] select_2868;
+  assign select_2868 = x_s3_q[0] ? {1'b0, not_2867, 1'b0} : {x_s3_q[1], 1'b0, not_2867};
+  logic [5:0] select_2869;
+  assign select_2869 = slot_s3_q[2] ? {select_2868[2], 1'b0, select_2868[1], 1'b0, select_2868[0], 1'b0} : {1'b0, select_2868[2], 1'b0, select_2868[1], 1'b0, select_2868[0]};
+  logic [11:0] select_2870;
+  assign select_2870 = slot_s3_q[1] ? {select_2869[5], 1'b0, select_2869[4], 1'b0, select_2869[3], 1'b0, select_2869[2], 1'b0, select_2869[1], 1'b0, select_2869[0], 1'b0} : {1'b0, select_2869[5], 1'b0, select_2869[4], 1'b0, select_2869[3], 1'b0, select_2869[2], 1'b0, select_2869[1], 1'b0, select_2869[0]};
+  logic [23:0] select_2871;
+  assign select_2871 = slot_s3_q[0] ? {select_2870[11], 1'b0, select_2870[10], 1'b0, select_2870[9], 1'b0, select_2870[8], 1'b0, select_2870[7], 1'b0, select_2870[6], 1'b0, select_2870[5], 1'b0, select_2870[4], 1'b0, select_2870[3], 1'b0, select_2870[2], 1'b0, select_2870[1], 1'b0, select_2870[0], 1'b0} : {1'b0, select_2870[11], 1'b0, select_2870[10], 1'b0, select_2870[9], 1'b0, select_2870[8], 1'b0, select_2870[7], 1'b0, select_2870[6], 1'b0, select_2870[5], 1'b0, select_2870[4], 1'b0, select_2870[3], 1'b0, select_2870[2], 1'b0, select_2870[1], 1'b0, select_2870[0]};
   // hls/stages/census.hpp:390
-  logic and_2866;
-  assign and_2866 = less_2857 & (~((sharpness_sums_contrast_1_q & select_2862) == 24'h0));
+  logic and_2875;
+  assign and_2875 = less_2866 & (~((sharpness_sums_contrast_1_q & select_2871) == 24'h0));
   // hls/stages/census.hpp:395
-  logic [17:0] select_2868;
-  assign select_2868 = (less_2856 & and_2866) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2877;
+  assign select_2877 = (less_2865 & and_2875) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2868};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2877};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2871;
-  assign select_2871 = equal_2855 ? (less_2856 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_2880;
+  assign select_2880 = equal_2864 ? (less_2865 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:390
-  logic and_2876;
-  assign and_2876 = less_2857 & (~((sharpness_sums_contrast_0_q & select_2862) == 24'h0));
+  logic and_2885;
+  assign and_2885 = less_2866 & (~((sharpness_sums_contrast_0_q & select_2871) == 24'h0));
   // hls/stages/census.hpp:395
-  logic [17:0] select_2878;
-  assign select_2878 = (less_2856 & and_2876) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2887;
+  assign select_2887 = (less_2865 & and_2885) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2878};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2887};
   // hls/stages/agreement.hpp:216
-  logic [17:0] select_2881;
-  assign select_2881 = equal_2855 ? (less_2856 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2883;
-  assign select_2883 = equal_2855 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2885;
-  assign select_2885 = equal_2855 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2887;
-  assign select_2887 = equal_2855 ? {sharpness_comparing_contrast_0_q[0], and_2876} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2889;
-  assign select_2889 = equal_2855 ? {sharpness_comparing_contrast_1_q[0], and_2866} : sharpness_comparing_contrast_1_q;
+  logic [17:0] select_2890;
+  assign select_2890 = equal_2864 ? (less_2865 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2892;
+  assign select_2892 = equal_2864 ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2894;
+  assign select_2894 = equal_2864 ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2896;
+  assign select_2896 = equal_2864 ? {sharpness_comparing_contrast_0_q[0], and_2885} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2898;
+  assign select_2898 = equal_2864 ? {sharpness_comparing_contrast_1_q[0], and_2875} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2894;
-  assign select_2894 = drew_q ? (equal_2855 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2903;
+  assign select_2903 = so_s3_q ? (equal_2864 ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:216
-  logic select_2898;
-  assign select_2898 = drew_q ? (equal_2855 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
+  logic select_2907;
+  assign select_2907 = so_s3_q ? (equal_2864 ? five_times_2[1] : sharpness_comparing_carry_1_q) : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:387
-  logic equal_2899;
-  assign equal_2899 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
+  logic equal_2908;
+  assign equal_2908 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
   // hls/stages/census.hpp:403
-  logic xor_2900;
-  assign xor_2900 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2903;
-  assign select_2903 = (equal_2899 | xor_2900) ? (five_times[0] & xor_2900) : sharpness_comparing_less_detail_0_q;
+  logic xor_2909;
+  assign xor_2909 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic select_2912;
+  assign select_2912 = (equal_2908 | xor_2909) ? (five_times[0] & xor_2909) : sharpness_comparing_less_detail_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2905;
-  assign select_2905 = drew_q ? (equal_2855 ? select_2903 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
+  logic select_2914;
+  assign select_2914 = so_s3_q ? (equal_2864 ? select_2912 : sharpness_comparing_less_detail_0_q) : sharpness_comparing_less_detail_0_q;
   // hls/stages/census.hpp:403
-  logic xor_2906;
-  assign xor_2906 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2909;
-  assign select_2909 = (equal_2899 | xor_2906) ? (five_times_2[0] & xor_2906) : sharpness_comparing_less_detail_1_q;
+  logic xor_2915;
+  assign xor_2915 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2918;
+  assign select_2918 = (equal_2908 | xor_2915) ? (five_times_2[0] & xor_2915) : sharpness_comparing_less_detail_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2911;
-  assign select_2911 = drew_q ? (equal_2855 ? select_2909 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
+  logic select_2920;
+  assign select_2920 = so_s3_q ? (equal_2864 ? select_2918 : sharpness_comparing_less_detail_1_q) : sharpness_comparing_less_detail_1_q;
   // hls/stages/census.hpp:404
-  logic xor_2912;
-  assign xor_2912 = sharpness_comparing_contrast_0_q[1] ^ and_2866;
-  logic select_2915;
-  assign select_2915 = (equal_2899 | xor_2912) ? (and_2866 & xor_2912) : sharpness_comparing_less_contrast_0_q;
+  logic xor_2921;
+  assign xor_2921 = sharpness_comparing_contrast_0_q[1] ^ and_2875;
+  logic select_2924;
+  assign select_2924 = (equal_2908 | xor_2921) ? (and_2875 & xor_2921) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/agreement.hpp:216
-  logic select_2917;
-  assign select_2917 = drew_q ? (equal_2855 ? select_2915 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
+  logic select_2926;
+  assign select_2926 = so_s3_q ? (equal_2864 ? select_2924 : sharpness_comparing_less_contrast_0_q) : sharpness_comparing_less_contrast_0_q;
   // hls/stages/census.hpp:404
-  logic xor_2918;
-  assign xor_2918 = sharpness_comparing_contrast_1_q[1] ^ and_2876;
-  logic select_2921;
-  assign select_2921 = (equal_2899 | xor_2918) ? (and_2876 & xor_2918) : sharpness_comparing_less_contrast_1_q;
+  logic xor_2927;
+  assign xor_2927 = sharpness_comparing_contrast_1_q[1] ^ and_2885;
+  logic select_2930;
+  assign select_2930 = (equal_2908 | xor_2927) ? (and_2885 & xor_2927) : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:216
-  logic select_2923;
-  assign select_2923 = drew_q ? (equal_2855 ? select_2921 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_3039;
-  assign select_3039 = and_3031_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_3037_s3_q});
-  // hls/stages/agreement.hpp:788
-  logic and_3042;
-  assign and_3042 = not_568_s3_q & (drew_q & (ends_cell_s3_q & textured_s3_q));
-  logic and_3047;
-  assign and_3047 = not_568_s3_q & (drew_q & (ends_cell_s3_q & explained_s3_q));
-  logic and_3052;
-  assign and_3052 = not_568_s3_q & (drew_q & (ends_cell_s3_q & and_2475_s3_q));
-  // hls/stages/agreement.hpp:1105
-  logic not_3056;
-  assign not_3056 = ~(x_s3_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:1095
-  logic [2:0] select_3065;
-  assign select_3065 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_3066;
-  assign difference_3066 = {1'b0, explained_2_s3_q} - {1'b0, select_3065};
-  logic [4:0] e;
-  assign e = {difference_3066[3], difference_3066} + (equal_562_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  logic select_2932;
+  assign select_2932 = so_s3_q ? (equal_2864 ? select_2930 : sharpness_comparing_less_contrast_1_q) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:933
+  logic [13:0] select_3058;
+  assign select_3058 = and_3050_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_3056_s3_q});
+  // hls/stages/agreement.hpp:795
+  logic and_3061;
+  assign and_3061 = not_570_s3_q & (so_s3_q & (ends_cell_s3_q & textured_s3_q));
+  logic and_3066;
+  assign and_3066 = not_570_s3_q & (so_s3_q & (ends_cell_s3_q & explained_s3_q));
+  logic and_3071;
+  assign and_3071 = not_570_s3_q & (so_s3_q & (ends_cell_s3_q & and_2481_s3_q));
+  // hls/stages/agreement.hpp:1113
+  logic not_3075;
+  assign not_3075 = ~(x_s3_q[7:1] == 7'h0);
   // hls/stages/agreement.hpp:1102
-  logic [5:0] sum_3069;
-  assign sum_3069 = {1'b0, e} + {2'h0, e[4:1]};
-  // hls/stages/agreement.hpp:1106
-  logic not_3073;
-  assign not_3073 = ~(equal_2533 ? and_2554 : (~({sum_3069, e[0]} < {2'h0, t})));
-  // hls/stages/agreement.hpp:788
-  logic and_3076;
-  assign and_3076 = ends_cell_s3_q & (not_3056 & (centres_values_1_textured_s3_q & not_3073));
-  logic and_3078;
-  assign and_3078 = not_568_s3_q & (drew_q & and_3076);
-  // hls/stages/agreement.hpp:1132
-  logic less_3081;
-  assign less_3081 = region_row_s3_q < x_s3_q[5:3];
-  logic [9:0] select_3082;
-  assign select_3082 = less_3081 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_3085;
-  assign select_3085 = less_3081 ? 10'h0 : regions_rdata_q[19:10];
-  // hls/stages/agreement.hpp:1133
-  logic [10:0] sum_3086;
-  assign sum_3086 = {1'b0, select_3085} + {3'h0, select_3085[9:2]};
-  logic and_3088;
-  assign and_3088 = (~(select_3082[9:4] == 6'h0)) & ({sum_3086, select_3085[1:0]} < {3'h0, select_3082});
-  // hls/stages/agreement.hpp:1142
-  logic [9:0] select_3091;
-  assign select_3091 = x_s3_q[6] ? (equal_2074_s3_q ? 10'h0 : (and_3088 ? select_3082 : 10'h0)) : 10'h0;
-  // hls/stages/agreement.hpp:788
-  logic [9:0] select_3092;
-  assign select_3092 = equal_567_s3_q ? select_3091 : 10'h0;
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_3094;
-  assign select_3094 = and_3031_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3092});
-  logic [13:0] select_3101;
-  assign select_3101 = and_3031_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3099_s3_q});
+  logic [2:0] select_3084;
+  assign select_3084 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_3085;
+  assign difference_3085 = {1'b0, explained_2_s3_q} - {1'b0, select_3084};
+  logic [4:0] e;
+  assign e = {difference_3085[3], difference_3085} + (equal_564_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
   // hls/stages/agreement.hpp:1110
-  logic and_3103;
-  assign and_3103 = not_3056 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
-  // hls/stages/agreement.hpp:788
-  logic and_3106;
-  assign and_3106 = not_568_s3_q & (drew_q & (ends_cell_s3_q & and_3103));
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_3108;
-  assign select_3108 = and_3031_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3106});
-  // hls/stages/agreement.hpp:1110
-  logic and_3110;
-  assign and_3110 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_3073);
-  // hls/stages/agreement.hpp:788
-  logic and_3114;
-  assign and_3114 = not_568_s3_q & (drew_q & (ends_cell_s3_q & (not_3056 & and_3110)));
-  // hls/stages/agreement.hpp:926
-  logic [13:0] select_3116;
-  assign select_3116 = and_3031_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3114});
+  logic [5:0] sum_3088;
+  assign sum_3088 = {1'b0, e} + {2'h0, e[4:1]};
+  // hls/stages/agreement.hpp:1114
+  logic not_3092;
+  assign not_3092 = ~(equal_2540 ? and_2562 : (~({sum_3088, e[0]} < {2'h0, t})));
+  // hls/stages/agreement.hpp:795
+  logic and_3095;
+  assign and_3095 = ends_cell_s3_q & (not_3075 & (centres_values_1_textured_s3_q & not_3092));
+  logic and_3097;
+  assign and_3097 = not_570_s3_q & (so_s3_q & and_3095);
+  // hls/stages/agreement.hpp:1140
+  logic less_3100;
+  assign less_3100 = region_row_s3_q < x_s3_q[5:3];
+  logic [9:0] select_3101;
+  assign select_3101 = less_3100 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_3104;
+  assign select_3104 = less_3100 ? 10'h0 : regions_rdata_q[19:10];
+  // hls/stages/agreement.hpp:1141
+  logic [10:0] sum_3105;
+  assign sum_3105 = {1'b0, select_3104} + {3'h0, select_3104[9:2]};
+  logic and_3107;
+  assign and_3107 = (~(select_3101[9:4] == 6'h0)) & ({sum_3105, select_3104[1:0]} < {3'h0, select_3101});
+  // hls/stages/agreement.hpp:1150
+  logic [9:0] select_3110;
+  assign select_3110 = x_s3_q[6] ? (equal_2080_s3_q ? 10'h0 : (and_3107 ? select_3101 : 10'h0)) : 10'h0;
+  // hls/stages/agreement.hpp:795
+  logic [9:0] select_3111;
+  assign select_3111 = equal_569_s3_q ? select_3110 : 10'h0;
+  // hls/stages/agreement.hpp:933
+  logic [13:0] select_3113;
+  assign select_3113 = and_3050_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3111});
+  logic [13:0] select_3120;
+  assign select_3120 = and_3050_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3118_s3_q});
+  // hls/stages/agreement.hpp:1118
+  logic and_3122;
+  assign and_3122 = not_3075 & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
+  // hls/stages/agreement.hpp:795
+  logic and_3125;
+  assign and_3125 = not_570_s3_q & (so_s3_q & (ends_cell_s3_q & and_3122));
+  // hls/stages/agreement.hpp:933
+  logic [13:0] select_3127;
+  assign select_3127 = and_3050_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3125});
+  // hls/stages/agreement.hpp:1118
+  logic and_3129;
+  assign and_3129 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_3092);
+  // hls/stages/agreement.hpp:795
+  logic and_3133;
+  assign and_3133 = not_570_s3_q & (so_s3_q & (ends_cell_s3_q & (not_3075 & and_3129)));
+  // hls/stages/agreement.hpp:933
   logic [13:0] select_3135;
-  assign select_3135 = and_3031_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_3133_s3_q});
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_3210;
-  assign select_3210 = drew_q ? (equal_2167_s3_q ? (and_3192_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_3211;
-  assign select_3211 = equal_567_s3_q ? 8'h0 : select_3210;
+  assign select_3135 = and_3050_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3133});
+  logic [13:0] select_3154;
+  assign select_3154 = and_3050_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_3152_s3_q});
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_3230;
+  assign select_3230 = so_s3_q ? (equal_2173_s3_q ? (and_3212_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_3231;
+  assign select_3231 = equal_569_s3_q ? 8'h0 : select_3230;
   // hls/stages/registration.hpp:134
-  logic [13:0] select_3213;
-  assign select_3213 = and_3191_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3211[7]}}, select_3211});
-  // hls/stages/agreement.hpp:788
-  logic and_3216;
-  assign and_3216 = not_568_s3_q & (drew_q & (and_3192_s3_q & equal_2167_s3_q));
+  logic [13:0] select_3233;
+  assign select_3233 = and_3211_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3231[7]}}, select_3231});
+  // hls/stages/agreement.hpp:795
+  logic and_3236;
+  assign and_3236 = not_570_s3_q & (so_s3_q & (and_3212_s3_q & equal_2173_s3_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_3218;
-  assign select_3218 = and_3191_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3216});
+  logic [5:0] select_3238;
+  assign select_3238 = and_3211_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_3236});
   // hls/stages/registration.hpp:107
-  logic and_3220;
-  assign and_3220 = and_3192_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_3222;
-  assign select_3222 = drew_q ? (equal_2167_s3_q ? {and_3220, and_3192_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3223;
-  assign select_3223 = equal_567_s3_q ? 2'h0 : select_3222;
+  logic and_3240;
+  assign and_3240 = and_3212_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
+  // hls/stages/agreement.hpp:795
+  logic [1:0] select_3242;
+  assign select_3242 = so_s3_q ? (equal_2173_s3_q ? {and_3240, and_3212_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3243;
+  assign select_3243 = equal_569_s3_q ? 2'h0 : select_3242;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_3224;
-  assign sum_3224 = registration_half_votes_down_q + {{5{select_3223[1]}}, select_3223};
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_3230;
-  assign select_3230 = drew_q ? (equal_2167_s3_q ? {and_3228_s3_q, and_3192_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3231;
-  assign select_3231 = equal_567_s3_q ? 2'h0 : select_3230;
+  logic [6:0] sum_3244;
+  assign sum_3244 = registration_half_votes_down_q + {{5{select_3243[1]}}, select_3243};
+  // hls/stages/agreement.hpp:795
+  logic [1:0] select_3250;
+  assign select_3250 = so_s3_q ? (equal_2173_s3_q ? {and_3248_s3_q, and_3212_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3251;
+  assign select_3251 = equal_569_s3_q ? 2'h0 : select_3250;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_3232;
-  assign sum_3232 = registration_half_votes_up_q + {{5{select_3231[1]}}, select_3231};
+  logic [6:0] sum_3252;
+  assign sum_3252 = registration_half_votes_up_q + {{5{select_3251[1]}}, select_3251};
   // hls/stages/registration.hpp:107
-  logic and_3235;
-  assign and_3235 = and_3192_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_3237;
-  assign select_3237 = drew_q ? (equal_2167_s3_q ? {and_3235, and_3192_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3238;
-  assign select_3238 = equal_567_s3_q ? 2'h0 : select_3237;
+  logic and_3255;
+  assign and_3255 = and_3212_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
+  // hls/stages/agreement.hpp:795
+  logic [1:0] select_3257;
+  assign select_3257 = so_s3_q ? (equal_2173_s3_q ? {and_3255, and_3212_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3258;
+  assign select_3258 = equal_569_s3_q ? 2'h0 : select_3257;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_3239;
-  assign sum_3239 = registration_half_half_votes_down_q + {{5{select_3238[1]}}, select_3238};
-  // hls/stages/agreement.hpp:788
-  logic [1:0] select_3244;
-  assign select_3244 = drew_q ? (equal_2167_s3_q ? {and_3242_s3_q, and_3192_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_3245;
-  assign select_3245 = equal_567_s3_q ? 2'h0 : select_3244;
+  logic [6:0] sum_3259;
+  assign sum_3259 = registration_half_half_votes_down_q + {{5{select_3258[1]}}, select_3258};
+  // hls/stages/agreement.hpp:795
+  logic [1:0] select_3264;
+  assign select_3264 = so_s3_q ? (equal_2173_s3_q ? {and_3262_s3_q, and_3212_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_3265;
+  assign select_3265 = equal_569_s3_q ? 2'h0 : select_3264;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_3246;
-  assign sum_3246 = registration_half_half_votes_up_q + {{5{select_3245[1]}}, select_3245};
-  // hls/stages/agreement.hpp:788
-  logic and_3280;
-  assign and_3280 = equal_567_s3_q & (x_s3_q[6] & (not_2448_s3_q & less_2105_s3_q));
-  // hls/stages/agreement.hpp:1130
-  logic [11:0] select_3287;
-  assign select_3287 = or_2109_s3_q ? 12'h0 : (equal_3285_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1142
-  logic [11:0] select_3290;
-  assign select_3290 = x_s3_q[6] ? (equal_2074_s3_q ? 12'h0 : (less_2105_s3_q ? select_3287 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:788
-  logic [11:0] select_3291;
-  assign select_3291 = equal_567_s3_q ? select_3290 : 12'h0;
-  // hls/stages/registration.hpp:153
-  logic and_3292;
-  assign and_3292 = x_s3_q[1] & all_s3_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_3295;
-  assign and_3295 = not_2448_s3_q & (less_2105_s3_q & ({and_3292, x_s3_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:788
-  logic and_3297;
-  assign and_3297 = equal_567_s3_q & (x_s3_q[6] & and_3295);
-  // hls/stages/registration.hpp:252
-  logic [13:0] sum_3299;
-  assign sum_3299 = {{2{select_3291[11]}}, select_3291} + (and_3297 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:1130
-  logic [11:0] select_3302;
-  assign select_3302 = or_2109_s3_q ? 12'h0 : (equal_3285_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1142
-  logic [11:0] select_3305;
-  assign select_3305 = x_s3_q[6] ? (equal_2074_s3_q ? 12'h0 : (less_2105_s3_q ? select_3302 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:788
+  logic [6:0] sum_3266;
+  assign sum_3266 = registration_half_half_votes_up_q + {{5{select_3265[1]}}, select_3265};
+  // hls/stages/agreement.hpp:795
+  logic and_3299;
+  assign and_3299 = equal_569_s3_q & (x_s3_q[6] & (not_2454_s3_q & less_2111_s3_q));
+  // hls/stages/agreement.hpp:1138
   logic [11:0] select_3306;
-  assign select_3306 = equal_567_s3_q ? select_3305 : 12'h0;
+  assign select_3306 = or_2115_s3_q ? 12'h0 : (equal_3304_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:1150
+  logic [11:0] select_3309;
+  assign select_3309 = x_s3_q[6] ? (equal_2080_s3_q ? 12'h0 : (less_2111_s3_q ? select_3306 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:795
+  logic [11:0] select_3310;
+  assign select_3310 = equal_569_s3_q ? select_3309 : 12'h0;
+  // hls/stages/registration.hpp:153
+  logic and_3311;
+  assign and_3311 = x_s3_q[1] & all_s3_q;
+  // hls/stages/agreement.hpp:1150
+  logic and_3314;
+  assign and_3314 = not_2454_s3_q & (less_2111_s3_q & ({and_3311, x_s3_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:795
+  logic and_3316;
+  assign and_3316 = equal_569_s3_q & (x_s3_q[6] & and_3314);
+  // hls/stages/registration.hpp:252
+  logic [13:0] sum_3318;
+  assign sum_3318 = {{2{select_3310[11]}}, select_3310} + (and_3316 ? 14'h0 : registration_down_q);
+  // hls/stages/agreement.hpp:1138
+  logic [11:0] select_3321;
+  assign select_3321 = or_2115_s3_q ? 12'h0 : (equal_3304_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:1150
+  logic [11:0] select_3324;
+  assign select_3324 = x_s3_q[6] ? (equal_2080_s3_q ? 12'h0 : (less_2111_s3_q ? select_3321 : 12'h0)) : 12'h0;
+  // hls/stages/agreement.hpp:795
+  logic [11:0] select_3325;
+  assign select_3325 = equal_569_s3_q ? select_3324 : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_3308;
-  assign sum_3308 = {{2{select_3306[11]}}, select_3306} + (and_3297 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_3327;
+  assign sum_3327 = {{2{select_3325[11]}}, select_3325} + (and_3316 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:150
-  logic not_3310;
-  assign not_3310 = ~all_s3_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_3313;
-  assign and_3313 = not_2448_s3_q & (less_2105_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3310, 1'b0}));
-  // hls/stages/agreement.hpp:788
-  logic and_3319;
-  assign and_3319 = equal_567_s3_q & (x_s3_q[6] & (not_2448_s3_q & (less_2105_s3_q & all_s3_q)));
+  logic not_3329;
+  assign not_3329 = ~all_s3_q;
+  // hls/stages/agreement.hpp:1150
+  logic and_3332;
+  assign and_3332 = not_2454_s3_q & (less_2111_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3329, 1'b0}));
+  // hls/stages/agreement.hpp:795
+  logic and_3338;
+  assign and_3338 = equal_569_s3_q & (x_s3_q[6] & (not_2454_s3_q & (less_2111_s3_q & all_s3_q)));
   // hls/stages/registration.hpp:246
-  logic not_3320;
-  assign not_3320 = ~and_3319;
-  logic less_3321;
-  assign less_3321 = $signed({9'h1, {2{not_3320}}, and_3319}) < $signed(registration_up_q[13:2]);
-  logic select_3322;
-  assign select_3322 = (equal_567_s3_q & (x_s3_q[6] & and_3313)) ? less_3321 : registration_enough_q;
-  // hls/stages/agreement.hpp:1142
-  logic and_3326;
-  assign and_3326 = x_s3_q[6] & (not_2448_s3_q & (less_2105_s3_q & (x_s3_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:788
-  logic and_3327;
-  assign and_3327 = equal_567_s3_q & and_3326;
+  logic not_3339;
+  assign not_3339 = ~and_3338;
+  logic less_3340;
+  assign less_3340 = $signed({9'h1, {2{not_3339}}, and_3338}) < $signed(registration_up_q[13:2]);
+  logic select_3341;
+  assign select_3341 = (equal_569_s3_q & (x_s3_q[6] & and_3332)) ? less_3340 : registration_enough_q;
+  // hls/stages/agreement.hpp:1150
+  logic and_3345;
+  assign and_3345 = x_s3_q[6] & (not_2454_s3_q & (less_2111_s3_q & (x_s3_q[2:0] == 3'h4)));
+  // hls/stages/agreement.hpp:795
+  logic and_3346;
+  assign and_3346 = equal_569_s3_q & and_3345;
   // hls/stages/registration.hpp:242
-  logic less_3328;
-  assign less_3328 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_3330;
-  assign less_3330 = $signed(14'h0) < $signed(registration_up_q);
+  logic less_3347;
+  assign less_3347 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_3349;
+  assign less_3349 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_3332;
-  assign equal_3332 = x_s3_q[2:0] == 3'h7;
-  // hls/stages/agreement.hpp:788
-  logic and_3336;
-  assign and_3336 = equal_567_s3_q & (x_s3_q[6] & (not_2448_s3_q & (less_2105_s3_q & equal_3332)));
-  // hls/stages/agreement.hpp:1142
-  logic and_3343;
-  assign and_3343 = x_s3_q[6] & (not_2448_s3_q & (less_2105_s3_q & (x_s3_q[5:0] == 6'h0)));
+  logic equal_3351;
+  assign equal_3351 = x_s3_q[2:0] == 3'h7;
+  // hls/stages/agreement.hpp:795
+  logic and_3355;
+  assign and_3355 = equal_569_s3_q & (x_s3_q[6] & (not_2454_s3_q & (less_2111_s3_q & equal_3351)));
+  // hls/stages/agreement.hpp:1150
+  logic and_3362;
+  assign and_3362 = x_s3_q[6] & (not_2454_s3_q & (less_2111_s3_q & (x_s3_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
-  logic equal_3346;
-  assign equal_3346 = x_s3_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1142
-  logic and_3349;
-  assign and_3349 = not_2448_s3_q & (less_2105_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3346));
+  logic equal_3365;
+  assign equal_3365 = x_s3_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:1150
+  logic and_3368;
+  assign and_3368 = not_2454_s3_q & (less_2111_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3365));
   // hls/stages/registration.hpp:244
-  logic and_3353;
-  assign and_3353 = (equal_567_s3_q & (x_s3_q[6] & and_3349)) & (less_3330 | less_3328);
-  // hls/stages/agreement.hpp:1142
-  logic and_3358;
-  assign and_3358 = not_2448_s3_q & (less_2105_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3346)));
+  logic and_3372;
+  assign and_3372 = (equal_569_s3_q & (x_s3_q[6] & and_3368)) & (less_3349 | less_3347);
+  // hls/stages/agreement.hpp:1150
+  logic and_3377;
+  assign and_3377 = not_2454_s3_q & (less_2111_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3365)));
   // hls/stages/registration.hpp:244
-  logic and_3361;
-  assign and_3361 = registration_votes_up_q & registration_other_down_q;
-  logic select_3363;
-  assign select_3363 = registration_votes_down_q ? (registration_other_up_q | and_3361) : and_3361;
+  logic and_3380;
+  assign and_3380 = registration_votes_up_q & registration_other_down_q;
+  logic select_3382;
+  assign select_3382 = registration_votes_down_q ? (registration_other_up_q | and_3380) : and_3380;
   // hls/stages/registration.hpp:138
-  logic and_3365;
-  assign and_3365 = (equal_567_s3_q & (x_s3_q[6] & and_3358)) & (registration_other_enough_q & select_3363);
+  logic and_3384;
+  assign and_3384 = (equal_569_s3_q & (x_s3_q[6] & and_3377)) & (registration_other_enough_q & select_3382);
   // hls/stages/registration.hpp:245
-  logic or_3368;
-  assign or_3368 = registration_moved_q | (registration_enough_q & (and_3353 | and_3365));
+  logic or_3387;
+  assign or_3387 = registration_moved_q | (registration_enough_q & (and_3372 | and_3384));
   // hls/stages/agreement.hpp:276
-  logic [7:0] select_3452;
-  assign select_3452 = sample_pair_whole_s3_q ? (equal_2157_s3_q ? patches_place_0_slope_q : select_2263[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3457;
-  assign select_3457 = sample_pair_whole_s3_q ? (equal_2157_s3_q ? patches_place_1_slope_q : select_2291[21:14]) : patches_place_1_slope_q;
+  logic [7:0] select_3471;
+  assign select_3471 = sample_pair_whole_s3_q ? (equal_2163_s3_q ? patches_place_0_slope_q : select_2269[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3476;
+  assign select_3476 = sample_pair_whole_s3_q ? (equal_2163_s3_q ? patches_place_1_slope_q : select_2297[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:127
-  logic select_3459;
-  assign select_3459 = equal_2157_s3_q ? patches_valid_0_q : (select_2156_s3_q ? patches_valid_0_q : select_2259[0]);
+  logic select_3478;
+  assign select_3478 = equal_2163_s3_q ? patches_valid_0_q : (select_2162_s3_q ? patches_valid_0_q : select_2265[0]);
   // hls/stages/agreement.hpp:276
-  logic select_3462;
-  assign select_3462 = sample_pair_whole_s3_q ? (and_2282 ? (sample_present_s3_q & select_3459) : select_3459) : patches_valid_0_q;
+  logic select_3481;
+  assign select_3481 = sample_pair_whole_s3_q ? (and_2288 ? (sample_present_s3_q & select_3478) : select_3478) : patches_valid_0_q;
   // hls/stages/patches.hpp:127
-  logic select_3464;
-  assign select_3464 = equal_2157_s3_q ? patches_valid_1_q : (select_2156_s3_q ? select_2259[0] : patches_valid_1_q);
+  logic select_3483;
+  assign select_3483 = equal_2163_s3_q ? patches_valid_1_q : (select_2162_s3_q ? select_2265[0] : patches_valid_1_q);
   // hls/stages/agreement.hpp:276
-  logic select_3467;
-  assign select_3467 = sample_pair_whole_s3_q ? (and_2301 ? (sample_present_s3_q & select_3464) : select_3464) : patches_valid_1_q;
-  logic [5:0] select_3470;
-  assign select_3470 = sample_pair_whole_s3_q ? (select_2280[5] ? {1'b1, select_2280[4:0]} : (select_2280 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3473;
-  assign select_3473 = sample_pair_whole_s3_q ? (select_2299[5] ? {1'b1, select_2299[4:0]} : (select_2299 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3476;
-  assign select_3476 = sample_pair_whole_s3_q ? (select_2312[4] ? {1'b1, select_2312[3:0]} : (select_2312 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3479;
-  assign select_3479 = sample_pair_whole_s3_q ? (select_2317[4] ? {1'b1, select_2317[3:0]} : (select_2317 + 5'h1)) : patches_left_next_1_q;
+  logic select_3486;
+  assign select_3486 = sample_pair_whole_s3_q ? (and_2307 ? (sample_present_s3_q & select_3483) : select_3483) : patches_valid_1_q;
+  logic [5:0] select_3489;
+  assign select_3489 = sample_pair_whole_s3_q ? (select_2286[5] ? {1'b1, select_2286[4:0]} : (select_2286 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3492;
+  assign select_3492 = sample_pair_whole_s3_q ? (select_2305[5] ? {1'b1, select_2305[4:0]} : (select_2305 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3495;
+  assign select_3495 = sample_pair_whole_s3_q ? (select_2318[4] ? {1'b1, select_2318[3:0]} : (select_2318 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3498;
+  assign select_3498 = sample_pair_whole_s3_q ? (select_2323[4] ? {1'b1, select_2323[3:0]} : (select_2323 + 5'h1)) : patches_left_next_1_q;
   // hls/stages/patches.hpp:529
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3898_s3_q, parity_3894_s3_q, xor_3882_s3_q, parity_3854_s3_q, parity_3792_s3_q, parity_3663_s3_q} + (equal_3899_s3_q ? 10'h0 : patches_sums_values_16_q);
+  assign sum_3 = {4'h0, or_3917_s3_q, parity_3913_s3_q, xor_3901_s3_q, parity_3873_s3_q, parity_3811_s3_q, parity_3682_s3_q} + (equal_3918_s3_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/agreement.hpp:275
-  logic [9:0] select_3903;
-  assign select_3903 = equal_2243_s3_q ? patches_sums_values_0_q : (equal_2245_s3_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3904;
-  assign select_3904 = equal_2245_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3906;
-  assign select_3906 = equal_2245_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
-  logic [9:0] select_3908;
-  assign select_3908 = equal_2245_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
-  logic [9:0] select_3910;
-  assign select_3910 = equal_2245_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
-  logic [9:0] select_3912;
-  assign select_3912 = equal_2245_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
-  logic [9:0] select_3914;
-  assign select_3914 = equal_2245_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
-  logic [9:0] select_3916;
-  assign select_3916 = equal_2245_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
-  logic [9:0] select_3918;
-  assign select_3918 = equal_2245_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
-  logic [9:0] select_3920;
-  assign select_3920 = equal_2245_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
   logic [9:0] select_3922;
-  assign select_3922 = equal_2245_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
-  logic [9:0] select_3924;
-  assign select_3924 = equal_2245_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
-  logic [9:0] select_3926;
-  assign select_3926 = equal_2245_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
-  logic [9:0] select_3928;
-  assign select_3928 = equal_2245_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
-  logic [9:0] select_3930;
-  assign select_3930 = equal_2245_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
-  logic [9:0] select_3932;
-  assign select_3932 = equal_2245_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
-  logic [9:0] select_3934;
-  assign select_3934 = equal_2245_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  assign select_3922 = equal_2249_s3_q ? patches_sums_values_0_q : (equal_2251_s3_q ? sum_3 : patches_sums_values_0_q);
+  logic [9:0] select_3923;
+  assign select_3923 = equal_2251_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
+  logic [9:0] select_3925;
+  assign select_3925 = equal_2251_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
+  logic [9:0] select_3927;
+  assign select_3927 = equal_2251_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
+  logic [9:0] select_3929;
+  assign select_3929 = equal_2251_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
+  logic [9:0] select_3931;
+  assign select_3931 = equal_2251_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  logic [9:0] select_3933;
+  assign select_3933 = equal_2251_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  logic [9:0] select_3935;
+  assign select_3935 = equal_2251_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  logic [9:0] select_3937;
+  assign select_3937 = equal_2251_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  logic [9:0] select_3939;
+  assign select_3939 = equal_2251_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  logic [9:0] select_3941;
+  assign select_3941 = equal_2251_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3943;
+  assign select_3943 = equal_2251_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3945;
+  assign select_3945 = equal_2251_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3947;
+  assign select_3947 = equal_2251_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3949;
+  assign select_3949 = equal_2251_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3951;
+  assign select_3951 = equal_2251_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3953;
+  assign select_3953 = equal_2251_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
   // hls/stages/patches.hpp:601
-  logic [9:0] difference_4005;
-  assign difference_4005 = patches_peak_far_q - patches_peak_best_differing_q;
-  logic and_4008;
-  assign and_4008 = (~(patches_peak_far_q < patches_peak_best_differing_q)) & (~({difference_4005, 3'h0} < {3'h0, patches_peak_size_q}));
+  logic [9:0] difference_4024;
+  assign difference_4024 = patches_peak_far_q - patches_peak_best_differing_q;
+  logic and_4027;
+  assign and_4027 = (~(patches_peak_far_q < patches_peak_best_differing_q)) & (~({difference_4024, 3'h0} < {3'h0, patches_peak_size_q}));
   // hls/stages/patches.hpp:600
-  logic not_4011;
-  assign not_4011 = ~({1'b0, patches_peak_size_q[9:1]} < patches_peak_best_differing_q);
+  logic not_4030;
+  assign not_4030 = ~({1'b0, patches_peak_size_q[9:1]} < patches_peak_best_differing_q);
   // hls/stages/patches.hpp:608
-  logic and_4014;
-  assign and_4014 = (patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q) & (and_4008 & ((10'h38 < patches_peak_size_q) & not_4011));
+  logic and_4033;
+  assign and_4033 = (patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q) & (and_4027 & ((10'h38 < patches_peak_size_q) & not_4030));
   // hls/stages/patches.hpp:190
-  logic and_4016;
-  assign and_4016 = and_3999_s3_q & ((~(patches_peak_row_q[3:0] == 4'h0)) & and_4014);
+  logic and_4035;
+  assign and_4035 = and_4018_s3_q & ((~(patches_peak_row_q[3:0] == 4'h0)) & and_4033);
   // hls/stages/patches.hpp:667
-  logic not_4017;
-  assign not_4017 = ~patches_lower_s3_q;
+  logic not_4036;
+  assign not_4036 = ~patches_lower_s3_q;
   // hls/stages/patches.hpp:192
-  logic and_4019;
-  assign and_4019 = and_4016 & (not_2250_s3_q & not_4017);
+  logic and_4038;
+  assign and_4038 = and_4035 & (not_2256_s3_q & not_4036);
   // hls/stages/patches.hpp:669
-  logic [7:0] sum_4021;
-  assign sum_4021 = {7'h0, and_4019} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  logic [7:0] sum_4040;
+  assign sum_4040 = {7'h0, and_4038} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:586
-  logic [1:0] sum_4025;
-  assign sum_4025 = patches_peak_row_q[4:3] + 2'h3;
+  logic [1:0] sum_4044;
+  assign sum_4044 = patches_peak_row_q[4:3] + 2'h3;
   // hls/stages/patches.hpp:581
   logic [9:0] high;
-  assign high = less_4024_s3_q ? patches_peak_below_q : patches_peak_above_q;
+  assign high = less_4043_s3_q ? patches_peak_below_q : patches_peak_above_q;
   logic [9:0] low;
   assign low = (patches_peak_below_q < patches_peak_above_q) ? patches_peak_below_q : patches_peak_above_q;
   // hls/stages/patches.hpp:582
@@ -6588,525 +6620,522 @@ module horopter_agreement (
   logic [9:0] fall_2;
   assign fall_2 = high - patches_peak_best_differing_q;
   // hls/stages/patches.hpp:584
-  logic not_4032;
-  assign not_4032 = ~({eight, 3'h0} < {3'h0, fall_2});
-  logic [10:0] sum_4033;
-  assign sum_4033 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
-  logic not_4035;
-  assign not_4035 = ~({eight, 3'h0} < {1'b0, sum_4033, fall_2[0]});
-  logic [1:0] sum_4036;
-  assign sum_4036 = {1'b0, not_4032} + {1'b0, not_4035};
+  logic not_4051;
+  assign not_4051 = ~({eight, 3'h0} < {3'h0, fall_2});
+  logic [10:0] sum_4052;
+  assign sum_4052 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
+  logic not_4054;
+  assign not_4054 = ~({eight, 3'h0} < {1'b0, sum_4052, fall_2[0]});
+  logic [1:0] sum_4055;
+  assign sum_4055 = {1'b0, not_4051} + {1'b0, not_4054};
   // hls/stages/patches.hpp:585
-  logic [10:0] sum_4037;
-  assign sum_4037 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
-  logic not_4039;
-  assign not_4039 = ~({eight, 3'h0} < {sum_4037, fall_2[1:0]});
-  logic not_4042;
-  assign not_4042 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
-  logic [1:0] sum_4043;
-  assign sum_4043 = {1'b0, not_4039} + {1'b0, not_4042};
+  logic [10:0] sum_4056;
+  assign sum_4056 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
+  logic not_4058;
+  assign not_4058 = ~({eight, 3'h0} < {sum_4056, fall_2[1:0]});
+  logic not_4061;
+  assign not_4061 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
+  logic [1:0] sum_4062;
+  assign sum_4062 = {1'b0, not_4058} + {1'b0, not_4061};
   // hls/stages/patches.hpp:584
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_4036} + {1'b0, sum_4043};
+  assign fraction = {1'b0, sum_4055} + {1'b0, sum_4062};
   // hls/stages/patches.hpp:587
-  logic [7:0] select_4046;
-  assign select_4046 = less_4024_s3_q ? ({sum_4025, patches_peak_row_q[2:0], 3'h0} - {5'h0, fraction}) : {sum_4025, patches_peak_row_q[2:0], fraction};
+  logic [7:0] select_4065;
+  assign select_4065 = less_4043_s3_q ? ({sum_4044, patches_peak_row_q[2:0], 3'h0} - {5'h0, fraction}) : {sum_4044, patches_peak_row_q[2:0], fraction};
   // hls/stages/patches.hpp:604
-  logic [7:0] select_4047;
-  assign select_4047 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  logic [7:0] select_4066;
+  assign select_4066 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
   // hls/stages/patches.hpp:603
-  logic [5:0] select_4048;
-  assign select_4048 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_4049;
-  assign sum_4049 = {2'h0, patches_peak_best_column_q[4:3]} + 4'hf;
-  logic [6:0] sum_4050;
-  assign sum_4050 = {select_4048[5], select_4048} + {{3{sum_4049[3]}}, sum_4049};
+  logic [5:0] select_4067;
+  assign select_4067 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_4068;
+  assign sum_4068 = {2'h0, patches_peak_best_column_q[4:3]} + 4'hf;
+  logic [6:0] sum_4069;
+  assign sum_4069 = {select_4067[5], select_4067} + {{3{sum_4068[3]}}, sum_4068};
   // hls/stages/patches.hpp:604
-  logic [17:0] product_4051;
-  assign product_4051 = $signed({{10{select_4047[7]}}, select_4047}) * $signed({{8{sum_4050[6]}}, sum_4050, patches_peak_best_column_q[2:0]});
+  logic [17:0] product_4070;
+  assign product_4070 = $signed({{10{select_4066[7]}}, select_4066}) * $signed({{8{sum_4069[6]}}, sum_4069, patches_peak_best_column_q[2:0]});
   // hls/stages/patches.hpp:605
-  logic [13:0] difference_4052;
-  assign difference_4052 = {{6{select_4046[7]}}, select_4046} - {product_4051[17], product_4051[17:5]};
+  logic [13:0] difference_4071;
+  assign difference_4071 = {{6{select_4065[7]}}, select_4065} - {product_4070[17], product_4070[17:5]};
   // hls/stages/patches.hpp:611
-  logic less_4053;
-  assign less_4053 = $signed({{7{difference_4023[6]}}, difference_4023}) < $signed(difference_4052);
+  logic less_4072;
+  assign less_4072 = $signed({{7{difference_4042[6]}}, difference_4042}) < $signed(difference_4071);
   // hls/stages/patches.hpp:189
-  logic not_4054;
-  assign not_4054 = ~less_4053;
+  logic not_4073;
+  assign not_4073 = ~less_4072;
   // hls/stages/patches.hpp:670
-  logic and_4055;
-  assign and_4055 = not_4054 & and_4019;
-  logic [7:0] sum_4056;
-  assign sum_4056 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_4055};
-  // hls/stages/patches.hpp:189
-  logic not_4059;
-  assign not_4059 = ~($signed(difference_4052) < $signed({8'h0, cfg_patch_limit_i}));
-  // hls/stages/patches.hpp:671
-  logic and_4060;
-  assign and_4060 = not_4059 & and_4019;
-  logic [7:0] sum_4061;
-  assign sum_4061 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_4060};
-  // hls/stages/patches.hpp:192
-  logic and_4063;
-  assign and_4063 = and_4016 & (patches_second_s3_q & not_4017);
-  // hls/stages/patches.hpp:669
-  logic [7:0] sum_4065;
-  assign sum_4065 = {7'h0, and_4063} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:670
-  logic and_4067;
-  assign and_4067 = not_4054 & and_4063;
-  logic [7:0] sum_4068;
-  assign sum_4068 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_4067};
-  // hls/stages/patches.hpp:671
-  logic and_4070;
-  assign and_4070 = not_4059 & and_4063;
-  logic [7:0] sum_4071;
-  assign sum_4071 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_4070};
-  // hls/stages/patches.hpp:192
-  logic and_4073;
-  assign and_4073 = and_4016 & (patches_lower_s3_q & not_2250_s3_q);
-  // hls/stages/patches.hpp:669
+  logic and_4074;
+  assign and_4074 = not_4073 & and_4038;
   logic [7:0] sum_4075;
-  assign sum_4075 = {7'h0, and_4073} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:670
-  logic and_4077;
-  assign and_4077 = not_4054 & and_4073;
-  logic [7:0] sum_4078;
-  assign sum_4078 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_4077};
-  // hls/stages/patches.hpp:671
-  logic and_4080;
-  assign and_4080 = not_4059 & and_4073;
-  logic [7:0] sum_4081;
-  assign sum_4081 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_4080};
-  // hls/stages/patches.hpp:192
-  logic and_4083;
-  assign and_4083 = and_4016 & (patches_lower_s3_q & patches_second_s3_q);
-  // hls/stages/patches.hpp:669
-  logic [7:0] sum_4085;
-  assign sum_4085 = {7'h0, and_4083} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
-  // hls/stages/patches.hpp:670
-  logic and_4087;
-  assign and_4087 = not_4054 & and_4083;
-  logic [7:0] sum_4088;
-  assign sum_4088 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_4087};
-  // hls/stages/patches.hpp:671
-  logic and_4090;
-  assign and_4090 = not_4059 & and_4083;
-  logic [7:0] sum_4091;
-  assign sum_4091 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_4090};
-  // hls/stages/agreement.hpp:1223
-  logic equal_4092;
-  assign equal_4092 = x_s3_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1130
-  logic less_4093;
-  assign less_4093 = x_s3_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:788
-  logic and_4097;
-  assign and_4097 = equal_567_s3_q & (x_s3_q[6] & (not_2448_s3_q & (equal_4092 & less_4093)));
-  // hls/stages/agreement.hpp:1142
-  logic and_4102;
-  assign and_4102 = x_s3_q[6] & (not_2448_s3_q & (less_4093 & (x_s3_q[2:0] == 3'h1)));
-  // hls/stages/agreement.hpp:788
-  logic and_4103;
-  assign and_4103 = equal_567_s3_q & and_4102;
-  // hls/stages/patches.hpp:633
-  logic [7:0] or_4105;
-  assign or_4105 = (and_4097 ? patches_quarters_0_places_q : 8'h0) | (and_4103 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/agreement.hpp:1142
-  logic and_4109;
-  assign and_4109 = x_s3_q[6] & (not_2448_s3_q & (less_4093 & (x_s3_q[2:0] == 3'h2)));
-  // hls/stages/agreement.hpp:788
-  logic and_4110;
-  assign and_4110 = equal_567_s3_q & and_4109;
-  // hls/stages/agreement.hpp:1142
-  logic and_4116;
-  assign and_4116 = x_s3_q[6] & (not_2448_s3_q & (less_4093 & (x_s3_q[2:0] == 3'h3)));
-  // hls/stages/agreement.hpp:788
-  logic and_4117;
-  assign and_4117 = equal_567_s3_q & and_4116;
-  // hls/stages/patches.hpp:633
-  logic [7:0] or_4119;
-  assign or_4119 = (or_4105 | (and_4110 ? patches_quarters_2_places_q : 8'h0)) | (and_4117 ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/patches.hpp:203
-  logic select_4123;
-  assign select_4123 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
-  // hls/stages/agreement.hpp:788
-  logic and_4127;
-  assign and_4127 = equal_567_s3_q & (x_s3_q[6] & (not_2448_s3_q & (less_4093 & select_4123)));
-  // hls/stages/patches.hpp:634
-  logic [7:0] select_4129;
-  assign select_4129 = and_4097 ? (and_4127 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
-  logic [7:0] select_4131;
-  assign select_4131 = and_4103 ? (and_4127 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_4134;
-  assign select_4134 = and_4110 ? (and_4127 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_4137;
-  assign select_4137 = and_4117 ? (and_4127 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
-  // hls/stages/patches.hpp:635
-  logic [7:0] select_4140;
-  assign select_4140 = and_4097 ? (and_4127 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
-  logic [7:0] select_4142;
-  assign select_4142 = and_4103 ? (and_4127 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_4145;
-  assign select_4145 = and_4110 ? (and_4127 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_4148;
-  assign select_4148 = and_4117 ? (and_4127 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
-  // hls/stages/patches.hpp:206
-  logic [4:0] sum_4150;
-  assign sum_4150 = {2'h0, x_s3_q[2:0]} + 5'h1f;
-  // hls/stages/agreement.hpp:1142
-  logic and_4154;
-  assign and_4154 = x_s3_q[6] & (not_2448_s3_q & (less_4093 & (sum_4150[4:2] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_4155;
-  assign and_4155 = equal_567_s3_q & and_4154;
-  // hls/stages/patches.hpp:630
-  logic [7:0] select_4158;
-  assign select_4158 = and_4155 ? (patches_word_places_q + (and_4103 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_4161;
-  assign select_4161 = and_4155 ? (patches_word_up_q + (and_4103 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] select_4164;
-  assign select_4164 = and_4155 ? (patches_word_down_q + (and_4103 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  assign sum_4075 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_4074};
   // hls/stages/patches.hpp:189
-  logic [5:0] select_4167;
-  assign select_4167 = ($signed(difference_4052[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_4052[5:0];
-  logic [5:0] select_4168;
-  assign select_4168 = ($signed(14'h10) < $signed(difference_4052)) ? 6'h10 : select_4167;
+  logic not_4078;
+  assign not_4078 = ~($signed(difference_4071) < $signed({8'h0, cfg_patch_limit_i}));
+  // hls/stages/patches.hpp:671
+  logic and_4079;
+  assign and_4079 = not_4078 & and_4038;
+  logic [7:0] sum_4080;
+  assign sum_4080 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_4079};
+  // hls/stages/patches.hpp:192
+  logic and_4082;
+  assign and_4082 = and_4035 & (patches_second_s3_q & not_4036);
+  // hls/stages/patches.hpp:669
+  logic [7:0] sum_4084;
+  assign sum_4084 = {7'h0, and_4082} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
+  // hls/stages/patches.hpp:670
+  logic and_4086;
+  assign and_4086 = not_4073 & and_4082;
+  logic [7:0] sum_4087;
+  assign sum_4087 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_4086};
+  // hls/stages/patches.hpp:671
+  logic and_4089;
+  assign and_4089 = not_4078 & and_4082;
+  logic [7:0] sum_4090;
+  assign sum_4090 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_4089};
+  // hls/stages/patches.hpp:192
+  logic and_4092;
+  assign and_4092 = and_4035 & (patches_lower_s3_q & not_2256_s3_q);
+  // hls/stages/patches.hpp:669
+  logic [7:0] sum_4094;
+  assign sum_4094 = {7'h0, and_4092} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:670
+  logic and_4096;
+  assign and_4096 = not_4073 & and_4092;
+  logic [7:0] sum_4097;
+  assign sum_4097 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_4096};
+  // hls/stages/patches.hpp:671
+  logic and_4099;
+  assign and_4099 = not_4078 & and_4092;
+  logic [7:0] sum_4100;
+  assign sum_4100 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_4099};
+  // hls/stages/patches.hpp:192
+  logic and_4102;
+  assign and_4102 = and_4035 & (patches_lower_s3_q & patches_second_s3_q);
+  // hls/stages/patches.hpp:669
+  logic [7:0] sum_4104;
+  assign sum_4104 = {7'h0, and_4102} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:670
+  logic and_4106;
+  assign and_4106 = not_4073 & and_4102;
+  logic [7:0] sum_4107;
+  assign sum_4107 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_4106};
+  // hls/stages/patches.hpp:671
+  logic and_4109;
+  assign and_4109 = not_4078 & and_4102;
+  logic [7:0] sum_4110;
+  assign sum_4110 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_4109};
+  // hls/stages/agreement.hpp:1231
+  logic equal_4111;
+  assign equal_4111 = x_s3_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:1138
+  logic less_4112;
+  assign less_4112 = x_s3_q[5:3] < 3'h3;
+  // hls/stages/agreement.hpp:795
+  logic and_4116;
+  assign and_4116 = equal_569_s3_q & (x_s3_q[6] & (not_2454_s3_q & (equal_4111 & less_4112)));
+  // hls/stages/agreement.hpp:1150
+  logic and_4121;
+  assign and_4121 = x_s3_q[6] & (not_2454_s3_q & (less_4112 & (x_s3_q[2:0] == 3'h1)));
+  // hls/stages/agreement.hpp:795
+  logic and_4122;
+  assign and_4122 = equal_569_s3_q & and_4121;
+  // hls/stages/patches.hpp:633
+  logic [7:0] or_4124;
+  assign or_4124 = (and_4116 ? patches_quarters_0_places_q : 8'h0) | (and_4122 ? patches_quarters_1_places_q : 8'h0);
+  // hls/stages/agreement.hpp:1150
+  logic and_4128;
+  assign and_4128 = x_s3_q[6] & (not_2454_s3_q & (less_4112 & (x_s3_q[2:0] == 3'h2)));
+  // hls/stages/agreement.hpp:795
+  logic and_4129;
+  assign and_4129 = equal_569_s3_q & and_4128;
+  // hls/stages/agreement.hpp:1150
+  logic and_4135;
+  assign and_4135 = x_s3_q[6] & (not_2454_s3_q & (less_4112 & (x_s3_q[2:0] == 3'h3)));
+  // hls/stages/agreement.hpp:795
+  logic and_4136;
+  assign and_4136 = equal_569_s3_q & and_4135;
+  // hls/stages/patches.hpp:633
+  logic [7:0] or_4138;
+  assign or_4138 = (or_4124 | (and_4129 ? patches_quarters_2_places_q : 8'h0)) | (and_4136 ? patches_quarters_3_places_q : 8'h0);
+  // hls/stages/patches.hpp:203
+  logic select_4142;
+  assign select_4142 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
+  // hls/stages/agreement.hpp:795
+  logic and_4146;
+  assign and_4146 = equal_569_s3_q & (x_s3_q[6] & (not_2454_s3_q & (less_4112 & select_4142)));
+  // hls/stages/patches.hpp:634
+  logic [7:0] select_4148;
+  assign select_4148 = and_4116 ? (and_4146 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_4150;
+  assign select_4150 = and_4122 ? (and_4146 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_4153;
+  assign select_4153 = and_4129 ? (and_4146 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_4156;
+  assign select_4156 = and_4136 ? (and_4146 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  // hls/stages/patches.hpp:635
+  logic [7:0] select_4159;
+  assign select_4159 = and_4116 ? (and_4146 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_4161;
+  assign select_4161 = and_4122 ? (and_4146 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_4164;
+  assign select_4164 = and_4129 ? (and_4146 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_4167;
+  assign select_4167 = and_4136 ? (and_4146 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  // hls/stages/patches.hpp:206
+  logic [4:0] sum_4169;
+  assign sum_4169 = {2'h0, x_s3_q[2:0]} + 5'h1f;
+  // hls/stages/agreement.hpp:1150
+  logic and_4173;
+  assign and_4173 = x_s3_q[6] & (not_2454_s3_q & (less_4112 & (sum_4169[4:2] == 3'h0)));
+  // hls/stages/agreement.hpp:795
+  logic and_4174;
+  assign and_4174 = equal_569_s3_q & and_4173;
+  // hls/stages/patches.hpp:630
+  logic [7:0] select_4177;
+  assign select_4177 = and_4174 ? (patches_word_places_q + (and_4122 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_4180;
+  assign select_4180 = and_4174 ? (patches_word_up_q + (and_4122 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] select_4183;
+  assign select_4183 = and_4174 ? (patches_word_down_q + (and_4122 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  // hls/stages/patches.hpp:189
+  logic [5:0] select_4186;
+  assign select_4186 = ($signed(difference_4071[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_4071[5:0];
+  logic [5:0] select_4187;
+  assign select_4187 = ($signed(14'h10) < $signed(difference_4071)) ? 6'h10 : select_4186;
   // hls/stages/patches.hpp:673
-  logic [5:0] select_4169;
-  assign select_4169 = and_4016 ? select_4168 : 6'h0;
+  logic [5:0] select_4188;
+  assign select_4188 = and_4035 ? select_4187 : 6'h0;
   // hls/stages/patches.hpp:674
-  logic [11:0] select_4171;
-  assign select_4171 = patches_round_ends_q ? {{6{select_4169[5]}}, select_4169} : (patches_across_q + {{6{select_4169[5]}}, select_4169});
-  // hls/stages/agreement.hpp:788
-  logic and_4175;
-  assign and_4175 = equal_567_s3_q & (x_s3_q[6] & (not_2448_s3_q & (equal_3332 & less_4093)));
-  // hls/stages/agreement.hpp:1142
-  logic and_4179;
-  assign and_4179 = x_s3_q[6] & (not_2448_s3_q & (less_4093 & (x_s3_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:788
-  logic and_4180;
-  assign and_4180 = equal_567_s3_q & and_4179;
+  logic [11:0] select_4190;
+  assign select_4190 = patches_round_ends_q ? {{6{select_4188[5]}}, select_4188} : (patches_across_q + {{6{select_4188[5]}}, select_4188});
+  // hls/stages/agreement.hpp:795
+  logic and_4194;
+  assign and_4194 = equal_569_s3_q & (x_s3_q[6] & (not_2454_s3_q & (equal_3351 & less_4112)));
+  // hls/stages/agreement.hpp:1150
+  logic and_4198;
+  assign and_4198 = x_s3_q[6] & (not_2454_s3_q & (less_4112 & (x_s3_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:795
+  logic and_4199;
+  assign and_4199 = equal_569_s3_q & and_4198;
   // hls/stages/patches.hpp:657
-  logic [7:0] select_4182;
-  assign select_4182 = and_4175 ? (and_4180 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  logic [7:0] select_4201;
+  assign select_4201 = and_4194 ? (and_4199 ? patches_sum_places_q : patches_places_q) : patches_places_q;
   // hls/stages/patches.hpp:659
-  logic or_4186;
-  assign or_4186 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  logic or_4205;
+  assign or_4205 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
   // hls/stages/patches.hpp:660
-  logic or_4189;
-  assign or_4189 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  logic or_4208;
+  assign or_4208 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
   // hls/stages/patches.hpp:661
-  logic [8:0] sum_4190;
-  assign sum_4190 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  logic [8:0] sum_4209;
+  assign sum_4209 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
   // hls/stages/patches.hpp:656
-  logic select_4192;
-  assign select_4192 = and_4175 ? (and_4180 ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  logic select_4211;
+  assign select_4211 = and_4194 ? (and_4199 ? patches_enough_q : patches_complete_q) : patches_complete_q;
   // hls/stages/patches.hpp:192
-  logic and_4195;
-  assign and_4195 = patches_enough_q & patches_mostly_q;
+  logic and_4214;
+  assign and_4214 = patches_enough_q & patches_mostly_q;
   // hls/stages/patches.hpp:656
-  logic [2:0] select_4197;
-  assign select_4197 = and_4180 ? {and_4195, patches_found_q[2:1]} : (and_4175 ? {and_4195, patches_found_q[2:1]} : patches_found_q);
+  logic [2:0] select_4216;
+  assign select_4216 = and_4199 ? {and_4214, patches_found_q[2:1]} : (and_4194 ? {and_4214, patches_found_q[2:1]} : patches_found_q);
   // hls/stages/patches.hpp:655
-  logic or_4201;
-  assign or_4201 = patches_partly_q | (patches_doubted_q & (~and_4180));
+  logic or_4220;
+  assign or_4220 = patches_partly_q | (patches_doubted_q & (~and_4199));
   // hls/stages/patches.hpp:656
-  logic select_4204;
-  assign select_4204 = and_4175 ? (and_4180 ? or_4201 : (and_4175 ? or_4201 : patches_doubted_q)) : patches_doubted_q;
+  logic select_4223;
+  assign select_4223 = and_4194 ? (and_4199 ? or_4220 : (and_4194 ? or_4220 : patches_doubted_q)) : patches_doubted_q;
   // hls/stages/patches.hpp:654
-  logic select_4205;
-  assign select_4205 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  logic select_4224;
+  assign select_4224 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
   // hls/stages/patches.hpp:643
-  logic [7:0] select_4209;
-  assign select_4209 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  logic [7:0] select_4228;
+  assign select_4228 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
   // hls/stages/patches.hpp:612
-  logic [10:0] sum_4211;
-  assign sum_4211 = {sum_4050[6], sum_4050, patches_peak_best_column_q[2:0]} + 11'h1;
+  logic [10:0] sum_4230;
+  assign sum_4230 = {sum_4069[6], sum_4069, patches_peak_best_column_q[2:0]} + 11'h1;
   // hls/stages/patches.hpp:674
-  logic and_4213;
-  assign and_4213 = ({{5{sum_4211[10]}}, sum_4211} < 16'h3) & and_4016;
-  logic [7:0] sum_4214;
-  assign sum_4214 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_4213};
+  logic and_4232;
+  assign and_4232 = ({{5{sum_4230[10]}}, sum_4230} < 16'h3) & and_4035;
+  logic [7:0] sum_4233;
+  assign sum_4233 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_4232};
   // hls/stages/patches.hpp:663
-  logic [12:0] product_4219;
-  assign product_4219 = {8'h0, patches_on_skin_limit_q} * {5'h0, select_4182};
+  logic [12:0] product_4238;
+  assign product_4238 = {8'h0, patches_on_skin_limit_q} * {5'h0, select_4201};
   // hls/stages/patches.hpp:192
-  logic and_4221;
-  assign and_4221 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_4219[12:5] < patches_on_skin_q);
-  logic select_4226;
-  assign select_4226 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic and_4240;
+  assign and_4240 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_4238[12:5] < patches_on_skin_q);
+  logic select_4245;
+  assign select_4245 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:644
-  logic or_4230;
-  assign or_4230 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  logic or_4249;
+  assign or_4249 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
   // hls/stages/patches.hpp:645
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
   // hls/stages/patches.hpp:646
-  logic select_4237;
-  assign select_4237 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  logic select_4256;
+  assign select_4256 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:647
-  logic and_4243;
-  assign and_4243 = patches_frame_ended_s3_q & (~patches_age_q[9]);
-  logic [9:0] sum_4244;
-  assign sum_4244 = patches_age_q + {9'h0, and_4243};
-  logic [9:0] select_4247;
-  assign select_4247 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4244)) : sum_4244;
-  // hls/stages/agreement.hpp:1188
-  logic or_4304;
-  assign or_4304 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1217
-  logic equal_4306;
-  assign equal_4306 = x_s3_q[6:3] == 4'h7;
-  // hls/stages/agreement.hpp:1226
+  logic and_4262;
+  assign and_4262 = patches_frame_ended_s3_q & (~patches_age_q[9]);
+  logic [9:0] sum_4263;
+  assign sum_4263 = patches_age_q + {9'h0, and_4262};
+  logic [9:0] select_4266;
+  assign select_4266 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4263)) : sum_4263;
+  // hls/stages/agreement.hpp:1196
+  logic or_4323;
+  assign or_4323 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  // hls/stages/agreement.hpp:1225
+  logic equal_4325;
+  assign equal_4325 = x_s3_q[6:3] == 4'h7;
+  // hls/stages/agreement.hpp:1234
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
-  // hls/stages/agreement.hpp:1227
-  logic select_4312;
-  assign select_4312 = (equal_4306 & equal_4092) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1135
-  logic [10:0] sum_4315;
-  assign sum_4315 = {1'b0, select_3085} + {2'h0, select_3085[9:1]};
-  logic select_4318;
-  assign select_4318 = (select_3082[9:3] == 7'h0) ? ((~or_4304) & (~select_4312)) : (~({sum_4315, select_3085[0]} < {2'h0, select_3082}));
-  // hls/stages/agreement.hpp:1142
-  logic [47:0] select_4320;
-  assign select_4320 = x_s3_q[6] ? (equal_2074_s3_q ? good_q : {select_4318, good_q[47:1]}) : good_q;
-  // hls/stages/agreement.hpp:788
-  logic select_4325;
-  assign select_4325 = equal_567_s3_q ? ((x_s3_q[6] & good_known_q) | equal_4323_s3_q) : good_known_q;
-  // hls/stages/agreement.hpp:1217
-  logic equal_4326;
-  assign equal_4326 = x_s3_q[6:3] == 4'ha;
-  logic equal_4328;
-  assign equal_4328 = x_s3_q[6:3] == 4'hc;
-  logic equal_4329;
-  assign equal_4329 = x_s3_q[6:3] == 4'hb;
-  logic equal_4330;
-  assign equal_4330 = x_s3_q[6:3] == 4'h9;
-  logic equal_4331;
-  assign equal_4331 = x_s3_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1125
-  logic [13:0] select_4333;
-  assign select_4333 = equal_4330 ? counts_skin_unproven_q : (equal_4331 ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_4335;
-  assign select_4335 = equal_4329 ? counts_regions_bad_q : (equal_4326 ? counts_nearer_q : select_4333);
+  // hls/stages/agreement.hpp:1235
+  logic select_4331;
+  assign select_4331 = (equal_4325 & equal_4111) ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:1143
+  logic [10:0] sum_4334;
+  assign sum_4334 = {1'b0, select_3104} + {2'h0, select_3104[9:1]};
+  logic select_4337;
+  assign select_4337 = (select_3101[9:3] == 7'h0) ? ((~or_4323) & (~select_4331)) : (~({sum_4334, select_3104[0]} < {2'h0, select_3101}));
+  // hls/stages/agreement.hpp:1150
+  logic [47:0] select_4339;
+  assign select_4339 = x_s3_q[6] ? (equal_2080_s3_q ? good_q : {select_4337, good_q[47:1]}) : good_q;
+  // hls/stages/agreement.hpp:795
+  logic select_4344;
+  assign select_4344 = equal_569_s3_q ? ((x_s3_q[6] & good_known_q) | equal_4342_s3_q) : good_known_q;
+  // hls/stages/agreement.hpp:1225
+  logic equal_4345;
+  assign equal_4345 = x_s3_q[6:3] == 4'ha;
+  logic equal_4347;
+  assign equal_4347 = x_s3_q[6:3] == 4'hc;
+  logic equal_4348;
+  assign equal_4348 = x_s3_q[6:3] == 4'hb;
+  logic equal_4349;
+  assign equal_4349 = x_s3_q[6:3] == 4'h9;
+  logic equal_4350;
+  assign equal_4350 = x_s3_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:1133
+  logic [13:0] select_4352;
+  assign select_4352 = equal_4349 ? counts_skin_unproven_q : (equal_4350 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_4354;
+  assign select_4354 = equal_4348 ? counts_regions_bad_q : (equal_4345 ? counts_nearer_q : select_4352);
   logic [13:0] before_v_6;
-  assign before_v_6 = equal_4328 ? counts_on_skin_q : select_4335;
-  // hls/stages/agreement.hpp:1222
+  assign before_v_6 = equal_4347 ? counts_on_skin_q : select_4354;
+  // hls/stages/agreement.hpp:1230
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_6};
-  // hls/stages/agreement.hpp:1230
-  logic select_4338;
-  assign select_4338 = (equal_4326 & equal_4092) ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1148
-  logic not_4339;
-  assign not_4339 = ~hidden_for_q[7];
-  logic [7:0] select_4341;
-  assign select_4341 = select_4338 ? (hidden_for_q + {7'h0, not_4339}) : 8'h0;
-  // hls/stages/agreement.hpp:788
-  logic [7:0] select_4343;
-  assign select_4343 = equal_567_s3_q ? (equal_4323_s3_q ? select_4341 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:1231
-  logic [13:0] select_4344;
-  assign select_4344 = equal_4092 ? 14'h0 : product_q;
-  // hls/stages/agreement.hpp:1125
-  logic [7:0] select_4346;
-  assign select_4346 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_4348;
-  assign select_4348 = equal_4331 ? cfg_unproven_skin_limit_i : (equal_4306 ? cfg_unproven_limit_i : select_4346);
-  logic [7:0] select_4350;
-  assign select_4350 = equal_4326 ? cfg_regions_limit_i : (equal_4330 ? cfg_hidden_limit_i : select_4348);
-  logic [7:0] limit;
-  assign limit = equal_4328 ? cfg_regions_limit_i : (equal_4329 ? {cfg_on_skin_limit_i, 3'h0} : select_4350);
-  // hls/stages/agreement.hpp:1231
-  logic not_4353;
-  assign not_4353 = ~x_s3_q[2];
-  logic [3:0] select_4354;
-  assign select_4354 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4353, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4353};
-  logic [7:0] select_4355;
-  assign select_4355 = x_s3_q[0] ? {select_4354[3], 1'b0, select_4354[2], 1'b0, select_4354[1], 1'b0, select_4354[0], 1'b0} : {1'b0, select_4354[3], 1'b0, select_4354[2], 1'b0, select_4354[1], 1'b0, select_4354[0]};
-  // hls/stages/agreement.hpp:1125
-  logic [13:0] select_4359;
-  assign select_4359 = equal_4330 ? counts_skin_supervised_q : (equal_4331 ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] select_4361;
-  assign select_4361 = equal_4329 ? counts_skin_textured_q : (equal_4326 ? counts_textured_q : select_4359);
-  logic [13:0] of;
-  assign of = equal_4328 ? counts_textured_q : select_4361;
-  // hls/stages/agreement.hpp:1231
-  logic [13:0] select_4363;
-  assign select_4363 = ((limit & select_4355) == 8'h0) ? 14'h0 : of;
-  logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_4344} + {1'b0, select_4363};
-  // hls/stages/agreement.hpp:788
-  logic select_4368;
-  assign select_4368 = equal_567_s3_q ? (equal_4092 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:1228
-  logic and_4373;
-  assign and_4373 = too_much_q & (~(equal_4331 & equal_4092));
-  // hls/stages/agreement.hpp:1229
-  logic select_4378;
-  assign select_4378 = (over[14] & equal_4092) ? (and_4373 | ((equal_4331 | equal_4330) | (x_s3_q[6:3] == 4'hf))) : and_4373;
-  // hls/stages/agreement.hpp:1125
-  logic and_4383;
-  assign and_4383 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
-  // hls/stages/agreement.hpp:1231
-  logic select_4384;
-  assign select_4384 = (equal_4328 & equal_4092) ? and_4383 : overlooks_q;
-  // hls/stages/agreement.hpp:788
-  logic [2:0] select_4386;
-  assign select_4386 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
-  logic [2:0] select_4388;
-  assign select_4388 = equal_567_s3_q ? box_textured_columns_values_0_q : (drew_q ? select_4386 : box_textured_columns_values_0_q);
-  logic [2:0] select_4389;
-  assign select_4389 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_4391;
-  assign select_4391 = equal_567_s3_q ? box_textured_columns_values_1_q : (drew_q ? select_4389 : box_textured_columns_values_1_q);
-  logic [2:0] select_4392;
-  assign select_4392 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [2:0] select_4394;
-  assign select_4394 = equal_567_s3_q ? box_textured_columns_values_2_q : (drew_q ? select_4392 : box_textured_columns_values_2_q);
-  logic [2:0] select_4395;
-  assign select_4395 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_4397;
-  assign select_4397 = equal_567_s3_q ? box_textured_columns_values_3_q : (drew_q ? select_4395 : box_textured_columns_values_3_q);
-  logic [2:0] select_4398;
-  assign select_4398 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_4400;
-  assign select_4400 = equal_567_s3_q ? box_textured_columns_values_4_q : (drew_q ? select_4398 : box_textured_columns_values_4_q);
-  logic [4:0] select_4402;
-  assign select_4402 = drew_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_4404;
-  assign select_4404 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
-  logic [2:0] select_4406;
-  assign select_4406 = equal_567_s3_q ? box_explained_columns_values_0_q : (drew_q ? select_4404 : box_explained_columns_values_0_q);
-  logic [2:0] select_4407;
-  assign select_4407 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [2:0] select_4409;
-  assign select_4409 = equal_567_s3_q ? box_explained_columns_values_1_q : (drew_q ? select_4407 : box_explained_columns_values_1_q);
-  logic [2:0] select_4410;
-  assign select_4410 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
-  logic [2:0] select_4412;
-  assign select_4412 = equal_567_s3_q ? box_explained_columns_values_2_q : (drew_q ? select_4410 : box_explained_columns_values_2_q);
-  logic [2:0] select_4413;
-  assign select_4413 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [2:0] select_4415;
-  assign select_4415 = equal_567_s3_q ? box_explained_columns_values_3_q : (drew_q ? select_4413 : box_explained_columns_values_3_q);
-  logic [2:0] select_4416;
-  assign select_4416 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [2:0] select_4418;
-  assign select_4418 = equal_567_s3_q ? box_explained_columns_values_4_q : (drew_q ? select_4416 : box_explained_columns_values_4_q);
-  logic [4:0] select_4420;
-  assign select_4420 = drew_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [2:0] select_4423;
-  assign select_4423 = drew_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
-  logic [2:0] select_4425;
-  assign select_4425 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
-  logic [2:0] select_4427;
-  assign select_4427 = equal_567_s3_q ? box_shown_columns_values_1_q : (drew_q ? select_4425 : box_shown_columns_values_1_q);
-  logic [2:0] select_4428;
-  assign select_4428 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
-  logic [2:0] select_4430;
-  assign select_4430 = equal_567_s3_q ? box_shown_columns_values_2_q : (drew_q ? select_4428 : box_shown_columns_values_2_q);
-  logic [2:0] select_4431;
-  assign select_4431 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [2:0] select_4433;
-  assign select_4433 = equal_567_s3_q ? box_shown_columns_values_3_q : (drew_q ? select_4431 : box_shown_columns_values_3_q);
-  logic [2:0] select_4434;
-  assign select_4434 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_4436;
-  assign select_4436 = equal_567_s3_q ? box_shown_columns_values_4_q : (drew_q ? select_4434 : box_shown_columns_values_4_q);
-  logic [4:0] select_4438;
-  assign select_4438 = drew_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_4441;
-  assign select_4441 = drew_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_4443;
-  assign select_4443 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [2:0] select_4445;
-  assign select_4445 = equal_567_s3_q ? box_nearer_columns_values_1_q : (drew_q ? select_4443 : box_nearer_columns_values_1_q);
-  logic [2:0] select_4446;
-  assign select_4446 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [2:0] select_4448;
-  assign select_4448 = equal_567_s3_q ? box_nearer_columns_values_2_q : (drew_q ? select_4446 : box_nearer_columns_values_2_q);
-  logic [2:0] select_4449;
-  assign select_4449 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [2:0] select_4451;
-  assign select_4451 = equal_567_s3_q ? box_nearer_columns_values_3_q : (drew_q ? select_4449 : box_nearer_columns_values_3_q);
-  logic [2:0] select_4452;
-  assign select_4452 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_4454;
-  assign select_4454 = equal_567_s3_q ? box_nearer_columns_values_4_q : (drew_q ? select_4452 : box_nearer_columns_values_4_q);
-  logic [4:0] select_4456;
-  assign select_4456 = drew_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:1308
-  logic [1:0] select_4501;
-  assign select_4501 = and_4500_s3_q ? {and_2584, is_seen} : map_rdata_q;
-  // hls/stages/agreement.hpp:1309
-  logic and_4502;
-  assign and_4502 = proven_q & less_4490;
-  // hls/stages/agreement.hpp:438
-  logic select_4505;
-  assign select_4505 = and_2514_s3_q ? (less_2515_s3_q ? (select_4501[0] & and_4502) : seen_q) : seen_q;
-  logic select_4508;
-  assign select_4508 = and_2514_s3_q ? (less_2515_s3_q ? (select_4501[1] & and_4502) : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:1238
+  logic select_4357;
+  assign select_4357 = (equal_4345 & equal_4111) ? over[14] : hides_q;
+  // hls/stages/agreement.hpp:1156
+  logic not_4358;
+  assign not_4358 = ~hidden_for_q[7];
+  logic [7:0] select_4360;
+  assign select_4360 = select_4357 ? (hidden_for_q + {7'h0, not_4358}) : 8'h0;
+  // hls/stages/agreement.hpp:795
+  logic [7:0] select_4362;
+  assign select_4362 = equal_569_s3_q ? (equal_4342_s3_q ? select_4360 : hidden_for_q) : hidden_for_q;
   // hls/stages/agreement.hpp:1239
-  logic or_4515;
-  assign or_4515 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4514_s3_q;
-  // hls/stages/agreement.hpp:1241
-  logic not_4523;
-  assign not_4523 = ~(or_4304 | not_2807);
-  // hls/stages/agreement.hpp:788
-  logic and_4527;
-  assign and_4527 = equal_567_s3_q & (equal_4323_s3_q & (not_4523 & (select_4312 | select_4378)));
-  logic and_4530;
-  assign and_4530 = equal_4323_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  logic [13:0] select_4363;
+  assign select_4363 = equal_4111 ? 14'h0 : product_q;
+  // hls/stages/agreement.hpp:1133
+  logic [7:0] select_4365;
+  assign select_4365 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_4367;
+  assign select_4367 = equal_4350 ? cfg_unproven_skin_limit_i : (equal_4325 ? cfg_unproven_limit_i : select_4365);
+  logic [7:0] select_4369;
+  assign select_4369 = equal_4345 ? cfg_regions_limit_i : (equal_4349 ? cfg_hidden_limit_i : select_4367);
+  logic [7:0] limit;
+  assign limit = equal_4347 ? cfg_regions_limit_i : (equal_4348 ? {cfg_on_skin_limit_i, 3'h0} : select_4369);
+  // hls/stages/agreement.hpp:1239
+  logic not_4372;
+  assign not_4372 = ~x_s3_q[2];
+  logic [3:0] select_4373;
+  assign select_4373 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4372, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4372};
+  logic [7:0] select_4374;
+  assign select_4374 = x_s3_q[0] ? {select_4373[3], 1'b0, select_4373[2], 1'b0, select_4373[1], 1'b0, select_4373[0], 1'b0} : {1'b0, select_4373[3], 1'b0, select_4373[2], 1'b0, select_4373[1], 1'b0, select_4373[0]};
+  // hls/stages/agreement.hpp:1133
+  logic [13:0] select_4378;
+  assign select_4378 = equal_4349 ? counts_skin_supervised_q : (equal_4350 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_4380;
+  assign select_4380 = equal_4348 ? counts_skin_textured_q : (equal_4345 ? counts_textured_q : select_4378);
+  logic [13:0] of;
+  assign of = equal_4347 ? counts_textured_q : select_4380;
+  // hls/stages/agreement.hpp:1239
+  logic [13:0] select_4382;
+  assign select_4382 = ((limit & select_4374) == 8'h0) ? 14'h0 : of;
+  logic [14:0] sum_4;
+  assign sum_4 = {1'b0, select_4363} + {1'b0, select_4382};
+  // hls/stages/agreement.hpp:795
+  logic select_4387;
+  assign select_4387 = equal_569_s3_q ? (equal_4111 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
+  // hls/stages/agreement.hpp:1236
+  logic and_4392;
+  assign and_4392 = too_much_q & (~(equal_4350 & equal_4111));
+  // hls/stages/agreement.hpp:1237
+  logic select_4397;
+  assign select_4397 = (over[14] & equal_4111) ? (and_4392 | ((equal_4350 | equal_4349) | (x_s3_q[6:3] == 4'hf))) : and_4392;
+  // hls/stages/agreement.hpp:1133
+  logic and_4402;
+  assign and_4402 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  // hls/stages/agreement.hpp:1239
+  logic select_4403;
+  assign select_4403 = (equal_4347 & equal_4111) ? and_4402 : overlooks_q;
+  // hls/stages/agreement.hpp:795
+  logic [2:0] select_4405;
+  assign select_4405 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
+  logic [2:0] select_4407;
+  assign select_4407 = equal_569_s3_q ? box_textured_columns_values_0_q : (so_s3_q ? select_4405 : box_textured_columns_values_0_q);
+  logic [2:0] select_4408;
+  assign select_4408 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_4410;
+  assign select_4410 = equal_569_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_4408 : box_textured_columns_values_1_q);
+  logic [2:0] select_4411;
+  assign select_4411 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_4413;
+  assign select_4413 = equal_569_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_4411 : box_textured_columns_values_2_q);
+  logic [2:0] select_4414;
+  assign select_4414 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_4416;
+  assign select_4416 = equal_569_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_4414 : box_textured_columns_values_3_q);
+  logic [2:0] select_4417;
+  assign select_4417 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_4419;
+  assign select_4419 = equal_569_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_4417 : box_textured_columns_values_4_q);
+  logic [4:0] select_4421;
+  assign select_4421 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  logic [2:0] select_4423;
+  assign select_4423 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
+  logic [2:0] select_4425;
+  assign select_4425 = equal_569_s3_q ? box_explained_columns_values_0_q : (so_s3_q ? select_4423 : box_explained_columns_values_0_q);
+  logic [2:0] select_4426;
+  assign select_4426 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_4428;
+  assign select_4428 = equal_569_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_4426 : box_explained_columns_values_1_q);
+  logic [2:0] select_4429;
+  assign select_4429 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
+  logic [2:0] select_4431;
+  assign select_4431 = equal_569_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_4429 : box_explained_columns_values_2_q);
+  logic [2:0] select_4432;
+  assign select_4432 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_4434;
+  assign select_4434 = equal_569_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_4432 : box_explained_columns_values_3_q);
+  logic [2:0] select_4435;
+  assign select_4435 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_4437;
+  assign select_4437 = equal_569_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_4435 : box_explained_columns_values_4_q);
+  logic [4:0] select_4439;
+  assign select_4439 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [2:0] select_4442;
+  assign select_4442 = so_s3_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_4444;
+  assign select_4444 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4446;
+  assign select_4446 = equal_569_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_4444 : box_shown_columns_values_1_q);
+  logic [2:0] select_4447;
+  assign select_4447 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
+  logic [2:0] select_4449;
+  assign select_4449 = equal_569_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_4447 : box_shown_columns_values_2_q);
+  logic [2:0] select_4450;
+  assign select_4450 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_4452;
+  assign select_4452 = equal_569_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_4450 : box_shown_columns_values_3_q);
+  logic [2:0] select_4453;
+  assign select_4453 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4455;
+  assign select_4455 = equal_569_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_4453 : box_shown_columns_values_4_q);
+  logic [4:0] select_4457;
+  assign select_4457 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [2:0] select_4460;
+  assign select_4460 = so_s3_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_4462;
+  assign select_4462 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4464;
+  assign select_4464 = equal_569_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_4462 : box_nearer_columns_values_1_q);
+  logic [2:0] select_4465;
+  assign select_4465 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4467;
+  assign select_4467 = equal_569_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_4465 : box_nearer_columns_values_2_q);
+  logic [2:0] select_4468;
+  assign select_4468 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4470;
+  assign select_4470 = equal_569_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_4468 : box_nearer_columns_values_3_q);
+  logic [2:0] select_4471;
+  assign select_4471 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4473;
+  assign select_4473 = equal_569_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_4471 : box_nearer_columns_values_4_q);
+  logic [4:0] select_4475;
+  assign select_4475 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:1317
+  logic [1:0] select_4522;
+  assign select_4522 = and_4521_s3_q ? {and_2592, is_seen} : map_rdata_q;
+  // hls/stages/agreement.hpp:442
+  logic select_4526;
+  assign select_4526 = and_2520_s3_q ? (less_2521_s3_q ? (select_4522[0] & and_4523_s3_q) : seen_q) : seen_q;
+  logic select_4529;
+  assign select_4529 = and_2520_s3_q ? (less_2521_s3_q ? (select_4522[1] & and_4523_s3_q) : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:1247
+  logic or_4536;
+  assign or_4536 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4535_s3_q;
+  // hls/stages/agreement.hpp:1249
+  logic not_4544;
+  assign not_4544 = ~(or_4323 | not_2816);
+  // hls/stages/agreement.hpp:795
+  logic and_4548;
+  assign and_4548 = equal_569_s3_q & (equal_4342_s3_q & (not_4544 & (select_4331 | select_4397)));
+  logic and_4551;
+  assign and_4551 = equal_4342_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  // hls/stages/agreement.hpp:1158
+  logic or_4555;
+  assign or_4555 = select_2914 | (select_2926 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  // hls/stages/agreement.hpp:795
+  logic and_4562;
+  assign and_4562 = equal_569_s3_q & (equal_4342_s3_q & (not_4544 & (select_2920 | select_2932)));
+  // hls/stages/agreement.hpp:1158
+  logic and_4567;
+  assign and_4567 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4360 < cfg_hidden_frames_i));
+  logic select_4573;
+  assign select_4573 = (not_2816 | (select_4403 & not_4235)) ? cfg_prove_i : patches_overlooked_q;
+  // hls/stages/agreement.hpp:795
+  logic and_4578;
+  assign and_4578 = equal_569_s3_q & (equal_4342_s3_q & (cfg_prove_i & moments_out_of_step_q));
+  logic and_4582;
+  assign and_4582 = equal_569_s3_q & (x_s3_q[6] & (not_2454_s3_q | (4'hc < x_s3_q[5:2])));
+  // hls/stages/agreement.hpp:1148
+  logic [31:0] select_4590;
+  assign select_4590 = equal_2102_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4588_s3_q ? registration_sums_rdata_q : 32'h0);
+  logic [31:0] select_4591;
+  assign select_4591 = equal_2100_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4590;
+  logic [31:0] select_4592;
+  assign select_4592 = equal_2098_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4591;
+  logic [31:0] select_4593;
+  assign select_4593 = equal_2096_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4592;
+  logic [31:0] select_4594;
+  assign select_4594 = equal_2094_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4593;
+  logic [31:0] select_4595;
+  assign select_4595 = equal_2092_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4594;
+  logic [31:0] select_4596;
+  assign select_4596 = equal_2090_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4595;
+  logic [31:0] select_4597;
+  assign select_4597 = equal_2088_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4596;
+  // hls/stages/agreement.hpp:1146
+  logic [9:0] select_4598;
+  assign select_4598 = less_3100 ? 10'h0 : regions_rdata_q[29:20];
   // hls/stages/agreement.hpp:1150
-  logic or_4534;
-  assign or_4534 = select_2905 | (select_2917 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:788
-  logic and_4541;
-  assign and_4541 = equal_567_s3_q & (equal_4323_s3_q & (not_4523 & (select_2911 | select_2923)));
-  // hls/stages/agreement.hpp:1150
-  logic and_4546;
-  assign and_4546 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4341 < cfg_hidden_frames_i));
-  logic select_4552;
-  assign select_4552 = (not_2807 | (select_4384 & not_4216)) ? cfg_prove_i : patches_overlooked_q;
-  // hls/stages/agreement.hpp:788
-  logic and_4557;
-  assign and_4557 = equal_567_s3_q & (equal_4323_s3_q & (cfg_prove_i & moments_out_of_step_q));
-  logic and_4561;
-  assign and_4561 = equal_567_s3_q & (x_s3_q[6] & (not_2448_s3_q | (4'hc < x_s3_q[5:2])));
-  // hls/stages/agreement.hpp:1140
-  logic [31:0] select_4569;
-  assign select_4569 = equal_2096_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4567_s3_q ? registration_sums_rdata_q : 32'h0);
-  logic [31:0] select_4570;
-  assign select_4570 = equal_2094_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4569;
-  logic [31:0] select_4571;
-  assign select_4571 = equal_2092_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4570;
-  logic [31:0] select_4572;
-  assign select_4572 = equal_2090_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4571;
-  logic [31:0] select_4573;
-  assign select_4573 = equal_2088_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4572;
-  logic [31:0] select_4574;
-  assign select_4574 = equal_2086_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4573;
-  logic [31:0] select_4575;
-  assign select_4575 = equal_2084_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4574;
-  logic [31:0] select_4576;
-  assign select_4576 = equal_2082_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4575;
-  // hls/stages/agreement.hpp:1138
-  logic [9:0] select_4577;
-  assign select_4577 = less_3081 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:1142
-  logic [31:0] select_4578;
-  assign select_4578 = equal_2074_s3_q ? select_4576 : {2'h0, select_4577, select_3085, select_3082};
+  logic [31:0] select_4599;
+  assign select_4599 = equal_2080_s3_q ? select_4597 : {2'h0, select_4598, select_3104, select_3101};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
   assign fresh_waddr = last_s3_q;
   logic fresh_we;
-  assign fresh_we = s3_en & and_542_s3_q;
+  assign fresh_we = s3_en & and_544_s3_q;
   logic [32:0] fresh_wdata;
-  assign fresh_wdata = {less_739_s3_q, and_738, less_733_s3_q, and_732_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_726, and_702_s3_q, and_701_s3_q, and_676_s3_q, less_668_s3_q, less_667_s3_q, less_666_s3_q, less_665_s3_q, less_664_s3_q, less_663_s3_q, less_662_s3_q, less_661_s3_q, less_660_s3_q, less_659_s3_q, less_658_s3_q, less_657_s3_q, less_656_s3_q, less_655_s3_q, less_654_s3_q, less_653_s3_q, less_652_s3_q, less_651_s3_q, less_650_s3_q, less_649_s3_q, less_648_s3_q, less_647_s3_q, less_646_s3_q, less_645_s3_q};
+  assign fresh_wdata = {less_744_s3_q, and_743, less_738_s3_q, and_737_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_731, and_707_s3_q, and_706_s3_q, and_681_s3_q, less_673_s3_q, less_672_s3_q, less_671_s3_q, less_670_s3_q, less_669_s3_q, less_668_s3_q, less_667_s3_q, less_666_s3_q, less_665_s3_q, less_664_s3_q, less_663_s3_q, less_662_s3_q, less_661_s3_q, less_660_s3_q, less_659_s3_q, less_658_s3_q, less_657_s3_q, less_656_s3_q, less_655_s3_q, less_654_s3_q, less_653_s3_q, less_652_s3_q, less_651_s3_q, less_650_s3_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (fresh_we) fresh_mem[fresh_waddr] <= {^fresh_wdata, fresh_wdata};
   end
@@ -7145,11 +7174,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_2080_s3_q, lower_half_s3_q, registration_of_right_s3_q};
+  assign registration_sums_waddr = {sum_2086_s3_q, lower_half_s3_q, registration_of_right_s3_q};
   logic registration_sums_we;
-  assign registration_sums_we = s3_en & and_2139_s3_q;
+  assign registration_sums_we = s3_en & and_2145_s3_q;
   logic [31:0] registration_sums_wdata;
-  assign registration_sums_wdata = {sum_2138, sum_2134};
+  assign registration_sums_wdata = {sum_2144, sum_2140};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {^registration_sums_wdata, registration_sums_wdata};
   end
@@ -7167,11 +7196,11 @@ module horopter_agreement (
 
   // Memory patches_choices, write
   logic [5:0] patches_choices_waddr;
-  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_2165_s3_q};
+  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_2171_s3_q};
   logic patches_choices_we;
-  assign patches_choices_we = s3_en & and_2242_s3_q;
+  assign patches_choices_we = s3_en & and_2248_s3_q;
   logic [22:0] patches_choices_wdata;
-  assign patches_choices_wdata = {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2214_s3_q};
+  assign patches_choices_wdata = {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_2220_s3_q};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {^patches_choices_wdata, patches_choices_wdata};
   end
@@ -7187,9 +7216,9 @@ module horopter_agreement (
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
-  assign patches_right_0_waddr = {select_2273_s3_q, select_2270};
+  assign patches_right_0_waddr = {select_2279_s3_q, select_2276};
   logic patches_right_0_we;
-  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_2282);
+  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_2288);
   logic [7:0] patches_right_0_wdata;
   assign patches_right_0_wdata = sample_pair_pixel_1_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -7228,9 +7257,9 @@ module horopter_agreement (
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_2273_s3_q, select_2298};
+  assign patches_right_1_waddr = {select_2279_s3_q, select_2304};
   logic patches_right_1_we;
-  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_2301);
+  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_2307);
   logic [7:0] patches_right_1_wdata;
   assign patches_right_1_wdata = sample_pair_pixel_1_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -7269,9 +7298,9 @@ module horopter_agreement (
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_2320, select_2319_s3_q, column_6};
+  assign patches_left_waddr = {select_2326, select_2325_s3_q, column_6};
   logic patches_left_we;
-  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_2326);
+  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_2332);
   logic [7:0] patches_left_wdata;
   assign patches_left_wdata = sample_pair_pixel_0_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
@@ -7314,7 +7343,7 @@ module horopter_agreement (
   logic patches_rows_we;
   assign patches_rows_we = s3_en & patches_summed_last_s3_q;
   logic [14:0] patches_rows_wdata;
-  assign patches_rows_wdata = select_2436;
+  assign patches_rows_wdata = select_2442;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= {^patches_rows_wdata, patches_rows_wdata};
   end
@@ -7345,11 +7374,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s3_q, or_2446_s3_q, or_2443_s3_q, or_2440_s3_q};
+  assign regions_waddr = {region_row_s3_q, or_2452_s3_q, or_2449_s3_q, or_2446_s3_q};
   logic regions_we;
-  assign regions_we = s3_en & and_2480_s3_q;
+  assign regions_we = s3_en & and_2486_s3_q;
   logic [29:0] regions_wdata;
-  assign regions_wdata = {sum_2479, sum_2469, sum_2464};
+  assign regions_wdata = {sum_2485, sum_2475, sum_2470};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (regions_we) regions_mem[regions_waddr] <= {^regions_wdata, regions_wdata};
   end
@@ -7365,11 +7394,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_2520_s3_q, index_2_s3_q};
+  assign map_waddr = {sum_2527_s3_q, index_2_s3_q};
   logic map_we;
-  assign map_we = s3_en & and_2594_s3_q;
+  assign map_we = s3_en & and_2603_s3_q;
   logic [1:0] map_wdata;
-  assign map_wdata = {and_2584, is_seen};
+  assign map_wdata = {and_2592, is_seen};
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (map_we) map_mem[map_waddr] <= {^map_wdata, map_wdata};
   end
@@ -7522,140 +7551,140 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s3_en) begin
-      census_left_misses_q <= select_2746;
-      sharpness_before_last_mask_q <= select_2819;
-      sharpness_sums_detail_0_q <= and_542_s3_q ? select_2833 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_542_s3_q ? select_2845 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_542_s3_q ? sum_2849 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_542_s3_q ? sum_2853 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= drew_q ? select_2871 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= drew_q ? select_2881 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= drew_q ? select_2883 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= drew_q ? select_2885 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= drew_q ? select_2887 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= drew_q ? select_2889 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2894;
-      sharpness_comparing_carry_1_q <= select_2898;
-      sharpness_comparing_less_detail_0_q <= select_2905;
-      sharpness_comparing_less_detail_1_q <= select_2911;
-      sharpness_comparing_less_contrast_0_q <= select_2917;
-      sharpness_comparing_less_contrast_1_q <= select_2923;
-      counts_supervised_q <= select_3039;
-      counts_textured_q <= and_3031_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_3042});
-      counts_explained_q <= and_3031_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_3047});
-      counts_nearer_q <= and_3031_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_3052});
-      counts_unproven_q <= and_3031_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_3078});
-      counts_regions_bad_q <= select_3094;
-      counts_skin_supervised_q <= select_3101;
-      counts_skin_textured_q <= select_3108;
-      counts_skin_unproven_q <= select_3116;
-      counts_on_skin_q <= select_3135;
-      registration_half_across_q <= select_3213;
-      registration_half_measured_q <= select_3218;
-      registration_half_votes_down_q <= and_3191_s3_q ? 7'h0 : sum_3224;
-      registration_half_votes_up_q <= and_3191_s3_q ? 7'h0 : sum_3232;
-      registration_half_half_votes_down_q <= and_3191_s3_q ? 7'h0 : sum_3239;
-      registration_half_half_votes_up_q <= and_3191_s3_q ? 7'h0 : sum_3246;
-      registration_down_q <= and_3280 ? sum_3299 : registration_down_q;
-      registration_up_q <= and_3280 ? sum_3308 : registration_up_q;
-      registration_enough_q <= select_3322;
-      registration_votes_down_q <= and_3327 ? less_3328 : registration_votes_down_q;
-      registration_votes_up_q <= and_3327 ? less_3330 : registration_votes_up_q;
-      registration_other_enough_q <= and_3336 ? select_3322 : registration_other_enough_q;
-      registration_other_down_q <= and_3336 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_3336 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_567_s3_q & and_3343)) & or_3368;
-      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_2261 : patches_place_0_valid_q;
-      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_2264 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_2265 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3452;
-      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_2290 : patches_place_1_valid_q;
-      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_2292 : patches_place_1_column_q;
-      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_2293 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3457;
-      patches_valid_0_q <= select_3462;
-      patches_valid_1_q <= select_3467;
-      patches_right_next_0_q <= select_3470;
-      patches_right_next_1_q <= select_3473;
-      patches_left_next_0_q <= select_3476;
-      patches_left_next_1_q <= select_3479;
-      patches_sums_values_0_q <= select_3903;
-      patches_sums_values_1_q <= equal_2243_s3_q ? patches_sums_values_1_q : select_3904;
-      patches_sums_values_2_q <= equal_2243_s3_q ? patches_sums_values_2_q : select_3906;
-      patches_sums_values_3_q <= equal_2243_s3_q ? patches_sums_values_3_q : select_3908;
-      patches_sums_values_4_q <= equal_2243_s3_q ? patches_sums_values_4_q : select_3910;
-      patches_sums_values_5_q <= equal_2243_s3_q ? patches_sums_values_5_q : select_3912;
-      patches_sums_values_6_q <= equal_2243_s3_q ? patches_sums_values_6_q : select_3914;
-      patches_sums_values_7_q <= equal_2243_s3_q ? patches_sums_values_7_q : select_3916;
-      patches_sums_values_8_q <= equal_2243_s3_q ? patches_sums_values_8_q : select_3918;
-      patches_sums_values_9_q <= equal_2243_s3_q ? patches_sums_values_9_q : select_3920;
-      patches_sums_values_10_q <= equal_2243_s3_q ? patches_sums_values_10_q : select_3922;
-      patches_sums_values_11_q <= equal_2243_s3_q ? patches_sums_values_11_q : select_3924;
-      patches_sums_values_12_q <= equal_2243_s3_q ? patches_sums_values_12_q : select_3926;
-      patches_sums_values_13_q <= equal_2243_s3_q ? patches_sums_values_13_q : select_3928;
-      patches_sums_values_14_q <= equal_2243_s3_q ? patches_sums_values_14_q : select_3930;
-      patches_sums_values_15_q <= equal_2243_s3_q ? patches_sums_values_15_q : select_3932;
-      patches_sums_values_16_q <= equal_2243_s3_q ? patches_sums_values_16_q : select_3934;
-      patches_best_differing_q <= select_2436[9:0];
-      patches_best_column_q <= select_2436[14:10];
-      patches_quarters_0_places_q <= sum_4021;
-      patches_quarters_0_up_q <= sum_4056;
-      patches_quarters_0_down_q <= sum_4061;
-      patches_quarters_1_places_q <= sum_4065;
-      patches_quarters_1_up_q <= sum_4068;
-      patches_quarters_1_down_q <= sum_4071;
-      patches_quarters_2_places_q <= sum_4075;
-      patches_quarters_2_up_q <= sum_4078;
-      patches_quarters_2_down_q <= sum_4081;
-      patches_quarters_3_places_q <= sum_4085;
-      patches_quarters_3_up_q <= sum_4088;
-      patches_quarters_3_down_q <= sum_4091;
+      census_left_misses_q <= select_2755;
+      sharpness_before_last_mask_q <= select_2828;
+      sharpness_sums_detail_0_q <= and_544_s3_q ? select_2842 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_544_s3_q ? select_2854 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_544_s3_q ? sum_2858 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_544_s3_q ? sum_2862 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= so_s3_q ? select_2880 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= so_s3_q ? select_2890 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= so_s3_q ? select_2892 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= so_s3_q ? select_2894 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= so_s3_q ? select_2896 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= so_s3_q ? select_2898 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2903;
+      sharpness_comparing_carry_1_q <= select_2907;
+      sharpness_comparing_less_detail_0_q <= select_2914;
+      sharpness_comparing_less_detail_1_q <= select_2920;
+      sharpness_comparing_less_contrast_0_q <= select_2926;
+      sharpness_comparing_less_contrast_1_q <= select_2932;
+      counts_supervised_q <= select_3058;
+      counts_textured_q <= and_3050_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_3061});
+      counts_explained_q <= and_3050_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_3066});
+      counts_nearer_q <= and_3050_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_3071});
+      counts_unproven_q <= and_3050_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_3097});
+      counts_regions_bad_q <= select_3113;
+      counts_skin_supervised_q <= select_3120;
+      counts_skin_textured_q <= select_3127;
+      counts_skin_unproven_q <= select_3135;
+      counts_on_skin_q <= select_3154;
+      registration_half_across_q <= select_3233;
+      registration_half_measured_q <= select_3238;
+      registration_half_votes_down_q <= and_3211_s3_q ? 7'h0 : sum_3244;
+      registration_half_votes_up_q <= and_3211_s3_q ? 7'h0 : sum_3252;
+      registration_half_half_votes_down_q <= and_3211_s3_q ? 7'h0 : sum_3259;
+      registration_half_half_votes_up_q <= and_3211_s3_q ? 7'h0 : sum_3266;
+      registration_down_q <= and_3299 ? sum_3318 : registration_down_q;
+      registration_up_q <= and_3299 ? sum_3327 : registration_up_q;
+      registration_enough_q <= select_3341;
+      registration_votes_down_q <= and_3346 ? less_3347 : registration_votes_down_q;
+      registration_votes_up_q <= and_3346 ? less_3349 : registration_votes_up_q;
+      registration_other_enough_q <= and_3355 ? select_3341 : registration_other_enough_q;
+      registration_other_down_q <= and_3355 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_3355 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_569_s3_q & and_3362)) & or_3387;
+      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_2267 : patches_place_0_valid_q;
+      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_2270 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_2271 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_3471;
+      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_2296 : patches_place_1_valid_q;
+      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_2298 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_2299 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_3476;
+      patches_valid_0_q <= select_3481;
+      patches_valid_1_q <= select_3486;
+      patches_right_next_0_q <= select_3489;
+      patches_right_next_1_q <= select_3492;
+      patches_left_next_0_q <= select_3495;
+      patches_left_next_1_q <= select_3498;
+      patches_sums_values_0_q <= select_3922;
+      patches_sums_values_1_q <= equal_2249_s3_q ? patches_sums_values_1_q : select_3923;
+      patches_sums_values_2_q <= equal_2249_s3_q ? patches_sums_values_2_q : select_3925;
+      patches_sums_values_3_q <= equal_2249_s3_q ? patches_sums_values_3_q : select_3927;
+      patches_sums_values_4_q <= equal_2249_s3_q ? patches_sums_values_4_q : select_3929;
+      patches_sums_values_5_q <= equal_2249_s3_q ? patches_sums_values_5_q : select_3931;
+      patches_sums_values_6_q <= equal_2249_s3_q ? patches_sums_values_6_q : select_3933;
+      patches_sums_values_7_q <= equal_2249_s3_q ? patches_sums_values_7_q : select_3935;
+      patches_sums_values_8_q <= equal_2249_s3_q ? patches_sums_values_8_q : select_3937;
+      patches_sums_values_9_q <= equal_2249_s3_q ? patches_sums_values_9_q : select_3939;
+      patches_sums_values_10_q <= equal_2249_s3_q ? patches_sums_values_10_q : select_3941;
+      patches_sums_values_11_q <= equal_2249_s3_q ? patches_sums_values_11_q : select_3943;
+      patches_sums_values_12_q <= equal_2249_s3_q ? patches_sums_values_12_q : select_3945;
+      patches_sums_values_13_q <= equal_2249_s3_q ? patches_sums_values_13_q : select_3947;
+      patches_sums_values_14_q <= equal_2249_s3_q ? patches_sums_values_14_q : select_3949;
+      patches_sums_values_15_q <= equal_2249_s3_q ? patches_sums_values_15_q : select_3951;
+      patches_sums_values_16_q <= equal_2249_s3_q ? patches_sums_values_16_q : select_3953;
+      patches_best_differing_q <= select_2442[9:0];
+      patches_best_column_q <= select_2442[14:10];
+      patches_quarters_0_places_q <= sum_4040;
+      patches_quarters_0_up_q <= sum_4075;
+      patches_quarters_0_down_q <= sum_4080;
+      patches_quarters_1_places_q <= sum_4084;
+      patches_quarters_1_up_q <= sum_4087;
+      patches_quarters_1_down_q <= sum_4090;
+      patches_quarters_2_places_q <= sum_4094;
+      patches_quarters_2_up_q <= sum_4097;
+      patches_quarters_2_down_q <= sum_4100;
+      patches_quarters_3_places_q <= sum_4104;
+      patches_quarters_3_up_q <= sum_4107;
+      patches_quarters_3_down_q <= sum_4110;
       patches_on_skin_limit_q <= cfg_on_skin_limit_i;
-      patches_word_places_q <= or_4119;
-      patches_word_up_q <= ((select_4129 | select_4131) | select_4134) | select_4137;
-      patches_word_down_q <= ((select_4140 | select_4142) | select_4145) | select_4148;
-      patches_sum_places_q <= select_4158;
-      patches_sum_up_q <= select_4161;
-      patches_sum_down_q <= select_4164;
-      patches_across_q <= select_4171;
-      patches_places_q <= select_4182;
+      patches_word_places_q <= or_4138;
+      patches_word_up_q <= ((select_4148 | select_4150) | select_4153) | select_4156;
+      patches_word_down_q <= ((select_4159 | select_4161) | select_4164) | select_4167;
+      patches_sum_places_q <= select_4177;
+      patches_sum_up_q <= select_4180;
+      patches_sum_down_q <= select_4183;
+      patches_across_q <= select_4190;
+      patches_places_q <= select_4201;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_4186;
-      patches_partly_q <= or_4189;
-      patches_clear_limit_q <= sum_4190[8:2];
-      patches_complete_q <= select_4192;
+      patches_mostly_q <= or_4205;
+      patches_partly_q <= or_4208;
+      patches_clear_limit_q <= sum_4209[8:2];
+      patches_complete_q <= select_4211;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= and_4175 ? select_4197 : patches_found_q;
-      patches_doubted_q <= select_4204;
-      patches_doubted_before_q <= select_4205;
+      patches_found_q <= and_4194 ? select_4216 : patches_found_q;
+      patches_doubted_q <= select_4223;
+      patches_doubted_before_q <= select_4224;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_4209;
-      patches_on_skin_q <= sum_4214;
-      patches_large_q <= not_4216 & and_4221;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_4226;
-      patches_spoiled_q <= or_4230;
+      patches_round_on_skin_q <= select_4228;
+      patches_on_skin_q <= sum_4233;
+      patches_large_q <= not_4235 & and_4240;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_4245;
+      patches_spoiled_q <= or_4249;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_4237;
+      patches_moved_q <= select_4256;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_4247;
-      segment_textured_q <= select_2461 + {6'h0, and_3042};
-      segment_explained_q <= select_2466 + {6'h0, and_3047};
-      segment_nearer_q <= select_2476 + {6'h0, and_3052};
+      patches_age_q <= select_4266;
+      segment_textured_q <= select_2467 + {6'h0, and_3061};
+      segment_explained_q <= select_2472 + {6'h0, and_3066};
+      segment_nearer_q <= select_2482 + {6'h0, and_3071};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_567_s3_q ? select_4320 : good_q;
-      good_known_q <= select_4325;
-      hidden_for_q <= select_4343;
-      product_q <= equal_567_s3_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_4368;
-      disagree_q <= equal_567_s3_q ? select_4312 : disagree_q;
-      too_much_q <= equal_567_s3_q ? select_4378 : too_much_q;
-      hides_q <= equal_567_s3_q ? select_4338 : hides_q;
-      overlooks_q <= equal_567_s3_q ? select_4384 : overlooks_q;
-      seen_q <= select_4505;
-      nearer_q <= select_4508;
+      good_q <= equal_569_s3_q ? select_4339 : good_q;
+      good_known_q <= select_4344;
+      hidden_for_q <= select_4362;
+      product_q <= equal_569_s3_q ? sum_4[14:1] : product_q;
+      product_rest_q <= select_4387;
+      disagree_q <= equal_569_s3_q ? select_4331 : disagree_q;
+      too_much_q <= equal_569_s3_q ? select_4397 : too_much_q;
+      hides_q <= equal_569_s3_q ? select_4357 : hides_q;
+      overlooks_q <= equal_569_s3_q ? select_4403 : overlooks_q;
+      seen_q <= select_4526;
+      nearer_q <= select_4529;
     end
   end
 
@@ -7707,45 +7736,45 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
       left_pixel_q <= left_pixel_q;
-      averager_quarter_1_0_q <= select_2620;
-      averager_quarter_1_1_q <= select_2622;
-      averager_quarter_2_0_q <= select_2624;
-      averager_quarter_2_1_q <= select_2626;
-      averager_detail_0_q <= select_2638;
-      averager_detail_1_q <= select_2646;
-      census_changes_values_0_left_q <= and_542_s3_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_542_s3_q ? sum_2730 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2732;
-      census_changes_values_1_right_q <= select_2733;
-      census_changes_values_2_left_q <= select_2734;
-      census_changes_values_2_right_q <= select_2735;
-      sharpness_last_mask_q <= and_542_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_542_s3_q ? select_2816[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_542_s3_q ? select_2816[27:14] : sharpness_last_detail_1_q;
-      box_textured_columns_values_0_q <= select_4388;
-      box_textured_columns_values_1_q <= select_4391;
-      box_textured_columns_values_2_q <= select_4394;
-      box_textured_columns_values_3_q <= select_4397;
-      box_textured_columns_values_4_q <= select_4400;
-      box_textured_sum_sums_values_0_q <= equal_567_s3_q ? box_textured_sum_sums_values_0_q : select_4402;
-      box_explained_columns_values_0_q <= select_4406;
-      box_explained_columns_values_1_q <= select_4409;
-      box_explained_columns_values_2_q <= select_4412;
-      box_explained_columns_values_3_q <= select_4415;
-      box_explained_columns_values_4_q <= select_4418;
-      box_explained_sum_sums_values_0_q <= equal_567_s3_q ? box_explained_sum_sums_values_0_q : select_4420;
-      box_shown_columns_values_0_q <= equal_567_s3_q ? box_shown_columns_values_0_q : select_4423;
-      box_shown_columns_values_1_q <= select_4427;
-      box_shown_columns_values_2_q <= select_4430;
-      box_shown_columns_values_3_q <= select_4433;
-      box_shown_columns_values_4_q <= select_4436;
-      box_shown_sum_sums_values_0_q <= equal_567_s3_q ? box_shown_sum_sums_values_0_q : select_4438;
-      box_nearer_columns_values_0_q <= equal_567_s3_q ? box_nearer_columns_values_0_q : select_4441;
-      box_nearer_columns_values_1_q <= select_4445;
-      box_nearer_columns_values_2_q <= select_4448;
-      box_nearer_columns_values_3_q <= select_4451;
-      box_nearer_columns_values_4_q <= select_4454;
-      box_nearer_sum_sums_values_0_q <= equal_567_s3_q ? box_nearer_sum_sums_values_0_q : select_4456;
+      averager_quarter_1_0_q <= select_2629;
+      averager_quarter_1_1_q <= select_2631;
+      averager_quarter_2_0_q <= select_2633;
+      averager_quarter_2_1_q <= select_2635;
+      averager_detail_0_q <= select_2647;
+      averager_detail_1_q <= select_2655;
+      census_changes_values_0_left_q <= and_544_s3_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_544_s3_q ? sum_2739 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2741;
+      census_changes_values_1_right_q <= select_2742;
+      census_changes_values_2_left_q <= select_2743;
+      census_changes_values_2_right_q <= select_2744;
+      sharpness_last_mask_q <= and_544_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
+      sharpness_last_detail_0_q <= and_544_s3_q ? select_2825[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_544_s3_q ? select_2825[27:14] : sharpness_last_detail_1_q;
+      box_textured_columns_values_0_q <= select_4407;
+      box_textured_columns_values_1_q <= select_4410;
+      box_textured_columns_values_2_q <= select_4413;
+      box_textured_columns_values_3_q <= select_4416;
+      box_textured_columns_values_4_q <= select_4419;
+      box_textured_sum_sums_values_0_q <= equal_569_s3_q ? box_textured_sum_sums_values_0_q : select_4421;
+      box_explained_columns_values_0_q <= select_4425;
+      box_explained_columns_values_1_q <= select_4428;
+      box_explained_columns_values_2_q <= select_4431;
+      box_explained_columns_values_3_q <= select_4434;
+      box_explained_columns_values_4_q <= select_4437;
+      box_explained_sum_sums_values_0_q <= equal_569_s3_q ? box_explained_sum_sums_values_0_q : select_4439;
+      box_shown_columns_values_0_q <= equal_569_s3_q ? box_shown_columns_values_0_q : select_4442;
+      box_shown_columns_values_1_q <= select_4446;
+      box_shown_columns_values_2_q <= select_4449;
+      box_shown_columns_values_3_q <= select_4452;
+      box_shown_columns_values_4_q <= select_4455;
+      box_shown_sum_sums_values_0_q <= equal_569_s3_q ? box_shown_sum_sums_values_0_q : select_4457;
+      box_nearer_columns_values_0_q <= equal_569_s3_q ? box_nearer_columns_values_0_q : select_4460;
+      box_nearer_columns_values_1_q <= select_4464;
+      box_nearer_columns_values_2_q <= select_4467;
+      box_nearer_columns_values_3_q <= select_4470;
+      box_nearer_columns_values_4_q <= select_4473;
+      box_nearer_sum_sums_values_0_q <= equal_569_s3_q ? box_nearer_sum_sums_values_0_q : select_4475;
     end
   end
 
@@ -7755,21 +7784,21 @@ module horopter_agreement (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic and_4485_s4_q;
-  logic or_4509_s4_q;
-  logic and_4510_s4_q;
-  logic and_4518_s4_q;
-  logic and_4521_s4_q;
-  logic and_4527_s4_q;
+  logic and_4506_s4_q;
+  logic or_4530_s4_q;
   logic and_4531_s4_q;
-  logic and_4537_s4_q;
-  logic and_4541_s4_q;
-  logic and_4549_s4_q;
-  logic and_4554_s4_q;
-  logic and_4557_s4_q;
-  logic and_4561_s4_q;
-  logic [5:0] select_4563_s4_q;
-  logic [31:0] select_4580_s4_q;
+  logic and_4539_s4_q;
+  logic and_4542_s4_q;
+  logic and_4548_s4_q;
+  logic and_4552_s4_q;
+  logic and_4558_s4_q;
+  logic and_4562_s4_q;
+  logic and_4570_s4_q;
+  logic and_4575_s4_q;
+  logic and_4578_s4_q;
+  logic and_4582_s4_q;
+  logic [5:0] select_4584_s4_q;
+  logic [31:0] select_4601_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_0_q;
@@ -7777,22 +7806,22 @@ module horopter_agreement (
       saturated_s4_q <= saturated_s3_q;
       mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
-      marks_last_s4_q <= line_ended_q;
-      and_4485_s4_q <= said_q;
-      or_4509_s4_q <= not_2807 | select_4505;
-      and_4510_s4_q <= cfg_prove_i & select_4508;
-      and_4518_s4_q <= equal_567_s3_q & (equal_4323_s3_q & (cfg_prove_i & or_4515));
-      and_4521_s4_q <= equal_567_s3_q & (equal_4323_s3_q & (cfg_prove_i & or_4304));
-      and_4527_s4_q <= and_4527;
-      and_4531_s4_q <= equal_567_s3_q & and_4530;
-      and_4537_s4_q <= equal_567_s3_q & (equal_4323_s3_q & (not_4523 & or_4534));
-      and_4541_s4_q <= and_4541;
-      and_4549_s4_q <= equal_567_s3_q & (equal_4323_s3_q & (cfg_prove_i & and_4546));
-      and_4554_s4_q <= equal_567_s3_q & (equal_4323_s3_q & select_4552);
-      and_4557_s4_q <= and_4557;
-      and_4561_s4_q <= and_4561;
-      select_4563_s4_q <= equal_567_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
-      select_4580_s4_q <= equal_567_s3_q ? (x_s3_q[6] ? select_4578 : 32'h0) : 32'h0;
+      marks_last_s4_q <= marks_last_s3_q;
+      and_4506_s4_q <= and_4506_s3_q;
+      or_4530_s4_q <= not_2816 | select_4526;
+      and_4531_s4_q <= cfg_prove_i & select_4529;
+      and_4539_s4_q <= equal_569_s3_q & (equal_4342_s3_q & (cfg_prove_i & or_4536));
+      and_4542_s4_q <= equal_569_s3_q & (equal_4342_s3_q & (cfg_prove_i & or_4323));
+      and_4548_s4_q <= and_4548;
+      and_4552_s4_q <= equal_569_s3_q & and_4551;
+      and_4558_s4_q <= equal_569_s3_q & (equal_4342_s3_q & (not_4544 & or_4555));
+      and_4562_s4_q <= and_4562;
+      and_4570_s4_q <= equal_569_s3_q & (equal_4342_s3_q & (cfg_prove_i & and_4567));
+      and_4575_s4_q <= equal_569_s3_q & (equal_4342_s3_q & select_4573);
+      and_4578_s4_q <= and_4578;
+      and_4582_s4_q <= and_4582;
+      select_4584_s4_q <= equal_569_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
+      select_4601_s4_q <= equal_569_s3_q ? (x_s3_q[6] ? select_4599 : 32'h0) : 32'h0;
     end
   end
 
@@ -7806,21 +7835,21 @@ module horopter_agreement (
   assign mask_o = mask_s4_q;
   assign marks_first_o = marks_first_s4_q;
   assign marks_last_o = marks_last_s4_q;
-  assign marks_seen_o = or_4509_s4_q;
-  assign marks_nearer_o = and_4510_s4_q;
-  assign verdict_valid_o = and_4485_s4_q;
-  assign verdict_unproven_yet_o = and_4518_s4_q;
-  assign verdict_untextured_o = and_4521_s4_q;
-  assign verdict_disagree_o = and_4527_s4_q;
-  assign verdict_moved_o = and_4531_s4_q;
-  assign verdict_unsharp_left_o = and_4537_s4_q;
-  assign verdict_unsharp_right_o = and_4541_s4_q;
-  assign verdict_hidden_o = and_4549_s4_q;
-  assign verdict_overlooked_o = and_4554_s4_q;
-  assign verdict_out_of_step_o = and_4557_s4_q;
-  assign frame_valid_o = and_4561_s4_q;
-  assign frame_index_o = select_4563_s4_q;
-  assign frame_word_o = select_4580_s4_q;
+  assign marks_seen_o = or_4530_s4_q;
+  assign marks_nearer_o = and_4531_s4_q;
+  assign verdict_valid_o = and_4506_s4_q;
+  assign verdict_unproven_yet_o = and_4539_s4_q;
+  assign verdict_untextured_o = and_4542_s4_q;
+  assign verdict_disagree_o = and_4548_s4_q;
+  assign verdict_moved_o = and_4552_s4_q;
+  assign verdict_unsharp_left_o = and_4558_s4_q;
+  assign verdict_unsharp_right_o = and_4562_s4_q;
+  assign verdict_hidden_o = and_4570_s4_q;
+  assign verdict_overlooked_o = and_4575_s4_q;
+  assign verdict_out_of_step_o = and_4578_s4_q;
+  assign frame_valid_o = and_4582_s4_q;
+  assign frame_index_o = select_4584_s4_q;
+  assign frame_word_o = select_4601_s4_q;
   assign valid_o = valid_s4_q;
 
   always_ff @(posedge clk_i) begin
@@ -7839,6 +7868,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_4219[4:0], sum_4190[1:0], sum_4150[1:0], product_4051[4:0], sum_3181[0], difference_3122[1:0], detail_4[1:0], detail_3[1:0], sum_2740[4:0], sum_2181[0], sum_2177[0], sum_724[4:0], cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], product_4238[4:0], sum_4209[1:0], sum_4169[1:0], product_4070[4:0], sum_3201[0], difference_3141[1:0], detail_4[1:0], detail_3[1:0], sum_2749[4:0], sum_2187[0], sum_2183[0], sum_729[4:0], cfg_width_i[2:0]};
 
 endmodule

@@ -109,9 +109,10 @@ class NativeDevice : public Device {
   bool good_before_ = false;  // the last one was
   bool taught_ = false;       // register STATUS
   bool taught_before_ = false;
-  unsigned taught_frames_ = 0;  // register TAUGHT
-  bool forget_ = false;         // the last frame taught, but not what is true
-  bool dim_ = false;            // it was looked at as half of the light would show it
+  unsigned taught_frames_ = 0;     // register TAUGHT
+  bool forget_ = false;            // the last frame taught, but not what is true
+  bool alarm_discounted_ = false;  // it showed an alarm, and is safe
+  bool dim_ = false;               // it was looked at as half of the light would show it
   // The interlock, as rtl/store/horopter_interlock.sv; without a pin.
   bool restarted_ = false;
   unsigned good_frames_ = 0;
