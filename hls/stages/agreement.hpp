@@ -10,7 +10,8 @@
 // over 7×3 cells. A textured cell is *explained* where its best shift fits well, and the right cell chooses it back (±1).
 // Shift 0 is the skin; which side of it is nearer to the cameras, and which shifts mean a place in front of both, come
 // with the skin (Config). Where a row of cells lasts long enough, two beats share the sums that five displacements across
-// need. A row is done before the next one is complete, the last one before the next frame.
+// need. A row is done before the next one is complete, the last one before the next frame. The two rows above the lowest three
+// are compared with the first rows of the next frame; of the map they belong to their own, of the counts to that one.
 //
 // Of a frame it says (Verdict, once, in the rows behind the frame): how much is textured, explained, nearer than the skin;
 // whether too little is explained in all (disagree), in too many regions of 8×6, or around too many cells, of all or of

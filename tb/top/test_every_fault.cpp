@@ -188,7 +188,8 @@ class SceneBench final : public Bench<Build> {
   explicit SceneBench(const hls::Profile& profile)
       : SceneBench{profile, {28 * wide(profile), 13 * tall(profile), kLookahead, false, 8 * kTimeout}} {}
 
-  FramePair scene() override { return {view(0, 0), view(2, 0)}; }
+  FramePair scene() override { return {view(0, 0), view(on_skin ? 0 : 2, 0)}; }
+  bool on_skin = false;
   [[nodiscard]] unsigned cell_px() const { return wide_; }
   /// The scene displaced by so many cells.
   Image view(int across, int down) {
@@ -456,6 +457,36 @@ std::set<std::string> faults_of_scenes() {
     flip_overlooked();
     bench.send_scene();
   });
+  // A frame with an alarm has said it; one whose alarm does not count has not.
+  bench.on_skin = true;
+  machine.settings().on_skin_cells = 255;
+  const int never = machine.settings().alarm_limit;
+  for (const std::uint32_t needed : {1U, 2U}) {
+    machine.alarm_frames = reg::alarm_frames::kNeeded.put(needed) | reg::alarm_frames::kOf.put(3);
+    machine.write(reg::control::kAddress, 0);
+    machine.configure();
+    machine.write_limits();
+    const auto after_alarm = [&] {
+      machine.settings().alarm_limit = 5;
+      machine.write_limits();
+      bench.send_scene();
+      const Published p = machine.receive();
+      CHECK(reg::frame_status::kSeen.get(p.status) == 1);
+      CHECK(p.alarm() == (needed == 1));
+      machine.settings().alarm_limit = never;
+      machine.write_limits();
+      flip_overlooked();
+      bench.send_scene();
+    };
+    if (needed == 2) {
+      bench.raise("overlooked", after_alarm);
+    } else {
+      bench.restart();
+      bench.until_safe();
+      after_alarm();
+      CHECK_FALSE(machine.receive().fault_names().contains("overlooked"));
+    }
+  }
   return bench.raised;
 }
 

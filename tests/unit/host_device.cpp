@@ -477,7 +477,7 @@ TEST_CASE("An alarm that does not count hides nothing that is overlooked") {
   settings.alarm_percent = 40;
   settings.alarm_frames = {needed, 3};
   settings.undecidable_percent = 100;
-  settings.still_limit = settings.frozen_limit = 0;
+  settings.blind_share = settings.still_limit = settings.frozen_limit = 0;
   Supervisor supervisor(make_native_device(profile), profile, compile_maps(skin, profile, kW, kH), settings);
   Faults faults;
   int seen = 0;
