@@ -11,7 +11,7 @@
 // Shift 0 is the skin; which side of it is nearer to the cameras, and which shifts mean a place in front of both, come
 // with the skin (Config). Where a row of cells lasts long enough, two beats share the sums that five displacements across
 // need. A row is done before the next one is complete, the last one before the next frame. The two rows above the lowest three
-// are compared with the first rows of the next frame; of the map they belong to their own, of the counts to that one.
+// are compared with the first rows of the next frame, for the map of their own; they count nowhere.
 //
 // Of a frame it says (Verdict, once, in the rows behind the frame): how much is textured, explained, nearer than the skin;
 // whether too little is explained in all (disagree), in too many regions of 8×6, or around too many cells, of all or of
@@ -493,14 +493,16 @@ class Agreement {
 #endif
     if (row == 0) {
       new_frame_ = true;
-      region_row_ = 0;
       region_down_.begin(count, u<2>(0));
       region_fresh_ = true;
-    } else if (row > lag - 2) {  // the region of the row that is compared
+    }
+    if (row > lag - 2) {  // the region of the row that is compared
       const bool next = region_down_.at_end();
       region_fresh_ = next;
       if (next) region_row_ = early_region_row_;
       region_down_.take();
+    } else if (!draws_late_) {  // the last region that was judged is theirs, too
+      region_row_ = 0;
     }
   }
 
@@ -1040,13 +1042,14 @@ class Agreement {
 
   /// What is nearer is counted where there is a skin; around it, nearer than what it is compared with means nothing.
   void count(const Looked& looked) {
+    if (late_) return;
     change_.supervised = u<1>(looked.supervised);
     change_.textured = u<1>(looked.textured);
     change_.explained = u<1>(looked.explained);
     change_.nearer = u<1>(looked.nearer && looked.of_skin);
     change_.on_skin = u<1>(looked.on_skin);
     change_.skin_supervised = u<1>(looked.supervised && looked.of_skin);
-    const bool both_strong = looked.explained && !late_ && looked.left_turn.strong && looked.right_turn.strong;
+    const bool both_strong = looked.explained && looked.left_turn.strong && looked.right_turn.strong;
     change_.turned_left = u<1>(both_strong && looked.left_turn.turned);
     change_.turned_right = u<1>(both_strong && looked.right_turn.turned);
   }
@@ -1106,12 +1109,12 @@ class Agreement {
     const Centre centre = centres_.tap(1);
     centres_.push({inside && column.above[1].textured, column.above[1].of_skin});
     const bool few = t < 2;
-    const u<3> region_row = draws_late_ ? u<3>(region_rows - 1) : region_row_;
-    const bool region_seen = good_known_ && good_.bit(static_cast<int>(cat(region_row, region_column()).value()));
+    const bool region_seen = good_known_ && good_.bit(static_cast<int>(cat(region_row_, region_column()).value()));
     const bool is_proven = few ? region_seen : u<7>(e + shl<1>(e)) >= t;
     const bool is_seen = few ? region_seen : u<7>(around + shl<1>(around)) >= t;
     const bool is_nearer = shl<1>(n) > around;
-    if (x_ >= 2 && centre.textured) {
+    const bool counts = late_ || !draws_late_;  // what is in the middle was counted, too
+    if (x_ >= 2 && counts && centre.textured) {
       change_.unproven = u<1>(!is_proven);
       change_.skin_textured = u<1>(centre.of_skin);
       change_.skin_unproven = u<1>(centre.of_skin && !is_proven);

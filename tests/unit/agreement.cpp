@@ -133,6 +133,39 @@ TEST_CASE("what is seen of the lowest rows is what both cameras see there") {
   CHECK(mean_seen(false) > 0.8);
 }
 
+TEST_CASE("where the lowest rows have nothing to tell by, the region above them decides") {
+  Small::Config config = defaults(320, 240);
+  config.compete = GENERATE(0, 1);
+  const bool covers = GENERATE(false, true);
+  CAPTURE(config.compete, covers);
+  config.regions_limit = 255;  // what is looked at is no fault of the frame
+  const Picture world = scene(320, 240, 1);
+  const Picture other = scene(320, 240, 9);
+  Picture left = seen(world, shifted(0, 0), 2);
+  Picture right = seen(world, shifted(-20, 0), 3);
+  constexpr int kCovered = 144, kFine = 176;  // rows, from there on
+  if (covers) std::copy(other.grey.begin() + kCovered * 320, other.grey.end(), right.grey.begin() + kCovered * 320);
+  std::mt19937 random(4);
+  for (Picture* picture : {&left, &right}) {
+    for (int y = kFine; y < 240; y += 8) {
+      for (int x = 0; x < 320; x += 8) {
+        const double mean = 100 + static_cast<double>(random() % 5) / 2;
+        for (int i = 0; i < 64; ++i) {
+          picture->grey[static_cast<std::size_t>((y + i / 8) * 320 + x + i % 8)] =
+              mean + ((i / 8 + i) % 2 == 0 ? 6 : -6);
+        }
+      }
+    }
+  }
+  const Answer answer = last_of(3, config, left, right);
+  CHECK_FALSE(answer.verdict.disagree);
+  const std::size_t end = config.compete != 0 ? 240 - 12 : 240 - 9;
+  const double seen_there = std::accumulate(answer.seen_of_row.begin() + static_cast<std::ptrdiff_t>(end) - 12,
+                                            answer.seen_of_row.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
+                            12;
+  CHECK((seen_there > 0.5) != covers);
+}
+
 TEST_CASE("too little in all, in too many regions, or around too many places: each says that the cameras disagree") {
   const Picture world = scene(320, 240, 1);
   const Picture left = seen(world, shifted(0, 0), 2);

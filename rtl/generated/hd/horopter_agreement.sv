@@ -3,7 +3,7 @@
 //
 // Latency 24 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 3133 bits, pipeline 8694 bits, memories 157167 bits.
+// State 3133 bits, pipeline 8699 bits, memories 157167 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -93,22 +93,22 @@ module horopter_agreement (
   assign s23_en = en_i & valid_s23_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2356;
-  assign not_2356 = ~cfg_prove_i;
-  logic [6:0] sum_2569;
-  assign sum_2569 = {1'b0, cfg_height_i[10:5]} + 7'h5;
-  logic less_2574;
-  assign less_2574 = 7'h8 < cfg_height_i[10:4];
-  logic [6:0] difference_3602;
-  assign difference_3602 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_3795;
-  assign not_3795 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [7:0] difference_3853;
-  assign difference_3853 = 8'h0 - {1'b0, cfg_height_i[10:4]};
-  logic [5:0] sum_4072;
-  assign sum_4072 = {1'b0, cfg_height_i[10:6]} + 6'h3f;
-  logic [7:0] select_4073;
-  assign select_4073 = (7'h4 < cfg_height_i[10:4]) ? {sum_4072, cfg_height_i[5:4]} : 8'h0;
+  logic not_2360;
+  assign not_2360 = ~cfg_prove_i;
+  logic [6:0] sum_2573;
+  assign sum_2573 = {1'b0, cfg_height_i[10:5]} + 7'h5;
+  logic less_2578;
+  assign less_2578 = 7'h8 < cfg_height_i[10:4];
+  logic [6:0] difference_3612;
+  assign difference_3612 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_3805;
+  assign not_3805 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [7:0] difference_3842;
+  assign difference_3842 = 8'h0 - {1'b0, cfg_height_i[10:4]};
+  logic [5:0] sum_4083;
+  assign sum_4083 = {1'b0, cfg_height_i[10:6]} + 6'h3f;
+  logic [7:0] select_4084;
+  assign select_4084 = (7'h4 < cfg_height_i[10:4]) ? {sum_4083, cfg_height_i[5:4]} : 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic sample_pair_first_q;
@@ -134,11 +134,11 @@ module horopter_agreement (
   // hls/stages/census.hpp:42
   logic [3:0] select_530;
   assign select_530 = sample_pair_first_q ? 4'h0 : raster_at_y_q;
-  // hls/stages/agreement.hpp:276
-  logic [3:0] select_2146;
-  assign select_2146 = sample_pair_whole_q ? (sample_last_q ? 4'h0 : (select_511 + 4'h1)) : raster_at_x_q;
-  logic [3:0] select_2149;
-  assign select_2149 = sample_pair_whole_q ? (sample_last_q ? (select_530 + 4'h1) : select_530) : raster_at_y_q;
+  // hls/stages/agreement.hpp:277
+  logic [3:0] select_2150;
+  assign select_2150 = sample_pair_whole_q ? (sample_last_q ? 4'h0 : (select_511 + 4'h1)) : raster_at_x_q;
+  logic [3:0] select_2153;
+  assign select_2153 = sample_pair_whole_q ? (sample_last_q ? (select_530 + 4'h1) : select_530) : raster_at_y_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -155,8 +155,8 @@ module horopter_agreement (
       sample_pair_whole_q <= 1'b1;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= select_2146;
-      raster_at_y_q <= select_2149;
+      raster_at_x_q <= select_2150;
+      raster_at_y_q <= select_2153;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
       averager_place_q <= sample_pair_whole_q ? select_516 : averager_place_q;
     end
@@ -210,13 +210,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:42
   logic or_522;
   assign or_522 = sample_pair_first_s1_q | raster_at_live_q;
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:423
   logic and_525;
   assign and_525 = select_521 & (or_522 & (select_511_s1_q[1:0] == 2'h3));
   // hls/stages/census.hpp:42
   logic [6:0] select_546;
   assign select_546 = sample_pair_first_s1_q ? 7'h0 : raster_at_column_q;
-  // hls/stages/agreement.hpp:276
+  // hls/stages/agreement.hpp:277
   logic [6:0] last;
   assign last = sample_pair_whole_s1_q ? select_546 : 7'h0;
   // hls/stages/census.hpp:53
@@ -228,23 +228,23 @@ module horopter_agreement (
   // hls/stages/census.hpp:42
   logic [6:0] select_683;
   assign select_683 = sample_pair_first_s1_q ? 7'h0 : raster_at_row_q;
-  // hls/stages/agreement.hpp:276
+  // hls/stages/agreement.hpp:277
   logic [6:0] row;
   assign row = sample_pair_whole_s1_q ? select_683 : 7'h0;
-  logic [6:0] select_2152;
-  assign select_2152 = sample_pair_whole_s1_q ? (sample_last_s1_q ? 7'h0 : (select_546 + {6'h0, equal_548})) : raster_at_column_q;
+  logic [6:0] select_2156;
+  assign select_2156 = sample_pair_whole_s1_q ? (sample_last_s1_q ? 7'h0 : (select_546 + {6'h0, equal_548})) : raster_at_column_q;
   // hls/stages/census.hpp:62
-  logic [6:0] select_2154;
-  assign select_2154 = sample_last_s1_q ? (select_683 + {6'h0, equal_549_s1_q}) : select_683;
-  // hls/stages/agreement.hpp:276
-  logic select_2159;
-  assign select_2159 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_522 & (~raster_final_row_q)) : or_522) : raster_at_live_q;
+  logic [6:0] select_2158;
+  assign select_2158 = sample_last_s1_q ? (select_683 + {6'h0, equal_549_s1_q}) : select_683;
+  // hls/stages/agreement.hpp:277
+  logic select_2163;
+  assign select_2163 = sample_pair_whole_s1_q ? (sample_last_s1_q ? (or_522 & (~raster_final_row_q)) : or_522) : raster_at_live_q;
   // hls/stages/census.hpp:52
-  logic [10:0] select_2161;
-  assign select_2161 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
-  // hls/stages/agreement.hpp:276
-  logic select_2165;
-  assign select_2165 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
+  logic [10:0] select_2165;
+  assign select_2165 = sample_pair_first_s1_q ? cfg_height_i : (raster_rows_left_q - {10'h0, sample_last_s1_q});
+  // hls/stages/agreement.hpp:277
+  logic select_2169;
+  assign select_2169 = sample_pair_whole_s1_q ? (raster_rows_left_q == 11'h1) : raster_final_row_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -255,11 +255,11 @@ module horopter_agreement (
       raster_final_row_q <= 1'b0;
       averager_inside_q <= 1'b1;
     end else if (s1_en) begin
-      raster_at_column_q <= select_2152;
-      raster_at_row_q <= sample_pair_whole_s1_q ? select_2154 : raster_at_row_q;
-      raster_at_live_q <= select_2159;
-      raster_rows_left_q <= sample_pair_whole_s1_q ? select_2161 : raster_rows_left_q;
-      raster_final_row_q <= select_2165;
+      raster_at_column_q <= select_2156;
+      raster_at_row_q <= sample_pair_whole_s1_q ? select_2158 : raster_at_row_q;
+      raster_at_live_q <= select_2163;
+      raster_rows_left_q <= sample_pair_whole_s1_q ? select_2165 : raster_rows_left_q;
+      raster_final_row_q <= select_2169;
       averager_inside_q <= sample_pair_whole_s1_q ? select_521 : averager_inside_q;
     end
   end
@@ -286,7 +286,7 @@ module horopter_agreement (
   logic [6:0] select_683_s2_q;
   logic [6:0] row_s2_q;
   logic equal_1685_s2_q;
-  logic [7:0] sum_2474_s2_q;
+  logic [7:0] sum_2478_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -311,20 +311,20 @@ module horopter_agreement (
       select_683_s2_q <= select_683;
       row_s2_q <= row;
       equal_1685_s2_q <= {or_522, select_530_s1_q} == 5'h18;
-      sum_2474_s2_q <= {1'b0, last} + 8'h1;
+      sum_2478_s2_q <= {1'b0, last} + 8'h1;
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:463
-  logic equal_2475;
-  assign equal_2475 = {sum_2474_s2_q[7], cfg_width_i[10:4]} == {1'b0, sum_2474_s2_q[6:0]};
-  // hls/stages/agreement.hpp:483
-  logic [7:0] sum_2565;
-  assign sum_2565 = {1'b0, row_s2_q} + 8'h1;
+  // hls/stages/agreement.hpp:464
+  logic equal_2479;
+  assign equal_2479 = {sum_2478_s2_q[7], cfg_width_i[10:4]} == {1'b0, sum_2478_s2_q[6:0]};
+  // hls/stages/agreement.hpp:484
+  logic [7:0] sum_2569;
+  assign sum_2569 = {1'b0, row_s2_q} + 8'h1;
   // hls/stages/patches.hpp:375
-  logic [7:0] sum_3016;
-  assign sum_3016 = {1'b0, select_683_s2_q} + 8'h1;
+  logic [7:0] sum_3026;
+  assign sum_3026 = {1'b0, select_683_s2_q} + 8'h1;
 
   logic [7:0] pixel_0_s3_q;
   logic [7:0] pixel_1_s3_q;
@@ -347,10 +347,10 @@ module horopter_agreement (
   logic and_552_s3_q;
   logic [6:0] row_s3_q;
   logic equal_1685_s3_q;
-  logic equal_2475_s3_q;
-  logic and_2476_s3_q;
-  logic equal_2566_s3_q;
-  logic not_3018_s3_q;
+  logic equal_2479_s3_q;
+  logic and_2480_s3_q;
+  logic equal_2570_s3_q;
+  logic not_3028_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s3_q <= pixel_0_s2_q;
@@ -374,10 +374,10 @@ module horopter_agreement (
       and_552_s3_q <= and_552_s2_q;
       row_s3_q <= row_s2_q;
       equal_1685_s3_q <= equal_1685_s2_q;
-      equal_2475_s3_q <= equal_2475;
-      and_2476_s3_q <= and_552_s2_q & equal_2475;
-      equal_2566_s3_q <= {sum_2565[7], cfg_height_i[10:4]} == {1'b0, sum_2565[6:0]};
-      not_3018_s3_q <= ~({sum_3016, select_530_s2_q, 1'b0} < {2'h0, cfg_height_i});
+      equal_2479_s3_q <= equal_2479;
+      and_2480_s3_q <= and_552_s2_q & equal_2479;
+      equal_2570_s3_q <= {sum_2569[7], cfg_height_i[10:4]} == {1'b0, sum_2569[6:0]};
+      not_3028_s3_q <= ~({sum_3026, select_530_s2_q, 1'b0} < {2'h0, cfg_height_i});
     end
   end
 
@@ -407,117 +407,117 @@ module horopter_agreement (
   logic final_row_q;
   logic shift_first_q;
   logic [3:0] patches_phase_q;
-  // hls/stages/agreement.hpp:196
+  // hls/stages/agreement.hpp:197
   logic so;
   assign so = run_phase_q == 3'h6;
-  // hls/stages/agreement.hpp:630
+  // hls/stages/agreement.hpp:633
   logic equal_581;
   assign equal_581 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:621
+  // hls/stages/agreement.hpp:624
   logic equal_596;
   assign equal_596 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:622
+  // hls/stages/agreement.hpp:625
   logic equal_597;
   assign equal_597 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:530
-  logic select_2479;
-  assign select_2479 = (and_2476_s3_q | (~ends_cell_q)) ? and_2476_s3_q : ends_q;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:533
+  logic select_2483;
+  assign select_2483 = (and_2480_s3_q | (~ends_cell_q)) ? and_2480_s3_q : ends_q;
+  // hls/stages/agreement.hpp:539
   logic [2:0] now;
-  assign now = select_2479 ? (and_2476_s3_q ? 3'h1 : following_phase_q) : run_phase_q;
-  // hls/stages/agreement.hpp:541
-  logic [5:0] select_2483;
-  assign select_2483 = select_2479 ? (and_2476_s3_q ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2486;
-  assign select_2486 = select_2479 ? (following_last_shift_q & (~and_2476_s3_q)) : run_last_shift_q;
-  // hls/stages/agreement.hpp:542
-  logic [7:0] select_2488;
-  assign select_2488 = select_2479 ? (and_2476_s3_q ? 8'h0 : following_span_q) : run_span_q;
-  // hls/stages/agreement.hpp:614
-  logic and_2489;
-  assign and_2489 = run_last_shift_q & equal_596;
-  // hls/stages/agreement.hpp:623
-  logic select_2491;
-  assign select_2491 = equal_596 ? (~run_last_shift_q) : equal_597;
-  // hls/stages/agreement.hpp:627
-  logic equal_2492;
-  assign equal_2492 = run_phase_q == 3'h1;
-  logic not_2495;
-  assign not_2495 = ~select_2491;
+  assign now = select_2483 ? (and_2480_s3_q ? 3'h1 : following_phase_q) : run_phase_q;
+  // hls/stages/agreement.hpp:544
+  logic [5:0] select_2487;
+  assign select_2487 = select_2483 ? (and_2480_s3_q ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2490;
+  assign select_2490 = select_2483 ? (following_last_shift_q & (~and_2480_s3_q)) : run_last_shift_q;
+  // hls/stages/agreement.hpp:545
+  logic [7:0] select_2492;
+  assign select_2492 = select_2483 ? (and_2480_s3_q ? 8'h0 : following_span_q) : run_span_q;
+  // hls/stages/agreement.hpp:617
+  logic and_2493;
+  assign and_2493 = run_last_shift_q & equal_596;
+  // hls/stages/agreement.hpp:626
+  logic select_2495;
+  assign select_2495 = equal_596 ? (~run_last_shift_q) : equal_597;
   // hls/stages/agreement.hpp:630
-  logic equal_2497;
-  assign equal_2497 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:614
-  logic and_2498;
-  assign and_2498 = final_row_q & so;
-  // hls/stages/agreement.hpp:627
-  logic [1:0] select_2499;
-  assign select_2499 = equal_2497 ? 2'h1 : {2{and_2498}};
-  logic [2:0] select_2501;
-  assign select_2501 = (and_2489 | (select_2491 | equal_2492)) ? (equal_2492 ? 3'h2 : {not_2495, {2{select_2491}}}) : (equal_581 ? 3'h6 : {select_2499[0], select_2499});
-  // hls/stages/agreement.hpp:614
-  logic and_2504;
-  assign and_2504 = select_2491 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
-  // hls/stages/agreement.hpp:637
+  logic equal_2496;
+  assign equal_2496 = run_phase_q == 3'h1;
+  logic not_2499;
+  assign not_2499 = ~select_2495;
+  // hls/stages/agreement.hpp:633
+  logic equal_2501;
+  assign equal_2501 = run_phase_q == 3'h4;
+  // hls/stages/agreement.hpp:617
+  logic and_2502;
+  assign and_2502 = final_row_q & so;
+  // hls/stages/agreement.hpp:630
+  logic [1:0] select_2503;
+  assign select_2503 = equal_2501 ? 2'h1 : {2{and_2502}};
+  logic [2:0] select_2505;
+  assign select_2505 = (and_2493 | (select_2495 | equal_2496)) ? (equal_2496 ? 3'h2 : {not_2499, {2{select_2495}}}) : (equal_581 ? 3'h6 : {select_2503[0], select_2503});
+  // hls/stages/agreement.hpp:617
+  logic and_2508;
+  assign and_2508 = select_2495 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
+  // hls/stages/agreement.hpp:640
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2507;
-  assign select_2507 = (plan_shift_q[5] & select_2491) ? value : 7'h0;
-  logic [1:0] or_2508;
-  assign or_2508 = {2{so}} | select_2507[5:4];
-  // hls/stages/agreement.hpp:640
-  logic [7:0] or_2512;
-  assign or_2512 = (select_2491 ? plan_columns_q : 8'h0) | ((equal_2492 | equal_2497) ? whole_q : 8'h0);
-  logic [1:0] or_2513;
-  assign or_2513 = {2{and_2489}} | or_2512[4:3];
-  // hls/stages/agreement.hpp:641
-  logic [7:0] or_2515;
-  assign or_2515 = {or_2512[7:5], or_2513, or_2512[2:0]} | (equal_581 ? drawn_q : 8'h0);
-  logic [4:0] or_2516;
-  assign or_2516 = {5{so}} | {or_2515[6], or_2515[3:0]};
-  // hls/stages/agreement.hpp:647
-  logic not_2520;
-  assign not_2520 = ~run_shift_q[5];
-  logic [7:0] select_2523;
-  assign select_2523 = equal_596 ? ({{7{not_2520}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
-  // hls/stages/agreement.hpp:530
-  logic [6:0] select_2527;
-  assign select_2527 = and_2476_s3_q ? 7'h0 : following_lowest_q;
+  logic [6:0] select_2511;
+  assign select_2511 = (plan_shift_q[5] & select_2495) ? value : 7'h0;
+  logic [1:0] or_2512;
+  assign or_2512 = {2{so}} | select_2511[5:4];
+  // hls/stages/agreement.hpp:643
+  logic [7:0] or_2516;
+  assign or_2516 = (select_2495 ? plan_columns_q : 8'h0) | ((equal_2496 | equal_2501) ? whole_q : 8'h0);
+  logic [1:0] or_2517;
+  assign or_2517 = {2{and_2493}} | or_2516[4:3];
+  // hls/stages/agreement.hpp:644
+  logic [7:0] or_2519;
+  assign or_2519 = {or_2516[7:5], or_2517, or_2516[2:0]} | (equal_581 ? drawn_q : 8'h0);
+  logic [4:0] or_2520;
+  assign or_2520 = {5{so}} | {or_2519[6], or_2519[3:0]};
+  // hls/stages/agreement.hpp:650
+  logic not_2524;
+  assign not_2524 = ~run_shift_q[5];
+  logic [7:0] select_2527;
+  assign select_2527 = equal_596 ? ({{7{not_2524}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
   // hls/stages/agreement.hpp:533
-  logic [7:0] select_2529;
-  assign select_2529 = select_2479 ? {select_2527[6], select_2527} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2532;
-  assign select_2532 = select_2479 ? (and_2476_s3_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:464
-  logic [6:0] select_2539;
-  assign select_2539 = equal_2475_s3_q ? ((6'he < last_s3_q[6:1]) ? 7'h1d : last_s3_q) : least_q;
-  // hls/stages/agreement.hpp:480
-  logic [4:0] sum_2541;
-  assign sum_2541 = {1'b0, last_s3_q[6:3]} + 5'h3;
-  // hls/stages/agreement.hpp:527
-  logic [7:0] select_2543;
-  assign select_2543 = and_552_s3_q ? (equal_2475_s3_q ? {sum_2541, last_s3_q[2:0]} : whole_q) : whole_q;
+  logic [6:0] select_2531;
+  assign select_2531 = and_2480_s3_q ? 7'h0 : following_lowest_q;
+  // hls/stages/agreement.hpp:536
+  logic [7:0] select_2533;
+  assign select_2533 = select_2483 ? {select_2531[6], select_2531} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2536;
+  assign select_2536 = select_2483 ? (and_2480_s3_q ? 8'h18 : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  // hls/stages/agreement.hpp:465
+  logic [6:0] select_2543;
+  assign select_2543 = equal_2479_s3_q ? ((6'he < last_s3_q[6:1]) ? 7'h1d : last_s3_q) : least_q;
   // hls/stages/agreement.hpp:481
-  logic [5:0] sum_2544;
-  assign sum_2544 = {1'b0, last_s3_q[6:2]} + 6'h1;
-  // hls/stages/agreement.hpp:527
-  logic [7:0] select_2546;
-  assign select_2546 = and_552_s3_q ? (equal_2475_s3_q ? {sum_2544, last_s3_q[1:0]} : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:538
-  logic select_2560;
-  assign select_2560 = (ends_cell_q | select_2479) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_596 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:533
-  logic and_2564;
-  assign and_2564 = (~select_2479) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
-  // hls/stages/agreement.hpp:527
-  logic select_2568;
-  assign select_2568 = and_552_s3_q ? (equal_2475_s3_q ? equal_2566_s3_q : final_row_q) : final_row_q;
+  logic [4:0] sum_2545;
+  assign sum_2545 = {1'b0, last_s3_q[6:3]} + 5'h3;
+  // hls/stages/agreement.hpp:530
+  logic [7:0] select_2547;
+  assign select_2547 = and_552_s3_q ? (equal_2479_s3_q ? {sum_2545, last_s3_q[2:0]} : whole_q) : whole_q;
+  // hls/stages/agreement.hpp:482
+  logic [5:0] sum_2548;
+  assign sum_2548 = {1'b0, last_s3_q[6:2]} + 6'h1;
+  // hls/stages/agreement.hpp:530
+  logic [7:0] select_2550;
+  assign select_2550 = and_552_s3_q ? (equal_2479_s3_q ? {sum_2548, last_s3_q[1:0]} : drawn_q) : drawn_q;
+  // hls/stages/agreement.hpp:541
+  logic select_2564;
+  assign select_2564 = (ends_cell_q | select_2483) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_596 | (slot_q == 3'h6));
+  // hls/stages/agreement.hpp:536
+  logic and_2568;
+  assign and_2568 = (~select_2483) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  // hls/stages/agreement.hpp:530
+  logic select_2572;
+  assign select_2572 = and_552_s3_q ? (equal_2479_s3_q ? equal_2570_s3_q : final_row_q) : final_row_q;
   // hls/stages/patches.hpp:321
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
-  logic [3:0] select_2953;
-  assign select_2953 = row_starts_s3_q ? (sample_pair_first_s3_q ? phase : patches_phase_q) : patches_phase_q;
+  logic [3:0] select_2963;
+  assign select_2963 = row_starts_s3_q ? (sample_pair_first_s3_q ? phase : patches_phase_q) : patches_phase_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -548,30 +548,30 @@ module horopter_agreement (
       patches_phase_q <= 4'h0;
     end else if (s3_en) begin
       run_phase_q <= now;
-      run_shift_q <= select_2483;
-      run_last_shift_q <= select_2486;
-      run_span_q <= select_2488;
-      following_phase_q <= select_2501;
-      following_shift_q <= select_2491 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2504;
+      run_shift_q <= select_2487;
+      run_last_shift_q <= select_2490;
+      run_span_q <= select_2492;
+      following_phase_q <= select_2505;
+      following_shift_q <= select_2495 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2508;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2507[6], or_2508, select_2507[3:0]};
-      following_columns_q <= {or_2515[7], or_2516[4], or_2515[5:4], or_2516[3:0]};
+      following_lowest_q <= {select_2511[6], or_2512, select_2511[3:0]};
+      following_columns_q <= {or_2519[7], or_2520[4], or_2519[5:4], or_2520[3:0]};
       plan_shift_q <= equal_596 ? (run_shift_q + 6'h1) : (6'h0 - least_q[5:0]);
-      plan_span_q <= select_2523;
+      plan_span_q <= select_2527;
       plan_columns_q <= (plan_span_q < 8'h9) ? 8'hc : (plan_span_q + 8'h3);
-      x_q <= select_2529;
-      columns_left_q <= select_2532;
-      last_q <= and_552_s3_q ? (equal_2475_s3_q ? last_s3_q : last_q) : last_q;
-      least_q <= and_552_s3_q ? select_2539 : least_q;
-      whole_q <= select_2543;
-      drawn_q <= select_2546;
-      slot_q <= select_2479 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2560;
-      ends_q <= and_2564;
-      final_row_q <= select_2568;
+      x_q <= select_2533;
+      columns_left_q <= select_2536;
+      last_q <= and_552_s3_q ? (equal_2479_s3_q ? last_s3_q : last_q) : last_q;
+      least_q <= and_552_s3_q ? select_2543 : least_q;
+      whole_q <= select_2547;
+      drawn_q <= select_2550;
+      slot_q <= select_2483 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2564;
+      ends_q <= and_2568;
+      final_row_q <= select_2572;
       shift_first_q <= {{2{run_shift_q[5]}}, run_shift_q} == (8'h0 - {1'b0, least_q});
-      patches_phase_q <= sample_pair_whole_s3_q ? select_2953 : patches_phase_q;
+      patches_phase_q <= sample_pair_whole_s3_q ? select_2963 : patches_phase_q;
     end
   end
 
@@ -609,11 +609,11 @@ module horopter_agreement (
   logic [7:0] sum_615_s4_q;
   logic [6:0] row_s4_q;
   logic equal_1685_s4_q;
-  logic equal_2475_s4_q;
-  logic and_2476_s4_q;
-  logic select_2479_s4_q;
+  logic equal_2479_s4_q;
+  logic and_2480_s4_q;
+  logic select_2483_s4_q;
   logic [3:0] phase_s4_q;
-  logic not_3018_s4_q;
+  logic not_3028_s4_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s4_q <= pixel_0_s3_q;
@@ -650,36 +650,36 @@ module horopter_agreement (
       sum_615_s4_q <= {1'b0, last_q} + 8'h3;
       row_s4_q <= row_s3_q;
       equal_1685_s4_q <= equal_1685_s3_q;
-      equal_2475_s4_q <= equal_2475_s3_q;
-      and_2476_s4_q <= and_2476_s3_q;
-      select_2479_s4_q <= select_2479;
+      equal_2479_s4_q <= equal_2479_s3_q;
+      and_2480_s4_q <= and_2480_s3_q;
+      select_2483_s4_q <= select_2483;
       phase_s4_q <= phase;
-      not_3018_s4_q <= not_3018_s3_q;
+      not_3028_s4_q <= not_3028_s3_q;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [6:0] age_q;
-  // hls/stages/agreement.hpp:601
+  // hls/stages/agreement.hpp:604
   logic [7:0] select_584;
   assign select_584 = run_shift_s4_q[5] ? x_s4_q : sum_583_s4_q;
   logic less_585;
   assign less_585 = {1'b0, last_s4_q} < select_584;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:227
   logic not_586;
   assign not_586 = ~less_585;
-  // hls/stages/agreement.hpp:805
+  // hls/stages/agreement.hpp:808
   logic [7:0] x;
   assign x = x_s4_q + 8'hfd;
-  // hls/stages/agreement.hpp:535
-  logic [6:0] select_2548;
-  assign select_2548 = select_2479_s4_q ? 7'h0 : (ends_cell_s4_q ? {age_q[5:0], 1'b1} : age_q);
+  // hls/stages/agreement.hpp:538
+  logic [6:0] select_2552;
+  assign select_2552 = select_2483_s4_q ? 7'h0 : (ends_cell_s4_q ? {age_q[5:0], 1'b1} : age_q);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       age_q <= 7'h0;
     end else if (s4_en) begin
-      age_q <= select_2548;
+      age_q <= select_2552;
     end
   end
 
@@ -722,12 +722,12 @@ module horopter_agreement (
   logic [6:0] row_s5_q;
   logic equal_1569_s5_q;
   logic equal_1685_s5_q;
-  logic equal_2475_s5_q;
-  logic and_2476_s5_q;
+  logic equal_2479_s5_q;
+  logic and_2480_s5_q;
   logic [3:0] phase_s5_q;
-  logic equal_2973_s5_q;
-  logic [3:0] select_2976_s5_q;
-  logic not_3018_s5_q;
+  logic equal_2983_s5_q;
+  logic [3:0] select_2986_s5_q;
+  logic not_3028_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s5_q <= pixel_0_s4_q;
@@ -769,55 +769,55 @@ module horopter_agreement (
       row_s5_q <= row_s4_q;
       equal_1569_s5_q <= {x[7], last_s4_q} == {1'b0, x[6:0]};
       equal_1685_s5_q <= equal_1685_s4_q;
-      equal_2475_s5_q <= equal_2475_s4_q;
-      and_2476_s5_q <= and_2476_s4_q;
+      equal_2479_s5_q <= equal_2479_s4_q;
+      and_2480_s5_q <= and_2480_s4_q;
       phase_s5_q <= phase_s4_q;
-      equal_2973_s5_q <= row_s4_q == 7'h3;
-      select_2976_s5_q <= (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
-      not_3018_s5_q <= not_3018_s4_q;
+      equal_2983_s5_q <= row_s4_q == 7'h3;
+      select_2986_s5_q <= (patches_phase_q == 4'h2) ? 4'h0 : (patches_phase_q + 4'h1);
+      not_3028_s5_q <= not_3028_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [3:0] patches_choosing_rows_to_next_q;
-  // hls/stages/agreement.hpp:601
+  // hls/stages/agreement.hpp:604
   logic or_582;
   assign or_582 = so_s5_q | equal_581_s5_q;
-  // hls/stages/agreement.hpp:149
+  // hls/stages/agreement.hpp:150
   logic select_600;
   assign select_600 = or_582 ? not_586_s5_q : (equal_596_s5_q ? not_586_s5_q : and_598_s5_q);
   logic and_620;
   assign and_620 = equal_596_s5_q & and_619_s5_q;
   logic select_621;
   assign select_621 = or_582 ? not_586_s5_q : and_620;
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:831
   logic [6:0] right;
   assign right = sum_583_s5_q + 7'h7d;
-  // hls/stages/agreement.hpp:149
+  // hls/stages/agreement.hpp:150
   logic [6:0] select_647;
   assign select_647 = or_582 ? x_s5_q[6:0] : (equal_596_s5_q ? sum_583_s5_q : x_s5_q[6:0]);
-  // hls/stages/agreement.hpp:727
+  // hls/stages/agreement.hpp:730
   logic not_653;
   assign not_653 = ~or_582;
-  // hls/stages/agreement.hpp:472
-  logic equal_2580;
-  assign equal_2580 = row_s5_q[6:2] == 5'h0;
-  // hls/stages/agreement.hpp:527
-  logic and_2843;
-  assign and_2843 = and_552_s5_q & (equal_2475_s5_q & equal_2580);
+  // hls/stages/agreement.hpp:473
+  logic equal_2584;
+  assign equal_2584 = row_s5_q[6:2] == 5'h0;
+  // hls/stages/agreement.hpp:530
+  logic and_2853;
+  assign and_2853 = and_552_s5_q & (equal_2479_s5_q & equal_2584);
   // hls/stages/registration.hpp:127
-  logic and_2846;
-  assign and_2846 = and_2476_s5_q & (~and_2843);
+  logic and_2856;
+  assign and_2856 = and_2480_s5_q & (~and_2853);
   // hls/stages/patches.hpp:87
-  logic [3:0] select_2977;
-  assign select_2977 = equal_2973_s5_q ? select_2976_s5_q : patches_choosing_rows_to_next_q;
-  logic equal_2978;
-  assign equal_2978 = select_2977 == 4'h0;
-  // hls/stages/agreement.hpp:464
-  logic [3:0] select_2981;
-  assign select_2981 = equal_2475_s5_q ? (equal_2978 ? 4'h2 : (select_2977 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_2987;
+  assign select_2987 = equal_2983_s5_q ? select_2986_s5_q : patches_choosing_rows_to_next_q;
+  logic equal_2988;
+  assign equal_2988 = select_2987 == 4'h0;
+  // hls/stages/agreement.hpp:465
+  logic [3:0] select_2991;
+  assign select_2991 = equal_2479_s5_q ? (equal_2988 ? 4'h2 : (select_2987 + 4'hf)) : patches_choosing_rows_to_next_q;
 
-  // Memory left, 120 x 85, DISTANCE 24, hls/stages/agreement.hpp:1383; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
+  // Memory left, 120 x 85, DISTANCE 24, hls/stages/agreement.hpp:1387; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [84:0] left_mem [0:119];
@@ -835,7 +835,7 @@ module horopter_agreement (
     if (en_i) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 120 x 99, DISTANCE 24, hls/stages/agreement.hpp:1384; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
+  // Memory right_codes, 120 x 99, DISTANCE 24, hls/stages/agreement.hpp:1388; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [98:0] right_codes_mem [0:119];
@@ -853,7 +853,7 @@ module horopter_agreement (
     if (en_i) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 120 x 62, DISTANCE 24, hls/stages/agreement.hpp:1385; read in stage 5, written in stage 16: 5 < 16 < 5 + DISTANCE.
+  // Memory best_left, 120 x 62, DISTANCE 24, hls/stages/agreement.hpp:1389; read in stage 5, written in stage 16: 5 < 16 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [61:0] best_left_mem [0:119];
@@ -875,7 +875,7 @@ module horopter_agreement (
     if (!rst_ni) begin
       patches_choosing_rows_to_next_q <= 4'h0;
     end else if (s5_en) begin
-      patches_choosing_rows_to_next_q <= and_552_s5_q ? select_2981 : patches_choosing_rows_to_next_q;
+      patches_choosing_rows_to_next_q <= and_552_s5_q ? select_2991 : patches_choosing_rows_to_next_q;
     end
   end
 
@@ -921,16 +921,16 @@ module horopter_agreement (
   logic and_1568_s6_q;
   logic equal_1569_s6_q;
   logic equal_1685_s6_q;
-  logic equal_2475_s6_q;
-  logic equal_2580_s6_q;
-  logic and_2844_s6_q;
-  logic [15:0] select_2847_s6_q;
-  logic [15:0] select_2850_s6_q;
-  logic and_2853_s6_q;
+  logic equal_2479_s6_q;
+  logic equal_2584_s6_q;
+  logic and_2854_s6_q;
+  logic [15:0] select_2857_s6_q;
+  logic [15:0] select_2860_s6_q;
+  logic and_2863_s6_q;
   logic [3:0] phase_s6_q;
-  logic equal_2973_s6_q;
-  logic equal_2978_s6_q;
-  logic not_3018_s6_q;
+  logic equal_2983_s6_q;
+  logic equal_2988_s6_q;
+  logic not_3028_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s6_q <= pixel_0_s5_q;
@@ -975,16 +975,16 @@ module horopter_agreement (
       and_1568_s6_q <= not_653 & and_620;
       equal_1569_s6_q <= equal_1569_s5_q;
       equal_1685_s6_q <= equal_1685_s5_q;
-      equal_2475_s6_q <= equal_2475_s5_q;
-      equal_2580_s6_q <= equal_2580;
-      and_2844_s6_q <= and_2476_s5_q & and_2843;
-      select_2847_s6_q <= and_2846 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
-      select_2850_s6_q <= and_2846 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
-      and_2853_s6_q <= ends_cell_s5_q & so_s5_q;
+      equal_2479_s6_q <= equal_2479_s5_q;
+      equal_2584_s6_q <= equal_2584;
+      and_2854_s6_q <= and_2480_s5_q & and_2853;
+      select_2857_s6_q <= and_2856 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+      select_2860_s6_q <= and_2856 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+      and_2863_s6_q <= ends_cell_s5_q & so_s5_q;
       phase_s6_q <= phase_s5_q;
-      equal_2973_s6_q <= equal_2973_s5_q;
-      equal_2978_s6_q <= equal_2978;
-      not_3018_s6_q <= not_3018_s5_q;
+      equal_2983_s6_q <= equal_2983_s5_q;
+      equal_2988_s6_q <= equal_2988;
+      not_3028_s6_q <= not_3028_s5_q;
     end
   end
 
@@ -1019,79 +1019,79 @@ module horopter_agreement (
   logic [5:0] sum_1996;
   assign sum_1996 = region_across_rest_q[8:3] + 6'h1;
   // hls/stages/registration.hpp:129
-  logic [23:0] sum_2848;
-  assign sum_2848 = registration_slope_row_q + {{8{select_2847_s6_q[15]}}, select_2847_s6_q};
+  logic [23:0] sum_2858;
+  assign sum_2858 = registration_slope_row_q + {{8{select_2857_s6_q[15]}}, select_2857_s6_q};
   // hls/stages/registration.hpp:132
-  logic [23:0] select_2849;
-  assign select_2849 = and_2844_s6_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : sum_2848;
+  logic [23:0] select_2859;
+  assign select_2859 = and_2854_s6_q ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : sum_2858;
   // hls/stages/registration.hpp:130
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2850_s6_q[15]}}, select_2850_s6_q};
+  assign both = registration_slope_change_q + {{12{select_2860_s6_q[15]}}, select_2860_s6_q};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_2852;
-  assign select_2852 = and_2844_s6_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2862;
+  assign select_2862 = and_2854_s6_q ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/registration.hpp:125
   logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2853_s6_q ? registration_slope_change_q : 28'h0);
+  assign column_5 = registration_slope_q + (and_2863_s6_q ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:377
-  logic and_2955;
-  assign and_2955 = not_1683 & equal_1685_s6_q;
-  logic [8:0] select_2956;
-  assign select_2956 = and_2955 ? {patches_choosing_number_q, patches_choosing_rows_to_next_s6_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_2957;
-  assign select_2957 = and_2955 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_2958;
-  assign select_2958 = sample_pair_first_s6_q ? select_2956 : select_2957;
+  logic and_2965;
+  assign and_2965 = not_1683 & equal_1685_s6_q;
+  logic [8:0] select_2966;
+  assign select_2966 = and_2965 ? {patches_choosing_number_q, patches_choosing_rows_to_next_s6_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_2967;
+  assign select_2967 = and_2965 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_2968;
+  assign select_2968 = sample_pair_first_s6_q ? select_2966 : select_2967;
   // hls/stages/patches.hpp:126
-  logic [3:0] select_2959;
-  assign select_2959 = row_starts_s6_q ? select_2958[3:0] : patches_band_rows_rows_to_next_q;
-  // hls/stages/agreement.hpp:276
-  logic [3:0] select_2960;
-  assign select_2960 = sample_pair_whole_s6_q ? select_2959 : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_2962;
-  assign select_2962 = sample_pair_whole_s6_q ? (row_starts_s6_q ? select_2958[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_2965;
-  assign select_2965 = sample_pair_whole_s6_q ? (equal_1687 ? 4'h2 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_2967;
-  assign select_2967 = sample_pair_whole_s6_q ? (patches_band_rows_number_q + {4'h0, equal_1687}) : patches_next_band_number_q;
+  logic [3:0] select_2969;
+  assign select_2969 = row_starts_s6_q ? select_2968[3:0] : patches_band_rows_rows_to_next_q;
+  // hls/stages/agreement.hpp:277
+  logic [3:0] select_2970;
+  assign select_2970 = sample_pair_whole_s6_q ? select_2969 : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_2972;
+  assign select_2972 = sample_pair_whole_s6_q ? (row_starts_s6_q ? select_2968[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_2975;
+  assign select_2975 = sample_pair_whole_s6_q ? (equal_1687 ? 4'h2 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_2977;
+  assign select_2977 = sample_pair_whole_s6_q ? (patches_band_rows_number_q + {4'h0, equal_1687}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:334
-  logic equal_2968;
-  assign equal_2968 = phase_s6_q == 4'h0;
+  logic equal_2978;
+  assign equal_2978 = phase_s6_q == 4'h0;
   // hls/stages/patches.hpp:335
-  logic not_2969;
-  assign not_2969 = ~equal_2968;
-  // hls/stages/agreement.hpp:276
-  logic [3:0] select_2971;
-  assign select_2971 = sample_pair_whole_s6_q ? (phase_s6_q + {{2{not_2969}}, 1'b1, not_2969}) : patches_first_band_rows_to_next_q;
-  logic select_2972;
-  assign select_2972 = sample_pair_whole_s6_q ? equal_2968 : patches_first_band_number_q;
+  logic not_2979;
+  assign not_2979 = ~equal_2978;
+  // hls/stages/agreement.hpp:277
+  logic [3:0] select_2981;
+  assign select_2981 = sample_pair_whole_s6_q ? (phase_s6_q + {{2{not_2979}}, 1'b1, not_2979}) : patches_first_band_rows_to_next_q;
+  logic select_2982;
+  assign select_2982 = sample_pair_whole_s6_q ? equal_2978 : patches_first_band_number_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_2983;
-  assign select_2983 = equal_2973_s6_q ? 5'h0 : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:464
-  logic [4:0] select_2985;
-  assign select_2985 = equal_2475_s6_q ? (select_2983 + {4'h0, equal_2978_s6_q}) : patches_choosing_number_q;
-  logic select_2989;
-  assign select_2989 = equal_2475_s6_q ? ((7'h2 < row_s6_q) & equal_2978_s6_q) : patches_chooses_q;
-  // hls/stages/agreement.hpp:527
-  logic [4:0] select_2992;
-  assign select_2992 = and_552_s6_q ? (equal_2475_s6_q ? select_2983 : patches_choosing_band_q) : patches_choosing_band_q;
-  // hls/stages/agreement.hpp:205
-  logic [8:0] select_3843;
-  assign select_3843 = so_s6_q ? (and_2853_s6_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic [4:0] select_2993;
+  assign select_2993 = equal_2983_s6_q ? 5'h0 : patches_choosing_number_q;
+  // hls/stages/agreement.hpp:465
+  logic [4:0] select_2995;
+  assign select_2995 = equal_2479_s6_q ? (select_2993 + {4'h0, equal_2988_s6_q}) : patches_choosing_number_q;
+  logic select_2999;
+  assign select_2999 = equal_2479_s6_q ? ((7'h2 < row_s6_q) & equal_2988_s6_q) : patches_chooses_q;
+  // hls/stages/agreement.hpp:530
+  logic [4:0] select_3002;
+  assign select_3002 = and_552_s6_q ? (equal_2479_s6_q ? select_2993 : patches_choosing_band_q) : patches_choosing_band_q;
+  // hls/stages/agreement.hpp:206
+  logic [8:0] select_3855;
+  assign select_3855 = so_s6_q ? (and_2863_s6_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3845;
-  assign sum_3845 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_3857;
+  assign sum_3857 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3846;
-  assign select_3846 = sum_1996[5] ? {1'b1, sum_1996[4:0], region_across_rest_q[2:0]} : sum_3845;
-  // hls/stages/agreement.hpp:464
-  logic [8:0] select_3848;
-  assign select_3848 = equal_2475_s6_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
-  logic [7:0] select_3851;
-  assign select_3851 = equal_2475_s6_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
+  logic [8:0] select_3858;
+  assign select_3858 = sum_1996[5] ? {1'b1, sum_1996[4:0], region_across_rest_q[2:0]} : sum_3857;
+  // hls/stages/agreement.hpp:465
+  logic [8:0] select_3860;
+  assign select_3860 = equal_2479_s6_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
+  logic [7:0] select_3863;
+  assign select_3863 = equal_2479_s6_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
 
-  // Memory fresh, 120 x 33, DISTANCE 24, hls/stages/agreement.hpp:1382; read in stage 6, written in stage 21: 6 < 21 < 6 + DISTANCE.
+  // Memory fresh, 120 x 33, DISTANCE 24, hls/stages/agreement.hpp:1386; read in stage 6, written in stage 21: 6 < 21 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [32:0] fresh_mem [0:119];
@@ -1129,23 +1129,23 @@ module horopter_agreement (
       columns_begin_rest_q <= 9'h0;
       columns_begin_back_q <= 8'h0;
     end else if (s6_en) begin
-      registration_slope_row_q <= select_2849;
-      registration_slope_change_q <= select_2852;
+      registration_slope_row_q <= select_2859;
+      registration_slope_change_q <= select_2862;
       registration_slope_q <= so_s6_q ? column_5 : {registration_slope_row_q, 4'h0};
-      patches_band_rows_rows_to_next_q <= select_2960;
-      patches_band_rows_number_q <= select_2962;
-      patches_next_band_rows_to_next_q <= select_2965;
-      patches_next_band_number_q <= select_2967;
-      patches_first_band_rows_to_next_q <= select_2971;
-      patches_first_band_number_q <= select_2972;
-      patches_choosing_number_q <= and_552_s6_q ? select_2985 : patches_choosing_number_q;
-      patches_chooses_q <= and_552_s6_q ? select_2989 : patches_chooses_q;
-      patches_choosing_band_q <= select_2992;
-      region_across_rest_q <= select_3843;
+      patches_band_rows_rows_to_next_q <= select_2970;
+      patches_band_rows_number_q <= select_2972;
+      patches_next_band_rows_to_next_q <= select_2975;
+      patches_next_band_number_q <= select_2977;
+      patches_first_band_rows_to_next_q <= select_2981;
+      patches_first_band_number_q <= select_2982;
+      patches_choosing_number_q <= and_552_s6_q ? select_2995 : patches_choosing_number_q;
+      patches_chooses_q <= and_552_s6_q ? select_2999 : patches_chooses_q;
+      patches_choosing_band_q <= select_3002;
+      region_across_rest_q <= select_3855;
       region_across_back_q <= so_s6_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3846;
-      columns_begin_rest_q <= and_552_s6_q ? select_3848 : columns_begin_rest_q;
-      columns_begin_back_q <= and_552_s6_q ? select_3851 : columns_begin_back_q;
+      region_across_next_q <= select_3858;
+      columns_begin_rest_q <= and_552_s6_q ? select_3860 : columns_begin_rest_q;
+      columns_begin_back_q <= and_552_s6_q ? select_3863 : columns_begin_back_q;
     end
   end
 
@@ -1199,9 +1199,9 @@ module horopter_agreement (
   logic or_1689_s7_q;
   logic [16:0] select_1759_s7_q;
   logic sum_1996_s7_q;
-  logic equal_2475_s7_q;
-  logic equal_2580_s7_q;
-  logic not_3018_s7_q;
+  logic equal_2479_s7_q;
+  logic equal_2584_s7_q;
+  logic not_3028_s7_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s7_q <= pixel_0_s6_q;
@@ -1254,17 +1254,15 @@ module horopter_agreement (
       or_1689_s7_q <= (~equal_1685_s6_q) | (~equal_1687);
       select_1759_s7_q <= select_1759;
       sum_1996_s7_q <= sum_1996[5];
-      equal_2475_s7_q <= equal_2475_s6_q;
-      equal_2580_s7_q <= equal_2580_s6_q;
-      not_3018_s7_q <= not_3018_s6_q;
+      equal_2479_s7_q <= equal_2479_s6_q;
+      equal_2584_s7_q <= equal_2584_s6_q;
+      not_3028_s7_q <= not_3028_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   logic [6:0] row_q;
   logic late_q;
-  logic draws_late_q;
-  logic [15:0] patches_chance_q;
   logic patches_capturing_q;
   logic [4:0] patches_row_q;
   logic [2:0] patches_work_q;
@@ -1278,19 +1276,19 @@ module horopter_agreement (
   logic proven_q;
   logic drew_q;
   logic said_q;
-  // hls/stages/agreement.hpp:675
+  // hls/stages/agreement.hpp:678
   logic equal_571;
   assign equal_571 = row_q == 7'h0;
-  // hls/stages/agreement.hpp:982
+  // hls/stages/agreement.hpp:985
   logic and_611;
   assign and_611 = (or_582_s7_q & (left_rdata_s7_q[67] & not_586_s7_q)) & (late_q | (~(row_q[6:3] == 4'h0)));
-  // hls/stages/agreement.hpp:973
+  // hls/stages/agreement.hpp:976
   logic [5:0] shift;
   assign shift = slot_s7_q[2] ? best_left_rdata_s7_q[5:0] : best_left_rdata_s7_q[45:40];
-  // hls/stages/agreement.hpp:676
+  // hls/stages/agreement.hpp:679
   logic or_754;
   assign or_754 = late_q | (~equal_571);
-  // hls/stages/agreement.hpp:221
+  // hls/stages/agreement.hpp:222
   logic and_769;
   assign and_769 = left_rdata_s7_q[48] & not_586_s7_q;
   logic and_770;
@@ -1299,10 +1297,10 @@ module horopter_agreement (
   assign select_771 = less_585_s7_q ? 12'h0 : left_rdata_s7_q[47:36];
   logic [11:0] select_772;
   assign select_772 = less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[41:30];
-  // hls/stages/agreement.hpp:691
+  // hls/stages/agreement.hpp:694
   logic [11:0] select_776;
   assign select_776 = and_769 ? (and_770 ? (~(select_771 ^ select_772)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:221
+  // hls/stages/agreement.hpp:222
   logic and_792;
   assign and_792 = left_rdata_s7_q[66] & not_586_s7_q;
   logic and_793;
@@ -1311,10 +1309,10 @@ module horopter_agreement (
   assign select_794 = less_585_s7_q ? 12'h0 : left_rdata_s7_q[65:54];
   logic [11:0] select_795;
   assign select_795 = less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[56:45];
-  // hls/stages/agreement.hpp:691
+  // hls/stages/agreement.hpp:694
   logic [11:0] select_799;
   assign select_799 = and_792 ? (and_793 ? (~(select_794 ^ select_795)) : 12'h0) : 12'h0;
-  // hls/stages/agreement.hpp:221
+  // hls/stages/agreement.hpp:222
   logic and_809;
   assign and_809 = left_rdata_s7_q[84] & not_586_s7_q;
   logic and_810;
@@ -1323,37 +1321,37 @@ module horopter_agreement (
   assign select_811 = less_585_s7_q ? 12'h0 : left_rdata_s7_q[83:72];
   logic [11:0] select_812;
   assign select_812 = less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[71:60];
-  // hls/stages/agreement.hpp:691
+  // hls/stages/agreement.hpp:694
   logic [11:0] select_816;
   assign select_816 = and_809 ? (and_810 ? (~(select_811 ^ select_812)) : 12'h0) : 12'h0;
   logic [11:0] select_1024;
   assign select_1024 = (slot_s7_q[0] ? and_810 : and_793) ? (~(select_771 ^ (slot_s7_q[0] ? select_812 : select_795))) : 12'h0;
-  // hls/stages/agreement.hpp:221
+  // hls/stages/agreement.hpp:222
   logic and_1041;
   assign and_1041 = right_codes_rdata_s7_q[85] & not_586_s7_q;
   logic [11:0] select_1043;
   assign select_1043 = less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[84:73];
-  // hls/stages/agreement.hpp:691
+  // hls/stages/agreement.hpp:694
   logic [11:0] select_1047;
   assign select_1047 = (slot_s7_q[0] ? and_1041 : and_810) ? (~(select_794 ^ (slot_s7_q[0] ? select_1043 : select_812))) : 12'h0;
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:744
   logic select_1059;
   assign select_1059 = slot_s7_q[0] ? (right_codes_rdata_s7_q[98] & not_586_s7_q) : and_1041;
   logic [11:0] select_1061;
   assign select_1061 = slot_s7_q[0] ? (less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[97:86]) : select_1043;
-  // hls/stages/agreement.hpp:221
+  // hls/stages/agreement.hpp:222
   logic and_1270;
   assign and_1270 = right_codes_rdata_s7_q[27] & not_586_s7_q;
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:744
   logic select_1271;
   assign select_1271 = slot_s7_q[0] ? (right_codes_rdata_s7_q[12] & not_586_s7_q) : and_1270;
-  // hls/stages/agreement.hpp:221
+  // hls/stages/agreement.hpp:222
   logic [11:0] select_1273;
   assign select_1273 = less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[26:15];
-  // hls/stages/agreement.hpp:741
+  // hls/stages/agreement.hpp:744
   logic [11:0] select_1274;
   assign select_1274 = slot_s7_q[0] ? (less_585_s7_q ? 12'h0 : right_codes_rdata_s7_q[11:0]) : select_1273;
-  // hls/stages/agreement.hpp:691
+  // hls/stages/agreement.hpp:694
   logic [11:0] select_1298;
   assign select_1298 = (slot_s7_q[0] ? and_1270 : and_770) ? (~(select_794 ^ (slot_s7_q[0] ? select_1273 : select_772))) : 12'h0;
   logic [11:0] select_1313;
@@ -1367,10 +1365,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:125
   logic and_1692;
   assign and_1692 = (not_1680 & (patches_work_q == 3'h0)) & (~(and_1684 | or_1689_s7_q));
-  // hls/stages/patches.hpp:103
-  logic right_3;
-  assign right_3 = {2'h0, last_s7_q[6:1]} < x_s7_q;
-  // hls/stages/agreement.hpp:149
+  // hls/stages/agreement.hpp:150
   logic [5:0] b;
   assign b = or_582_s7_q ? (less_585_s7_q ? 6'h0 : best_left_rdata_s7_q[5:0]) : 6'h0;
   // hls/stages/registration.hpp:218
@@ -1409,98 +1404,81 @@ module horopter_agreement (
   // hls/stages/patches.hpp:168
   logic not_1851;
   assign not_1851 = ~equal_1796;
-  // hls/stages/agreement.hpp:276
+  // hls/stages/agreement.hpp:277
   logic [3:0] select_1865;
   assign select_1865 = row_starts_s7_q ? {select_1820[4], select_1820[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
-  // hls/stages/agreement.hpp:1282
-  logic not_2054;
-  assign not_2054 = ~marks_first_s7_q;
-  // hls/stages/agreement.hpp:471
-  logic and_2575;
-  assign and_2575 = proven_q & less_2574;
-  // hls/stages/agreement.hpp:527
-  logic select_2579;
-  assign select_2579 = and_552_s7_q ? (equal_2475_s7_q ? (and_2575 & (row_s7_q[6:1] == 6'h0)) : late_q) : late_q;
-  // hls/stages/agreement.hpp:473
-  logic and_2581;
-  assign and_2581 = and_2575 & equal_2580_s7_q;
-  // hls/stages/agreement.hpp:527
+  // hls/stages/agreement.hpp:1286
+  logic not_2058;
+  assign not_2058 = ~marks_first_s7_q;
+  // hls/stages/agreement.hpp:472
+  logic and_2579;
+  assign and_2579 = proven_q & less_2578;
+  // hls/stages/agreement.hpp:530
   logic select_2583;
-  assign select_2583 = and_552_s7_q ? (equal_2475_s7_q ? and_2581 : draws_late_q) : draws_late_q;
-  // hls/stages/agreement.hpp:149
-  logic [7:0] select_2744;
-  assign select_2744 = or_582_s7_q ? (less_585_s7_q ? 8'h0 : best_left_rdata_s7_q[32:25]) : 8'h0;
-  logic [7:0] select_2746;
-  assign select_2746 = or_582_s7_q ? (less_585_s7_q ? 8'h0 : best_left_rdata_s7_q[24:17]) : 8'h0;
-  // hls/stages/patches.hpp:91
-  logic parity_2996;
-  assign parity_2996 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
-  // hls/stages/agreement.hpp:464
-  logic [15:0] select_2997;
-  assign select_2997 = equal_2475_s7_q ? {patches_chance_q[14:0], parity_2996} : patches_chance_q;
-  // hls/stages/patches.hpp:108
-  logic [4:0] of_32;
-  assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
-  // hls/stages/patches.hpp:109
-  logic [5:0] further;
-  assign further = last_s7_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
+  assign select_2583 = and_552_s7_q ? (equal_2479_s7_q ? (and_2579 & (row_s7_q[6:1] == 6'h0)) : late_q) : late_q;
+  // hls/stages/agreement.hpp:474
+  logic and_2585;
+  assign and_2585 = and_2579 & equal_2584_s7_q;
+  // hls/stages/agreement.hpp:150
+  logic [7:0] select_2754;
+  assign select_2754 = or_582_s7_q ? (less_585_s7_q ? 8'h0 : best_left_rdata_s7_q[32:25]) : 8'h0;
+  logic [7:0] select_2756;
+  assign select_2756 = or_582_s7_q ? (less_585_s7_q ? 8'h0 : best_left_rdata_s7_q[24:17]) : 8'h0;
   // hls/stages/patches.hpp:397
-  logic or_3059;
-  assign or_3059 = patches_begins_q | patches_ends_q;
+  logic or_3069;
+  assign or_3069 = patches_begins_q | patches_ends_q;
   // hls/stages/patches.hpp:399
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:191
-  logic select_3064;
-  assign select_3064 = (patches_second_q | patches_begins_q) ? not_1680 : (patches_ends_q & equal_1791);
-  logic and_3065;
-  assign and_3065 = equal_1791 & not_1798;
+  logic select_3074;
+  assign select_3074 = (patches_second_q | patches_begins_q) ? not_1680 : (patches_ends_q & equal_1791);
+  logic and_3075;
+  assign and_3075 = equal_1791 & not_1798;
   // hls/stages/patches.hpp:403
-  logic and_3066;
-  assign and_3066 = not_1851 & and_3065;
-  logic [1:0] select_3068;
-  assign select_3068 = equal_1793 ? 2'h0 : (equal_1795 ? 2'h3 : {equal_1796, and_3066});
+  logic and_3076;
+  assign and_3076 = not_1851 & and_3075;
+  logic [1:0] select_3078;
+  assign select_3078 = equal_1793 ? 2'h0 : (equal_1795 ? 2'h3 : {equal_1796, and_3076});
   // hls/stages/patches.hpp:283
-  logic equal_3070;
-  assign equal_3070 = patches_following_q == 3'h4;
+  logic equal_3080;
+  assign equal_3080 = patches_following_q == 3'h4;
   // hls/stages/patches.hpp:281
-  logic not_3071;
-  assign not_3071 = ~equal_3070;
+  logic not_3081;
+  assign not_3081 = ~equal_3080;
   // hls/stages/patches.hpp:283
-  logic equal_3072;
-  assign equal_3072 = patches_following_q == 3'h3;
+  logic equal_3082;
+  assign equal_3082 = patches_following_q == 3'h3;
   // hls/stages/patches.hpp:279
-  logic not_3073;
-  assign not_3073 = ~equal_3072;
-  // hls/stages/patches.hpp:287
-  logic not_3075;
-  assign not_3075 = ~(patches_following_q == 3'h2);
-  logic and_3078;
-  assign and_3078 = (~(patches_following_q == 3'h1)) & not_3075;
-  // hls/stages/patches.hpp:401
-  logic [1:0] select_3079;
-  assign select_3079 = equal_3072 ? 2'h2 : {and_3078, not_3075};
-  logic [3:0] select_3080;
-  assign select_3080 = equal_3070 ? 4'h2 : {select_3079, {2{not_3073}}};
-  // hls/stages/patches.hpp:409
   logic not_3083;
-  assign not_3083 = ~or_3059;
+  assign not_3083 = ~equal_3082;
+  // hls/stages/patches.hpp:287
+  logic not_3085;
+  assign not_3085 = ~(patches_following_q == 3'h2);
+  logic and_3088;
+  assign and_3088 = (~(patches_following_q == 3'h1)) & not_3085;
+  // hls/stages/patches.hpp:401
+  logic [1:0] select_3089;
+  assign select_3089 = equal_3082 ? 2'h2 : {and_3088, not_3085};
+  logic [3:0] select_3090;
+  assign select_3090 = equal_3080 ? 4'h2 : {select_3089, {2{not_3083}}};
+  // hls/stages/patches.hpp:409
+  logic not_3093;
+  assign not_3093 = ~or_3069;
   // hls/stages/patches.hpp:398
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
   // hls/stages/patches.hpp:410
-  logic [11:0] select_3088;
-  assign select_3088 = or_3059 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
-  // hls/stages/agreement.hpp:1155
-  logic equal_3902;
-  assign equal_3902 = x_s7_q[6:0] == 7'h7f;
+  logic [11:0] select_3098;
+  assign select_3098 = or_3069 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  // hls/stages/agreement.hpp:1159
+  logic equal_3913;
+  assign equal_3913 = x_s7_q[6:0] == 7'h7f;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       row_q <= 7'h0;
       late_q <= 1'b0;
-      draws_late_q <= 1'b0;
-      patches_chance_q <= 16'h1;
       patches_capturing_q <= 1'b0;
       patches_row_q <= 5'h0;
       patches_work_q <= 3'h0;
@@ -1515,23 +1493,21 @@ module horopter_agreement (
       drew_q <= 1'b0;
       said_q <= 1'b0;
     end else if (s7_en) begin
-      row_q <= and_552_s7_q ? (equal_2475_s7_q ? row_s7_q : row_q) : row_q;
-      late_q <= select_2579;
-      draws_late_q <= select_2583;
-      patches_chance_q <= and_552_s7_q ? select_2997 : patches_chance_q;
+      row_q <= and_552_s7_q ? (equal_2479_s7_q ? row_s7_q : row_q) : row_q;
+      late_q <= select_2583;
       patches_capturing_q <= sample_pair_whole_s7_q ? select_1827 : patches_capturing_q;
       patches_row_q <= sample_pair_whole_s7_q ? select_1821 : patches_row_q;
-      patches_work_q <= or_3059 ? following : patches_work_q;
-      patches_second_q <= select_3064;
-      patches_following_q <= equal_1791 ? {2'h0, and_3065} : {equal_1793, select_3068};
-      patches_following_beats_q <= {select_3080, not_3071};
+      patches_work_q <= or_3069 ? following : patches_work_q;
+      patches_second_q <= select_3074;
+      patches_following_q <= equal_1791 ? {2'h0, and_3075} : {equal_1793, select_3078};
+      patches_following_beats_q <= {select_3090, not_3081};
       patches_begins_q <= sample_pair_whole_s7_q & (row_starts_s7_q & and_1823);
-      patches_ends_q <= not_3083 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3088;
-      done_q <= not_2054 & ((~drew_q) & (done_q | said_q));
+      patches_ends_q <= not_3093 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3098;
+      done_q <= not_2058 & ((~drew_q) & (done_q | said_q));
       proven_q <= marks_first_s7_q ? done_q : proven_q;
       drew_q <= so_s7_q;
-      said_q <= equal_577_s7_q & equal_3902;
+      said_q <= equal_577_s7_q & equal_3913;
     end
   end
 
@@ -1549,7 +1525,6 @@ module horopter_agreement (
   logic [3:0] age_s8_q;
   logic [2:0] slot_s8_q;
   logic ends_cell_s8_q;
-  logic draws_late_s8_q;
   logic shift_first_s8_q;
   logic [11:0] registration_slope_s8_q;
   logic [4:0] patches_band_rows_number_s8_q;
@@ -1615,7 +1590,6 @@ module horopter_agreement (
   logic and_1568_s8_q;
   logic equal_1569_s8_q;
   logic and_1692_s8_q;
-  logic right_3_s8_q;
   logic less_1706_s8_q;
   logic [5:0] b_s8_q;
   logic [13:0] select_1761_s8_q;
@@ -1632,23 +1606,23 @@ module horopter_agreement (
   logic and_1852_s8_q;
   logic [3:0] select_1865_s8_q;
   logic sum_1996_s8_q;
-  logic and_2017_s8_q;
-  logic not_2054_s8_q;
-  logic and_2137_s8_q;
-  logic equal_2286_s8_q;
-  logic equal_2475_s8_q;
-  logic not_2571_s8_q;
-  logic and_2611_s8_q;
-  logic [7:0] select_2744_s8_q;
-  logic [7:0] select_2746_s8_q;
-  logic [5:0] further_s8_q;
-  logic not_3018_s8_q;
-  logic or_3059_s8_q;
-  logic not_3083_s8_q;
-  logic less_3831_s8_q;
-  logic equal_3902_s8_q;
-  logic or_4052_s8_q;
-  logic not_4095_s8_q;
+  logic and_2018_s8_q;
+  logic not_2058_s8_q;
+  logic less_2136_s8_q;
+  logic equal_2290_s8_q;
+  logic equal_2479_s8_q;
+  logic not_2575_s8_q;
+  logic and_2585_s8_q;
+  logic and_2615_s8_q;
+  logic [7:0] select_2754_s8_q;
+  logic [7:0] select_2756_s8_q;
+  logic not_3028_s8_q;
+  logic or_3069_s8_q;
+  logic not_3093_s8_q;
+  logic less_3841_s8_q;
+  logic equal_3913_s8_q;
+  logic or_4063_s8_q;
+  logic not_4106_s8_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s8_q <= pixel_0_s7_q;
@@ -1665,7 +1639,6 @@ module horopter_agreement (
       age_s8_q <= age_s7_q;
       slot_s8_q <= slot_s7_q;
       ends_cell_s8_q <= ends_cell_s7_q;
-      draws_late_s8_q <= draws_late_q;
       shift_first_s8_q <= shift_first_s7_q;
       registration_slope_s8_q <= registration_slope_s7_q;
       patches_band_rows_number_s8_q <= patches_band_rows_number_s7_q;
@@ -1731,7 +1704,6 @@ module horopter_agreement (
       and_1568_s8_q <= and_1568_s7_q;
       equal_1569_s8_q <= equal_1569_s7_q;
       and_1692_s8_q <= and_1692;
-      right_3_s8_q <= right_3;
       less_1706_s8_q <= 6'h4 < row_q[6:1];
       b_s8_q <= b;
       select_1761_s8_q <= select_1761;
@@ -1748,23 +1720,23 @@ module horopter_agreement (
       and_1852_s8_q <= not_1851 & or_1797;
       select_1865_s8_q <= select_1865;
       sum_1996_s8_q <= sum_1996_s7_q;
-      and_2017_s8_q <= or_582_s7_q & (left_rdata_s7_q[69] & not_586_s7_q);
-      not_2054_s8_q <= not_2054;
-      and_2137_s8_q <= (draws_late_q | (7'h6 < row_q)) & (~(x_s7_q[7:2] == 6'h0));
-      equal_2286_s8_q <= (last_s7_2_q | row_s7_q) == 7'h0;
-      equal_2475_s8_q <= equal_2475_s7_q;
-      not_2571_s8_q <= ~({row_s7_q, 1'b0} < {sum_2569, cfg_height_i[4]});
-      and_2611_s8_q <= not_586_s7_q & and_611;
-      select_2744_s8_q <= select_2744;
-      select_2746_s8_q <= select_2746;
-      further_s8_q <= further;
-      not_3018_s8_q <= not_3018_s7_q;
-      or_3059_s8_q <= or_3059;
-      not_3083_s8_q <= not_3083;
-      less_3831_s8_q <= 6'h2 < row_s7_q[6:1];
-      equal_3902_s8_q <= equal_3902;
-      or_4052_s8_q <= and_2581 | (~(row_s7_q[6:3] == 4'h0));
-      not_4095_s8_q <= ~proven_q;
+      and_2018_s8_q <= or_582_s7_q & (left_rdata_s7_q[69] & not_586_s7_q);
+      not_2058_s8_q <= not_2058;
+      less_2136_s8_q <= 7'h6 < row_q;
+      equal_2290_s8_q <= (last_s7_2_q | row_s7_q) == 7'h0;
+      equal_2479_s8_q <= equal_2479_s7_q;
+      not_2575_s8_q <= ~({row_s7_q, 1'b0} < {sum_2573, cfg_height_i[4]});
+      and_2585_s8_q <= and_2585;
+      and_2615_s8_q <= not_586_s7_q & and_611;
+      select_2754_s8_q <= select_2754;
+      select_2756_s8_q <= select_2756;
+      not_3028_s8_q <= not_3028_s7_q;
+      or_3069_s8_q <= or_3069;
+      not_3093_s8_q <= not_3093;
+      less_3841_s8_q <= 6'h2 < row_s7_q[6:1];
+      equal_3913_s8_q <= equal_3913;
+      or_4063_s8_q <= and_2585 | (~(row_s7_q[6:3] == 4'h0));
+      not_4106_s8_q <= ~proven_q;
     end
   end
 
@@ -1776,7 +1748,7 @@ module horopter_agreement (
   logic patches_column_ends_q;
   logic [6:0] patches_step_q;
   logic patches_read_searches_q;
-  // hls/stages/agreement.hpp:974
+  // hls/stages/agreement.hpp:977
   logic [7:0] found;
   assign found = x_s8_q + {{2{shift_s8_q[5]}}, shift_s8_q};
   // hls/stages/count_bits.hpp:24
@@ -1855,7 +1827,7 @@ module horopter_agreement (
   assign or_928 = (parity_822 & parity_825) | ((^select_816_s8_q[8:6]) & (parity_822 | parity_825));
   logic or_932;
   assign or_932 = (parity_834 & parity_837) | ((^select_799_s8_q[5:3]) & (parity_834 | parity_837));
-  // hls/stages/agreement.hpp:691
+  // hls/stages/agreement.hpp:694
   logic [11:0] select_1025;
   assign select_1025 = and_769_s8_q ? select_1024_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1865,7 +1837,7 @@ module horopter_agreement (
   assign parity_1034 = ^select_1025[8:6];
   logic parity_1037;
   assign parity_1037 = ^select_1025[11:3];
-  // hls/stages/agreement.hpp:691
+  // hls/stages/agreement.hpp:694
   logic [11:0] select_1048;
   assign select_1048 = and_792_s8_q ? select_1047_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1873,7 +1845,7 @@ module horopter_agreement (
   assign parity_1051 = ^select_1048[8:6];
   logic parity_1054;
   assign parity_1054 = ^select_1048[11:9];
-  // hls/stages/agreement.hpp:691
+  // hls/stages/agreement.hpp:694
   logic [11:0] select_1065;
   assign select_1065 = and_809_s8_q ? select_1064_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1942,7 +1914,7 @@ module horopter_agreement (
   assign or_1177 = (parity_1071 & parity_1074) | ((^select_1065[8:6]) & (parity_1071 | parity_1074));
   logic or_1181;
   assign or_1181 = (parity_1083 & parity_1086) | ((^select_1048[5:3]) & (parity_1083 | parity_1086));
-  // hls/stages/agreement.hpp:691
+  // hls/stages/agreement.hpp:694
   logic [11:0] select_1278;
   assign select_1278 = and_769_s8_q ? select_1277_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1952,7 +1924,7 @@ module horopter_agreement (
   assign parity_1287 = ^select_1278[8:6];
   logic parity_1290;
   assign parity_1290 = ^select_1278[11:3];
-  // hls/stages/agreement.hpp:691
+  // hls/stages/agreement.hpp:694
   logic [11:0] select_1299;
   assign select_1299 = and_792_s8_q ? select_1298_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1960,7 +1932,7 @@ module horopter_agreement (
   assign parity_1302 = ^select_1299[8:6];
   logic parity_1305;
   assign parity_1305 = ^select_1299[11:9];
-  // hls/stages/agreement.hpp:691
+  // hls/stages/agreement.hpp:694
   logic [11:0] select_1314;
   assign select_1314 = and_809_s8_q ? select_1313_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -2029,15 +2001,9 @@ module horopter_agreement (
   assign or_1426 = (parity_1320 & parity_1323) | ((^select_1314[8:6]) & (parity_1320 | parity_1323));
   logic or_1430;
   assign or_1430 = (parity_1332 & parity_1335) | ((^select_1299[5:3]) & (parity_1332 | parity_1335));
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:248
   logic or_1589;
   assign or_1589 = (cfg_nearer_below_i & shift_s8_q[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift_s8_q)));
-  // hls/stages/agreement.hpp:1016
-  logic [5:0] sum_1654;
-  assign sum_1654 = {1'b0, last_s8_q[6:2]} + 6'h1;
-  // hls/stages/patches.hpp:102
-  logic [9:0] sum_1735;
-  assign sum_1735 = {2'h0, x_s8_q} + {{4{b_s8_q[5]}}, b_s8_q};
   // hls/stages/registration.hpp:213
   logic [9:0] select_1762;
   assign select_1762 = b_s8_q[4] ? select_1761_s8_q[9:0] : 10'h0;
@@ -2064,29 +2030,24 @@ module horopter_agreement (
   assign equal_1971 = patches_step_q[6:5] == 2'h1;
   logic or_1972;
   assign or_1972 = equal_1970 | equal_1971;
-  // hls/stages/agreement.hpp:527
-  logic select_2573;
-  assign select_2573 = and_552_s8_q ? (equal_2475_s8_q ? not_2571_s8_q : lower_half_q) : lower_half_q;
-  // hls/stages/agreement.hpp:149
-  logic [7:0] select_2742;
-  assign select_2742 = or_582_s8_q ? (less_585_s8_q ? 8'h0 : best_left_rdata_s8_q[16:9]) : 8'h0;
+  // hls/stages/agreement.hpp:530
+  logic select_2577;
+  assign select_2577 = and_552_s8_q ? (equal_2479_s8_q ? not_2575_s8_q : lower_half_q) : lower_half_q;
+  // hls/stages/agreement.hpp:150
+  logic [7:0] select_2752;
+  assign select_2752 = or_582_s8_q ? (less_585_s8_q ? 8'h0 : best_left_rdata_s8_q[16:9]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_2744_s8_q} - {1'b0, select_2746_s8_q};
-  // hls/stages/patches.hpp:110
-  logic [5:0] select_3002;
-  assign select_3002 = right_3_s8_q ? last_s8_q[6:1] : 6'h0;
-  logic [6:0] from;
-  assign from = {1'b0, further_s8_q} + {1'b0, select_3002};
+  assign rise_2 = {1'b0, select_2754_s8_q} - {1'b0, select_2756_s8_q};
   // hls/stages/patches.hpp:126
-  logic select_3020;
-  assign select_3020 = row_starts_s8_q ? (and_1692_s8_q ? not_3018_s8_q : patches_lower_q) : patches_lower_q;
+  logic select_3030;
+  assign select_3030 = row_starts_s8_q ? (and_1692_s8_q ? not_3028_s8_q : patches_lower_q) : patches_lower_q;
   // hls/stages/patches.hpp:191
-  logic [4:0] select_3090;
-  assign select_3090 = or_3059_s8_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
-  // hls/stages/agreement.hpp:275
-  logic select_3540;
-  assign select_3540 = equal_1791_s8_q ? (less_1969 & (equal_1971 & or_1972)) : patches_read_searches_q;
+  logic [4:0] select_3100;
+  assign select_3100 = or_3069_s8_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  // hls/stages/agreement.hpp:276
+  logic select_3550;
+  assign select_3550 = equal_1791_s8_q ? (less_1969 & (equal_1971 & or_1972)) : patches_read_searches_q;
 
   // Memory patches_right_0, 1024 x 8, DISTANCE 24, hls/stages/patches.hpp:789; read in stage 8, written in stage 20: 8 < 20 < 8 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -2235,13 +2196,13 @@ module horopter_agreement (
       patches_step_q <= 7'h0;
       patches_read_searches_q <= 1'b0;
     end else if (s8_en) begin
-      lower_half_q <= select_2573;
-      patches_lower_q <= sample_pair_whole_s8_q ? select_3020 : patches_lower_q;
-      patches_code_row_q <= select_3090;
-      patches_column_q <= or_3059_s8_q ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3083_s8_q & (patches_column_q == 5'h1e);
-      patches_step_q <= or_3059_s8_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3540;
+      lower_half_q <= select_2577;
+      patches_lower_q <= sample_pair_whole_s8_q ? select_3030 : patches_lower_q;
+      patches_code_row_q <= select_3100;
+      patches_column_q <= or_3069_s8_q ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3093_s8_q & (patches_column_q == 5'h1e);
+      patches_step_q <= or_3069_s8_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3550;
     end
   end
 
@@ -2255,11 +2216,11 @@ module horopter_agreement (
   logic sample_present_s9_q;
   logic [5:0] run_shift_s9_q;
   logic [7:0] x_s9_q;
+  logic [6:0] last_s9_q;
   logic [3:0] age_s9_q;
   logic [2:0] slot_s9_q;
   logic ends_cell_s9_q;
   logic lower_half_s9_q;
-  logic draws_late_s9_q;
   logic shift_first_s9_q;
   logic [11:0] registration_slope_s9_q;
   logic [4:0] patches_band_rows_number_s9_q;
@@ -2279,7 +2240,7 @@ module horopter_agreement (
   logic and_525_s9_q;
   logic equal_531_s9_q;
   logic [6:0] select_546_s9_q;
-  logic [6:0] last_s9_q;
+  logic [6:0] last_s9_2_q;
   logic and_550_s9_q;
   logic and_552_s9_q;
   logic equal_571_s9_q;
@@ -2355,21 +2316,14 @@ module horopter_agreement (
   logic and_1568_s9_q;
   logic equal_1569_s9_q;
   logic or_1589_s9_q;
-  logic less_1655_s9_q;
   logic and_1692_s9_q;
-  logic right_3_s9_q;
   logic less_1706_s9_q;
   logic [5:0] b_s9_q;
-  logic less_1727_s9_q;
-  logic not_1731_s9_q;
-  logic less_1736_s9_q;
-  logic less_1737_s9_q;
   logic select_1762_s9_q;
   logic [8:0] difference_1764_s9_q;
   logic [11:0] sum_1767_s9_q;
   logic select_1768_s9_q;
   logic [10:0] sum_1770_s9_q;
-  logic equal_1784_s9_q;
   logic equal_1791_s9_q;
   logic not_1792_s9_q;
   logic equal_1793_s9_q;
@@ -2387,28 +2341,28 @@ module horopter_agreement (
   logic equal_1970_s9_q;
   logic or_1972_s9_q;
   logic sum_1996_s9_q;
-  logic and_2017_s9_q;
-  logic not_2054_s9_q;
-  logic and_2140_s9_q;
-  logic equal_2286_s9_q;
-  logic equal_2475_s9_q;
-  logic and_2612_s9_q;
-  logic equal_2697_s9_q;
-  logic [7:0] select_2742_s9_q;
+  logic and_2018_s9_q;
+  logic not_2058_s9_q;
+  logic less_2136_s9_q;
+  logic equal_2290_s9_q;
+  logic equal_2479_s9_q;
+  logic and_2585_s9_q;
+  logic and_2616_s9_q;
+  logic equal_2705_s9_q;
+  logic [7:0] select_2752_s9_q;
   logic rise_2_s9_q;
-  logic [7:0] select_2748_s9_q;
-  logic [7:0] xor_2753_s9_q;
-  logic less_2779_s9_q;
-  logic not_3005_s9_q;
-  logic or_3059_s9_q;
-  logic not_3083_s9_q;
-  logic equal_3575_s9_q;
-  logic less_3831_s9_q;
-  logic equal_3902_s9_q;
-  logic or_4052_s9_q;
-  logic and_4066_s9_q;
-  logic and_4083_s9_q;
-  logic not_4095_s9_q;
+  logic [7:0] select_2758_s9_q;
+  logic [7:0] xor_2763_s9_q;
+  logic less_2789_s9_q;
+  logic or_3069_s9_q;
+  logic not_3093_s9_q;
+  logic equal_3585_s9_q;
+  logic less_3841_s9_q;
+  logic equal_3913_s9_q;
+  logic or_4063_s9_q;
+  logic and_4077_s9_q;
+  logic and_4094_s9_q;
+  logic not_4106_s9_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s9_q <= pixel_0_s8_q;
@@ -2421,11 +2375,11 @@ module horopter_agreement (
       sample_present_s9_q <= sample_present_s8_q;
       run_shift_s9_q <= run_shift_s8_q;
       x_s9_q <= x_s8_q;
+      last_s9_q <= last_s8_q;
       age_s9_q <= age_s8_q;
       slot_s9_q <= slot_s8_q;
       ends_cell_s9_q <= ends_cell_s8_q;
       lower_half_s9_q <= lower_half_q;
-      draws_late_s9_q <= draws_late_s8_q;
       shift_first_s9_q <= shift_first_s8_q;
       registration_slope_s9_q <= registration_slope_s8_q;
       patches_band_rows_number_s9_q <= patches_band_rows_number_s8_q;
@@ -2445,7 +2399,7 @@ module horopter_agreement (
       and_525_s9_q <= and_525_s8_q;
       equal_531_s9_q <= equal_531_s8_q;
       select_546_s9_q <= select_546_s8_q;
-      last_s9_q <= last_s8_2_q;
+      last_s9_2_q <= last_s8_2_q;
       and_550_s9_q <= and_550_s8_q;
       and_552_s9_q <= and_552_s8_q;
       equal_571_s9_q <= equal_571_s8_q;
@@ -2521,21 +2475,14 @@ module horopter_agreement (
       and_1568_s9_q <= and_1568_s8_q;
       equal_1569_s9_q <= equal_1569_s8_q;
       or_1589_s9_q <= or_1589;
-      less_1655_s9_q <= {1'b0, sum_1654, last_s8_q[1]} < x_s8_q;
       and_1692_s9_q <= and_1692_s8_q;
-      right_3_s9_q <= right_3_s8_q;
       less_1706_s9_q <= less_1706_s8_q;
       b_s9_q <= b_s8_q;
-      less_1727_s9_q <= {3'h0, last_s8_q[6:1]} < ({1'b0, x_s8_q} + 9'h1);
-      not_1731_s9_q <= ~(x_s8_q < {1'b0, last_s8_q});
-      less_1736_s9_q <= $signed(10'h0) < $signed(sum_1735);
-      less_1737_s9_q <= $signed(sum_1735) < $signed({3'h0, last_s8_q});
       select_1762_s9_q <= select_1762[0];
       difference_1764_s9_q <= select_1762[9:1] - (b_s8_q[5] ? select_1761_s8_q[8:0] : 9'h0);
       sum_1767_s9_q <= sum_1767[12:1];
       select_1768_s9_q <= select_1768[0];
       sum_1770_s9_q <= select_1768[11:1] + (b_s8_q[3] ? select_1761_s8_q[10:0] : 11'h0);
-      equal_1784_s9_q <= x_s8_q == {1'b0, last_s8_q};
       equal_1791_s9_q <= equal_1791_s8_q;
       not_1792_s9_q <= not_1792;
       equal_1793_s9_q <= equal_1793_s8_q;
@@ -2553,38 +2500,33 @@ module horopter_agreement (
       equal_1970_s9_q <= equal_1970;
       or_1972_s9_q <= or_1972;
       sum_1996_s9_q <= sum_1996_s8_q;
-      and_2017_s9_q <= and_2017_s8_q;
-      not_2054_s9_q <= not_2054_s8_q;
-      and_2140_s9_q <= and_2137_s8_q & (~({sum_1654, last_s8_q[1:0]} < x_s8_q));
-      equal_2286_s9_q <= equal_2286_s8_q;
-      equal_2475_s9_q <= equal_2475_s8_q;
-      and_2612_s9_q <= or_582_s8_q & and_2611_s8_q;
-      equal_2697_s9_q <= shift_s8_q == 6'h0;
-      select_2742_s9_q <= select_2742;
+      and_2018_s9_q <= and_2018_s8_q;
+      not_2058_s9_q <= not_2058_s8_q;
+      less_2136_s9_q <= less_2136_s8_q;
+      equal_2290_s9_q <= equal_2290_s8_q;
+      equal_2479_s9_q <= equal_2479_s8_q;
+      and_2585_s9_q <= and_2585_s8_q;
+      and_2616_s9_q <= or_582_s8_q & and_2615_s8_q;
+      equal_2705_s9_q <= shift_s8_q == 6'h0;
+      select_2752_s9_q <= select_2752;
       rise_2_s9_q <= rise_2[8];
-      select_2748_s9_q <= rise_2[8] ? select_2744_s8_q : select_2746_s8_q;
-      xor_2753_s9_q <= rise_2[7:0] ^ {8{rise_2[8]}};
-      less_2779_s9_q <= select_2744_s8_q < select_2746_s8_q;
-      not_3005_s9_q <= ~(x_s8_q < {1'b0, from});
-      or_3059_s9_q <= or_3059_s8_q;
-      not_3083_s9_q <= not_3083_s8_q;
-      equal_3575_s9_q <= patches_step_q[6:5] == 2'h3;
-      less_3831_s9_q <= less_3831_s8_q;
-      equal_3902_s9_q <= equal_3902_s8_q;
-      or_4052_s9_q <= or_4052_s8_q;
-      and_4066_s9_q <= said_q;
-      and_4083_s9_q <= less_2574 & proven_q;
-      not_4095_s9_q <= not_4095_s8_q;
+      select_2758_s9_q <= rise_2[8] ? select_2754_s8_q : select_2756_s8_q;
+      xor_2763_s9_q <= rise_2[7:0] ^ {8{rise_2[8]}};
+      less_2789_s9_q <= select_2754_s8_q < select_2756_s8_q;
+      or_3069_s9_q <= or_3069_s8_q;
+      not_3093_s9_q <= not_3093_s8_q;
+      equal_3585_s9_q <= patches_step_q[6:5] == 2'h3;
+      less_3841_s9_q <= less_3841_s8_q;
+      equal_3913_s9_q <= equal_3913_s8_q;
+      or_4063_s9_q <= or_4063_s8_q;
+      and_4077_s9_q <= said_q;
+      and_4094_s9_q <= less_2578 & proven_q;
+      not_4106_s9_q <= not_4106_s8_q;
     end
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/patches.hpp:106
-  logic equal_572;
-  assign equal_572 = x_s9_q == 8'h0;
-  // hls/stages/agreement.hpp:259
-  logic first;
-  assign first = equal_571_s9_q & equal_572;
+  logic [15:0] patches_chance_q;
   // hls/stages/count_bits.hpp:24
   logic parity_920;
   assign parity_920 = ^{or_917_s9_q, or_913_s9_q, or_909_s9_q};
@@ -2687,12 +2629,9 @@ module horopter_agreement (
   // hls/stages/count_bits.hpp:25
   logic or_1494;
   assign or_1494 = (or_1457_s9_q & or_1461_s9_q) | (or_1453_s9_q & (or_1457_s9_q | or_1461_s9_q));
-  // hls/stages/patches.hpp:104
-  logic and_1729;
-  assign and_1729 = less_1727_s9_q & (~right_3_s9_q);
-  // hls/stages/agreement.hpp:1025
-  logic and_1739;
-  assign and_1739 = (~(and_1729 | (equal_572 | not_1731_s9_q))) & (less_1736_s9_q & less_1737_s9_q);
+  // hls/stages/patches.hpp:103
+  logic right_3;
+  assign right_3 = {2'h0, last_s9_q[6:1]} < x_s9_q;
   // hls/stages/registration.hpp:214
   logic [11:0] sum_1771;
   assign sum_1771 = sum_1767_s9_q + {sum_1770_s9_q, select_1768_s9_q};
@@ -2700,15 +2639,27 @@ module horopter_agreement (
   assign sum_1772 = {difference_1764_s9_q, select_1762_s9_q} + sum_1771[11:2];
   // hls/stages/registration.hpp:35
   logic [8:0] fall;
-  assign fall = {1'b0, select_2742_s9_q} - {1'b0, select_2748_s9_q};
+  assign fall = {1'b0, select_2752_s9_q} - {1'b0, select_2758_s9_q};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:34
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2_s9_q} + {1'b0, xor_2753_s9_q};
+  assign size_3 = {8'h0, rise_2_s9_q} + {1'b0, xor_2763_s9_q};
+  // hls/stages/patches.hpp:91
+  logic parity_3006;
+  assign parity_3006 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  // hls/stages/agreement.hpp:465
+  logic [15:0] select_3007;
+  assign select_3007 = equal_2479_s9_q ? {patches_chance_q[14:0], parity_3006} : patches_chance_q;
+  // hls/stages/patches.hpp:108
+  logic [4:0] of_32;
+  assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
+  // hls/stages/patches.hpp:109
+  logic [5:0] further;
+  assign further = last_s9_q[6] ? {of_32, 1'b0} : {1'b0, of_32};
 
-  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1386; read in stage 9, written in stage 16: 9 < 16 < 9 + DISTANCE.
+  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1390; read in stage 9, written in stage 16: 9 < 16 < 9 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] best_right_mem [0:119];
@@ -2763,6 +2714,14 @@ module horopter_agreement (
     if (en_i) patches_rows_rdata_q <= patches_rows_mem[patches_rows_raddr];
   end
 
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) begin
+      patches_chance_q <= 16'h1;
+    end else if (s9_en) begin
+      patches_chance_q <= and_552_s9_q ? select_3007 : patches_chance_q;
+    end
+  end
+
   logic [7:0] pixel_0_s10_q;
   logic [7:0] pixel_1_s10_q;
   logic saturated_s10_q;
@@ -2773,11 +2732,11 @@ module horopter_agreement (
   logic sample_present_s10_q;
   logic [5:0] run_shift_s10_q;
   logic [7:0] x_s10_q;
+  logic [6:0] last_s10_q;
   logic [3:0] age_s10_q;
   logic [2:0] slot_s10_q;
   logic ends_cell_s10_q;
   logic lower_half_s10_q;
-  logic draws_late_s10_q;
   logic shift_first_s10_q;
   logic [11:0] registration_slope_s10_q;
   logic [4:0] patches_band_rows_number_s10_q;
@@ -2797,11 +2756,10 @@ module horopter_agreement (
   logic and_525_s10_q;
   logic equal_531_s10_q;
   logic [6:0] select_546_s10_q;
-  logic [6:0] last_s10_q;
+  logic [6:0] last_s10_2_q;
   logic and_550_s10_q;
   logic and_552_s10_q;
-  logic equal_572_s10_q;
-  logic first_s10_q;
+  logic equal_571_s10_q;
   logic equal_577_s10_q;
   logic so_s10_q;
   logic equal_581_s10_q;
@@ -2850,15 +2808,11 @@ module horopter_agreement (
   logic and_1568_s10_q;
   logic equal_1569_s10_q;
   logic or_1589_s10_q;
-  logic less_1655_s10_q;
   logic and_1692_s10_q;
   logic right_3_s10_q;
   logic less_1706_s10_q;
   logic [5:0] b_s10_q;
-  logic and_1739_s10_q;
   logic [7:0] sum_1772_s10_q;
-  logic equal_1784_s10_q;
-  logic or_1785_s10_q;
   logic equal_1791_s10_q;
   logic not_1792_s10_q;
   logic equal_1793_s10_q;
@@ -2878,26 +2832,27 @@ module horopter_agreement (
   logic equal_1970_s10_q;
   logic or_1972_s10_q;
   logic sum_1996_s10_q;
-  logic and_2017_s10_q;
-  logic not_2054_s10_q;
-  logic and_2142_s10_q;
-  logic equal_2286_s10_q;
-  logic equal_2475_s10_q;
-  logic and_2612_s10_q;
-  logic equal_2697_s10_q;
+  logic and_2018_s10_q;
+  logic not_2058_s10_q;
+  logic less_2136_s10_q;
+  logic equal_2290_s10_q;
+  logic equal_2479_s10_q;
+  logic and_2585_s10_q;
+  logic and_2616_s10_q;
+  logic equal_2705_s10_q;
   logic [7:0] wide_s10_q;
   logic [8:0] size_3_s10_q;
-  logic less_2779_s10_q;
-  logic not_3005_s10_q;
-  logic or_3059_s10_q;
-  logic not_3083_s10_q;
-  logic equal_3575_s10_q;
-  logic less_3831_s10_q;
-  logic equal_3902_s10_q;
-  logic or_4052_s10_q;
-  logic and_4066_s10_q;
-  logic and_4083_s10_q;
-  logic not_4095_s10_q;
+  logic less_2789_s10_q;
+  logic [5:0] further_s10_q;
+  logic or_3069_s10_q;
+  logic not_3093_s10_q;
+  logic equal_3585_s10_q;
+  logic less_3841_s10_q;
+  logic equal_3913_s10_q;
+  logic or_4063_s10_q;
+  logic and_4077_s10_q;
+  logic and_4094_s10_q;
+  logic not_4106_s10_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s10_q <= pixel_0_s9_q;
@@ -2910,11 +2865,11 @@ module horopter_agreement (
       sample_present_s10_q <= sample_present_s9_q;
       run_shift_s10_q <= run_shift_s9_q;
       x_s10_q <= x_s9_q;
+      last_s10_q <= last_s9_q;
       age_s10_q <= age_s9_q;
       slot_s10_q <= slot_s9_q;
       ends_cell_s10_q <= ends_cell_s9_q;
       lower_half_s10_q <= lower_half_s9_q;
-      draws_late_s10_q <= draws_late_s9_q;
       shift_first_s10_q <= shift_first_s9_q;
       registration_slope_s10_q <= registration_slope_s9_q;
       patches_band_rows_number_s10_q <= patches_band_rows_number_s9_q;
@@ -2934,11 +2889,10 @@ module horopter_agreement (
       and_525_s10_q <= and_525_s9_q;
       equal_531_s10_q <= equal_531_s9_q;
       select_546_s10_q <= select_546_s9_q;
-      last_s10_q <= last_s9_q;
+      last_s10_2_q <= last_s9_2_q;
       and_550_s10_q <= and_550_s9_q;
       and_552_s10_q <= and_552_s9_q;
-      equal_572_s10_q <= equal_572;
-      first_s10_q <= first;
+      equal_571_s10_q <= equal_571_s9_q;
       equal_577_s10_q <= equal_577_s9_q;
       so_s10_q <= so_s9_q;
       equal_581_s10_q <= equal_581_s9_q;
@@ -2987,15 +2941,11 @@ module horopter_agreement (
       and_1568_s10_q <= and_1568_s9_q;
       equal_1569_s10_q <= equal_1569_s9_q;
       or_1589_s10_q <= or_1589_s9_q;
-      less_1655_s10_q <= less_1655_s9_q;
       and_1692_s10_q <= and_1692_s9_q;
-      right_3_s10_q <= right_3_s9_q;
+      right_3_s10_q <= right_3;
       less_1706_s10_q <= less_1706_s9_q;
       b_s10_q <= b_s9_q;
-      and_1739_s10_q <= and_1739;
       sum_1772_s10_q <= sum_1772[9:2];
-      equal_1784_s10_q <= equal_1784_s9_q;
-      or_1785_s10_q <= and_1729 | equal_1784_s9_q;
       equal_1791_s10_q <= equal_1791_s9_q;
       not_1792_s10_q <= not_1792_s9_q;
       equal_1793_s10_q <= equal_1793_s9_q;
@@ -3015,26 +2965,27 @@ module horopter_agreement (
       equal_1970_s10_q <= equal_1970_s9_q;
       or_1972_s10_q <= or_1972_s9_q;
       sum_1996_s10_q <= sum_1996_s9_q;
-      and_2017_s10_q <= and_2017_s9_q;
-      not_2054_s10_q <= not_2054_s9_q;
-      and_2142_s10_q <= so_s9_q & (ends_cell_s9_q & and_2140_s9_q);
-      equal_2286_s10_q <= equal_2286_s9_q;
-      equal_2475_s10_q <= equal_2475_s9_q;
-      and_2612_s10_q <= and_2612_s9_q;
-      equal_2697_s10_q <= equal_2697_s9_q;
+      and_2018_s10_q <= and_2018_s9_q;
+      not_2058_s10_q <= not_2058_s9_q;
+      less_2136_s10_q <= less_2136_s9_q;
+      equal_2290_s10_q <= equal_2290_s9_q;
+      equal_2479_s10_q <= equal_2479_s9_q;
+      and_2585_s10_q <= and_2585_s9_q;
+      and_2616_s10_q <= and_2616_s9_q;
+      equal_2705_s10_q <= equal_2705_s9_q;
       wide_s10_q <= wide;
       size_3_s10_q <= size_3;
-      less_2779_s10_q <= less_2779_s9_q;
-      not_3005_s10_q <= not_3005_s9_q;
-      or_3059_s10_q <= or_3059_s9_q;
-      not_3083_s10_q <= not_3083_s9_q;
-      equal_3575_s10_q <= equal_3575_s9_q;
-      less_3831_s10_q <= less_3831_s9_q;
-      equal_3902_s10_q <= equal_3902_s9_q;
-      or_4052_s10_q <= or_4052_s9_q;
-      and_4066_s10_q <= and_4066_s9_q;
-      and_4083_s10_q <= and_4083_s9_q;
-      not_4095_s10_q <= not_4095_s9_q;
+      less_2789_s10_q <= less_2789_s9_q;
+      further_s10_q <= further;
+      or_3069_s10_q <= or_3069_s9_q;
+      not_3093_s10_q <= not_3093_s9_q;
+      equal_3585_s10_q <= equal_3585_s9_q;
+      less_3841_s10_q <= less_3841_s9_q;
+      equal_3913_s10_q <= equal_3913_s9_q;
+      or_4063_s10_q <= or_4063_s9_q;
+      and_4077_s10_q <= and_4077_s9_q;
+      and_4094_s10_q <= and_4094_s9_q;
+      not_4106_s10_q <= not_4106_s9_q;
     end
   end
 
@@ -3067,7 +3018,7 @@ module horopter_agreement (
   logic [5:0] sums_1_columns_values_11_q;
   logic [5:0] sums_1_columns_values_12_q;
   logic [5:0] sums_1_columns_values_13_q;
-  // hls/stages/agreement.hpp:226
+  // hls/stages/agreement.hpp:227
   logic inside_v;
   assign inside_v = or_582_s10_q & not_586_s10_q;
   // hls/stages/count_bits.hpp:25
@@ -3089,7 +3040,7 @@ module horopter_agreement (
   // hls/stages/count_bits.hpp:27
   logic and_1012;
   assign and_1012 = or_1009 & and_1010;
-  // hls/stages/agreement.hpp:149
+  // hls/stages/agreement.hpp:150
   logic [5:0] select_1013;
   assign select_1013 = equal_596_s10_q ? {and_1012, xor_1011, parity_1005, parity_984_s10_q, xor_939_s10_q, xor_844_s10_q} : 6'h0;
   logic [5:0] column;
@@ -3113,7 +3064,7 @@ module horopter_agreement (
   // hls/stages/count_bits.hpp:27
   logic and_1261;
   assign and_1261 = or_1258 & and_1259;
-  // hls/stages/agreement.hpp:149
+  // hls/stages/agreement.hpp:150
   logic [5:0] select_1262;
   assign select_1262 = equal_596_s10_q ? {and_1261, xor_1260, parity_1254, parity_1233_s10_q, xor_1188_s10_q, xor_1093_s10_q} : 6'h0;
   logic [5:0] column_2;
@@ -3137,26 +3088,32 @@ module horopter_agreement (
   // hls/stages/count_bits.hpp:27
   logic and_1510;
   assign and_1510 = or_1507 & and_1508;
-  // hls/stages/agreement.hpp:149
+  // hls/stages/agreement.hpp:150
   logic [5:0] select_1511;
   assign select_1511 = equal_596_s10_q ? {and_1510, xor_1509, parity_1503, parity_1482_s10_q, xor_1437_s10_q, xor_1342_s10_q} : 6'h0;
   logic [5:0] column_3;
   assign column_3 = or_582_s10_q ? 6'h0 : select_1511;
-  // hls/stages/agreement.hpp:786
+  // hls/stages/agreement.hpp:789
   logic [5:0] before_v_2;
   assign before_v_2 = age_s10_q[1] ? sums_0_columns_values_7_q : 6'h0;
-  // hls/stages/agreement.hpp:787
+  // hls/stages/agreement.hpp:790
   logic [6:0] sum_1547;
   assign sum_1547 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
-  // hls/stages/agreement.hpp:786
+  // hls/stages/agreement.hpp:789
   logic [5:0] before_v_3;
   assign before_v_3 = age_s10_q[1] ? sums_1_columns_values_7_q : 6'h0;
-  // hls/stages/agreement.hpp:787
+  // hls/stages/agreement.hpp:790
   logic [6:0] sum_1550;
   assign sum_1550 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
-  // hls/stages/agreement.hpp:262
+  // hls/stages/agreement.hpp:1019
+  logic [5:0] sum_1654;
+  assign sum_1654 = {1'b0, last_s10_q[6:2]} + 6'h1;
+  // hls/stages/agreement.hpp:263
   logic right_2;
-  assign right_2 = inside_v & less_1655_s10_q;
+  assign right_2 = inside_v & ({1'b0, sum_1654, last_s10_q[1]} < x_s10_q);
+  // hls/stages/patches.hpp:102
+  logic [9:0] sum_1735;
+  assign sum_1735 = {2'h0, x_s10_q} + {{4{b_s10_q[5]}}, b_s10_q};
   // hls/stages/registration.hpp:96
   logic [12:0] sum_1773;
   assign sum_1773 = {registration_slope_s10_q[11], registration_slope_s10_q} + {{5{sum_1772_s10_q[7]}}, sum_1772_s10_q};
@@ -3167,10 +3124,15 @@ module horopter_agreement (
   logic [8:0] sum_1922;
   assign sum_1922 = {1'b0, patches_columns_above_rdata_s10_q[23:16]} + {3'h0, patches_columns_above_rdata_s10_q[31:26]};
   // hls/stages/registration.hpp:40
-  logic [8:0] select_2756;
-  assign select_2756 = ({wide_s10_q, 1'b0} < size_3_s10_q) ? {wide_s10_q, 1'b0} : size_3_s10_q;
+  logic [8:0] select_2766;
+  assign select_2766 = ({wide_s10_q, 1'b0} < size_3_s10_q) ? {wide_s10_q, 1'b0} : size_3_s10_q;
   logic [8:0] taken;
-  assign taken = ~select_2756;
+  assign taken = ~select_2766;
+  // hls/stages/patches.hpp:110
+  logic [5:0] select_3012;
+  assign select_3012 = right_3_s10_q ? last_s10_q[6:1] : 6'h0;
+  logic [6:0] from;
+  assign from = {1'b0, further_s10_q} + {1'b0, select_3012};
 
   // Not reset: nothing of it counts before it is written anew.
 `ifndef SYNTHESIS
@@ -3252,7 +3214,6 @@ module horopter_agreement (
   logic [2:0] slot_s11_q;
   logic ends_cell_s11_q;
   logic lower_half_s11_q;
-  logic draws_late_s11_q;
   logic shift_first_s11_q;
   logic [4:0] patches_band_rows_number_s11_q;
   logic patches_chooses_s11_q;
@@ -3274,8 +3235,7 @@ module horopter_agreement (
   logic [6:0] last_s11_q;
   logic and_550_s11_q;
   logic and_552_s11_q;
-  logic equal_572_s11_q;
-  logic first_s11_q;
+  logic equal_571_s11_q;
   logic equal_577_s11_q;
   logic so_s11_q;
   logic equal_581_s11_q;
@@ -3303,18 +3263,19 @@ module horopter_agreement (
   logic and_1568_s11_q;
   logic equal_1569_s11_q;
   logic or_1589_s11_q;
-  logic and_1598_s11_q;
   logic right_2_s11_q;
   logic and_1692_s11_q;
-  logic and_1704_s11_q;
+  logic right_3_s11_q;
   logic less_1706_s11_q;
   logic [5:0] b_s11_q;
-  logic and_1739_s11_q;
+  logic less_1727_s11_q;
+  logic not_1731_s11_q;
+  logic less_1736_s11_q;
+  logic less_1737_s11_q;
   logic [7:0] sum_1773_s11_q;
   logic less_1774_s11_q;
   logic less_1775_s11_q;
   logic equal_1784_s11_q;
-  logic and_1788_s11_q;
   logic equal_1791_s11_q;
   logic not_1792_s11_q;
   logic equal_1793_s11_q;
@@ -3336,28 +3297,30 @@ module horopter_agreement (
   logic or_1972_s11_q;
   logic [14:0] patches_rows_rdata_s11_q;
   logic sum_1996_s11_q;
-  logic and_2017_s11_q;
-  logic not_2054_s11_q;
-  logic and_2142_s11_q;
-  logic equal_2286_s11_q;
-  logic equal_2475_s11_q;
-  logic and_2612_s11_q;
-  logic equal_2697_s11_q;
-  logic less_2740_s11_q;
+  logic and_2018_s11_q;
+  logic not_2058_s11_q;
+  logic less_2136_s11_q;
+  logic not_2140_s11_q;
+  logic equal_2290_s11_q;
+  logic equal_2479_s11_q;
+  logic and_2585_s11_q;
+  logic and_2616_s11_q;
+  logic equal_2705_s11_q;
+  logic less_2750_s11_q;
   logic [7:0] wide_s11_q;
   logic [8:0] taken_s11_q;
-  logic [7:0] not_2758_s11_q;
-  logic less_2779_s11_q;
-  logic and_3008_s11_q;
-  logic or_3059_s11_q;
-  logic not_3083_s11_q;
-  logic equal_3575_s11_q;
-  logic less_3831_s11_q;
-  logic equal_3902_s11_q;
-  logic or_4052_s11_q;
-  logic and_4066_s11_q;
-  logic and_4083_s11_q;
-  logic not_4095_s11_q;
+  logic [7:0] not_2768_s11_q;
+  logic less_2789_s11_q;
+  logic not_3015_s11_q;
+  logic or_3069_s11_q;
+  logic not_3093_s11_q;
+  logic equal_3585_s11_q;
+  logic less_3841_s11_q;
+  logic equal_3913_s11_q;
+  logic or_4063_s11_q;
+  logic and_4077_s11_q;
+  logic and_4094_s11_q;
+  logic not_4106_s11_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s11_q <= pixel_0_s10_q;
@@ -3374,7 +3337,6 @@ module horopter_agreement (
       slot_s11_q <= slot_s10_q;
       ends_cell_s11_q <= ends_cell_s10_q;
       lower_half_s11_q <= lower_half_s10_q;
-      draws_late_s11_q <= draws_late_s10_q;
       shift_first_s11_q <= shift_first_s10_q;
       patches_band_rows_number_s11_q <= patches_band_rows_number_s10_q;
       patches_chooses_s11_q <= patches_chooses_s10_q;
@@ -3393,11 +3355,10 @@ module horopter_agreement (
       and_525_s11_q <= and_525_s10_q;
       equal_531_s11_q <= equal_531_s10_q;
       select_546_s11_q <= select_546_s10_q;
-      last_s11_q <= last_s10_q;
+      last_s11_q <= last_s10_2_q;
       and_550_s11_q <= and_550_s10_q;
       and_552_s11_q <= and_552_s10_q;
-      equal_572_s11_q <= equal_572_s10_q;
-      first_s11_q <= first_s10_q;
+      equal_571_s11_q <= equal_571_s10_q;
       equal_577_s11_q <= equal_577_s10_q;
       so_s11_q <= so_s10_q;
       equal_581_s11_q <= equal_581_s10_q;
@@ -3425,18 +3386,19 @@ module horopter_agreement (
       and_1568_s11_q <= and_1568_s10_q;
       equal_1569_s11_q <= equal_1569_s10_q;
       or_1589_s11_q <= or_1589_s10_q;
-      and_1598_s11_q <= or_582_s10_q & (slot_s10_q[2] & not_586_s10_q);
       right_2_s11_q <= right_2;
       and_1692_s11_q <= and_1692_s10_q;
-      and_1704_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & right_3_s10_q));
+      right_3_s11_q <= right_3_s10_q;
       less_1706_s11_q <= less_1706_s10_q;
       b_s11_q <= b_s10_q;
-      and_1739_s11_q <= and_1739_s10_q;
+      less_1727_s11_q <= {3'h0, last_s10_q[6:1]} < ({1'b0, x_s10_q} + 9'h1);
+      not_1731_s11_q <= ~(x_s10_q < {1'b0, last_s10_q});
+      less_1736_s11_q <= $signed(10'h0) < $signed(sum_1735);
+      less_1737_s11_q <= $signed(sum_1735) < $signed({3'h0, last_s10_q});
       sum_1773_s11_q <= sum_1773[7:0];
       less_1774_s11_q <= $signed(6'h0) < $signed(sum_1773[12:7]);
       less_1775_s11_q <= $signed(sum_1773[12:7]) < $signed(6'h3f);
-      equal_1784_s11_q <= equal_1784_s10_q;
-      and_1788_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & or_1785_s10_q));
+      equal_1784_s11_q <= x_s10_q == {1'b0, last_s10_q};
       equal_1791_s11_q <= equal_1791_s10_q;
       not_1792_s11_q <= not_1792_s10_q;
       equal_1793_s11_q <= equal_1793_s10_q;
@@ -3458,28 +3420,30 @@ module horopter_agreement (
       or_1972_s11_q <= or_1972_s10_q;
       patches_rows_rdata_s11_q <= patches_rows_rdata_q;
       sum_1996_s11_q <= sum_1996_s10_q;
-      and_2017_s11_q <= and_2017_s10_q;
-      not_2054_s11_q <= not_2054_s10_q;
-      and_2142_s11_q <= and_2142_s10_q;
-      equal_2286_s11_q <= equal_2286_s10_q;
-      equal_2475_s11_q <= equal_2475_s10_q;
-      and_2612_s11_q <= and_2612_s10_q;
-      equal_2697_s11_q <= equal_2697_s10_q;
-      less_2740_s11_q <= slot_s10_q < 3'h3;
+      and_2018_s11_q <= and_2018_s10_q;
+      not_2058_s11_q <= not_2058_s10_q;
+      less_2136_s11_q <= less_2136_s10_q;
+      not_2140_s11_q <= ~({sum_1654, last_s10_q[1:0]} < x_s10_q);
+      equal_2290_s11_q <= equal_2290_s10_q;
+      equal_2479_s11_q <= equal_2479_s10_q;
+      and_2585_s11_q <= and_2585_s10_q;
+      and_2616_s11_q <= and_2616_s10_q;
+      equal_2705_s11_q <= equal_2705_s10_q;
+      less_2750_s11_q <= slot_s10_q < 3'h3;
       wide_s11_q <= wide_s10_q;
       taken_s11_q <= taken;
-      not_2758_s11_q <= ~wide_s10_q;
-      less_2779_s11_q <= less_2779_s10_q;
-      and_3008_s11_q <= so_s10_q & (ends_cell_s10_q & (inside_v & not_3005_s10_q));
-      or_3059_s11_q <= or_3059_s10_q;
-      not_3083_s11_q <= not_3083_s10_q;
-      equal_3575_s11_q <= equal_3575_s10_q;
-      less_3831_s11_q <= less_3831_s10_q;
-      equal_3902_s11_q <= equal_3902_s10_q;
-      or_4052_s11_q <= or_4052_s10_q;
-      and_4066_s11_q <= and_4066_s10_q;
-      and_4083_s11_q <= and_4083_s10_q;
-      not_4095_s11_q <= not_4095_s10_q;
+      not_2768_s11_q <= ~wide_s10_q;
+      less_2789_s11_q <= less_2789_s10_q;
+      not_3015_s11_q <= ~(x_s10_q < {1'b0, from});
+      or_3069_s11_q <= or_3069_s10_q;
+      not_3093_s11_q <= not_3093_s10_q;
+      equal_3585_s11_q <= equal_3585_s10_q;
+      less_3841_s11_q <= less_3841_s10_q;
+      equal_3913_s11_q <= equal_3913_s10_q;
+      or_4063_s11_q <= or_4063_s10_q;
+      and_4077_s11_q <= and_4077_s10_q;
+      and_4094_s11_q <= and_4094_s10_q;
+      not_4106_s11_q <= not_4106_s10_q;
     end
   end
 
@@ -3487,6 +3451,7 @@ module horopter_agreement (
   logic [13:0] moments_place_q;
   logic moments_taken_q;
   logic moments_starts_q;
+  logic draws_late_q;
   logic [5:0] middle_sum_columns_values_0_q;
   logic [5:0] middle_sum_columns_values_1_q;
   logic [5:0] middle_sum_columns_values_2_q;
@@ -3503,40 +3468,46 @@ module horopter_agreement (
   // hls/stages/census.hpp:127
   logic and_526;
   assign and_526 = sample_pair_whole_s11_q & and_525_s11_q;
+  // hls/stages/patches.hpp:106
+  logic equal_572;
+  assign equal_572 = x_s11_q == 8'h0;
+  // hls/stages/agreement.hpp:260
+  logic first;
+  assign first = equal_571_s11_q & equal_572;
   // hls/stages/moments.hpp:57
   logic [13:0] select_575;
   assign select_575 = moments_starts_q ? 14'h1 : (moments_place_q + {13'h0, moments_taken_q});
-  // hls/stages/agreement.hpp:1016
+  // hls/stages/agreement.hpp:1019
   logic not_578;
   assign not_578 = ~equal_577_s11_q;
-  // hls/stages/agreement.hpp:201
+  // hls/stages/agreement.hpp:202
   logic not_580;
   assign not_580 = ~so_s11_q;
-  // hls/stages/agreement.hpp:986
+  // hls/stages/agreement.hpp:989
   logic [6:0] chosen;
   assign chosen = slot_s11_q[2] ? best_right_rdata_s11_q[14:8] : best_right_rdata_s11_q[28:22];
-  // hls/stages/agreement.hpp:814
+  // hls/stages/agreement.hpp:817
   logic or_766;
   assign or_766 = shift_first_s11_q | (~shift_not_right_q);
-  // hls/stages/agreement.hpp:785
+  // hls/stages/agreement.hpp:788
   logic [5:0] select_1015;
   assign select_1015 = age_s11_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  // hls/stages/agreement.hpp:786
+  // hls/stages/agreement.hpp:789
   logic [5:0] before_v;
   assign before_v = age_s11_q[1] ? middle_sum_columns_values_3_q : 6'h0;
-  // hls/stages/agreement.hpp:787
+  // hls/stages/agreement.hpp:790
   logic [6:0] sum_1543;
   assign sum_1543 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:761
   logic [6:0] select_1553;
   assign select_1553 = (sum_1548_s11_q < sum_1551_s11_q) ? sum_1551_s11_q : sum_1548_s11_q;
-  // hls/stages/agreement.hpp:795
+  // hls/stages/agreement.hpp:798
   logic and_1579;
   assign and_1579 = ends_cell_s11_q & inside_v_s11_q;
   logic and_1581;
   assign and_1581 = not_578 & (so_s11_q & and_1579);
-  logic [6:0] select_1585;
-  assign select_1585 = so_s11_q ? x_s11_q[6:0] : (or_582_s11_q ? (less_585_s11_q ? 7'h0 : select_630_s11_q) : 7'h0);
+  logic and_1705;
+  assign and_1705 = not_578 & (so_s11_q & (ends_cell_s11_q & (inside_v_s11_q & right_3_s11_q)));
   // hls/stages/registration.hpp:83
   logic equal_1707;
   assign equal_1707 = slot_s11_q == 3'h7;
@@ -3561,7 +3532,13 @@ module horopter_agreement (
   assign select_1718 = b_s11_q[5] ? registration_slope_here_q : 8'h0;
   logic [8:0] difference_1719;
   assign difference_1719 = {{2{select_1717[7]}}, select_1717[7:1]} - {select_1718[7], select_1718};
-  // hls/stages/agreement.hpp:795
+  // hls/stages/patches.hpp:104
+  logic and_1729;
+  assign and_1729 = less_1727_s11_q & (~right_3_s11_q);
+  // hls/stages/agreement.hpp:1028
+  logic and_1739;
+  assign and_1739 = (~(and_1729 | (equal_572 | not_1731_s11_q))) & (less_1736_s11_q & less_1737_s11_q);
+  // hls/stages/agreement.hpp:798
   logic [5:0] select_1755;
   assign select_1755 = so_s11_q ? (ends_cell_s11_q ? (inside_v_s11_q ? b_s11_q : 6'h0) : 6'h0) : 6'h0;
   // hls/stages/registration.hpp:218
@@ -3570,64 +3547,77 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
   assign slope = equal_1707 ? registration_slope_here_q : select_1777;
-  // hls/stages/agreement.hpp:795
+  // hls/stages/agreement.hpp:798
   logic [7:0] select_1781;
   assign select_1781 = so_s11_q ? (ends_cell_s11_q ? (inside_v_s11_q ? slope : 8'h0) : 8'h0) : 8'h0;
+  logic and_1787;
+  assign and_1787 = ends_cell_s11_q & (inside_v_s11_q & (and_1729 | equal_1784_s11_q));
   logic and_1789;
-  assign and_1789 = not_578 & and_1788_s11_q;
+  assign and_1789 = not_578 & (so_s11_q & and_1787);
   // hls/stages/patches.hpp:174
   logic [7:0] pixel_2;
   assign pixel_2 = equal_1796_s11_q ? select_1879_s11_q : patches_left_rdata_s11_q;
   // hls/stages/patches.hpp:471
   logic [9:0] sum_1923;
   assign sum_1923 = {2'h0, patches_columns_above_rdata_s11_q[15:8]} + {1'b0, sum_1922_s11_q};
-  // hls/stages/agreement.hpp:795
-  logic and_2338;
-  assign and_2338 = not_578 & (not_580 & (equal_581_s11_q & (inside_v_s11_q & first_s11_q)));
-  // hls/stages/agreement.hpp:239
-  logic [5:0] select_2585;
-  assign select_2585 = slot_s11_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_2586;
-  assign select_2586 = slot_s11_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
-  logic [5:0] select_2587;
-  assign select_2587 = slot_s11_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
-  logic [5:0] select_2588;
-  assign select_2588 = slot_s11_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  // hls/stages/agreement.hpp:1122
+  logic not_2138;
+  assign not_2138 = ~(x_s11_q[7:2] == 6'h0);
+  // hls/stages/agreement.hpp:798
+  logic select_2144;
+  assign select_2144 = less_2136_s11_q ? (not_2138 & not_2140_s11_q) : ((draws_late_q & not_2138) & not_2140_s11_q);
+  logic and_2342;
+  assign and_2342 = not_578 & (not_580 & (equal_581_s11_q & (inside_v_s11_q & first)));
+  // hls/stages/agreement.hpp:530
+  logic select_2587;
+  assign select_2587 = and_552_s11_q ? (equal_2479_s11_q ? and_2585_s11_q : draws_late_q) : draws_late_q;
+  // hls/stages/agreement.hpp:240
   logic [5:0] select_2589;
-  assign select_2589 = slot_s11_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  assign select_2589 = slot_s11_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
   logic [5:0] select_2590;
-  assign select_2590 = slot_s11_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
-  // hls/stages/agreement.hpp:993
+  assign select_2590 = slot_s11_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
+  logic [5:0] select_2591;
+  assign select_2591 = slot_s11_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  logic [5:0] select_2592;
+  assign select_2592 = slot_s11_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_2593;
+  assign select_2593 = slot_s11_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_2594;
+  assign select_2594 = slot_s11_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  // hls/stages/agreement.hpp:996
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s11_q[61:54]} - {1'b0, best_left_rdata_s11_q[53:46]};
   // hls/stages/registration.hpp:37
-  logic not_2751;
-  assign not_2751 = ~registration_displacement_over_q[9];
+  logic not_2761;
+  assign not_2761 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2740_s11_q ? {1'b0, wide_s11_q, 1'b0} : {registration_displacement_over_q[8:0], not_2751};
+  assign left = less_2750_s11_q ? {1'b0, wide_s11_q, 1'b0} : {registration_displacement_over_q[8:0], not_2761};
   // hls/stages/registration.hpp:40
-  logic [7:0] select_2759;
-  assign select_2759 = registration_displacement_over_q[9] ? wide_s11_q : not_2758_s11_q;
+  logic [7:0] select_2769;
+  assign select_2769 = registration_displacement_over_q[9] ? wide_s11_q : not_2768_s11_q;
   logic [9:0] taken_2;
-  assign taken_2 = less_2740_s11_q ? {taken_s11_q, 1'b1} : {not_2751, select_2759, not_2751};
+  assign taken_2 = less_2750_s11_q ? {taken_s11_q, 1'b1} : {not_2761, select_2769, not_2761};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2761;
-  assign sum_2761 = {left, 1'b1} + {taken_2, less_2740_s11_q};
-  // hls/stages/agreement.hpp:257
-  logic [4:0] select_2763;
-  assign select_2763 = so_s11_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/agreement.hpp:795
-  logic [7:0] select_2765;
-  assign select_2765 = equal_577_s11_q ? registration_slope_here_q : (so_s11_q ? slope : registration_slope_here_q);
-  // hls/stages/agreement.hpp:149
-  logic [2:0] select_2774;
-  assign select_2774 = or_582_s11_q ? (less_585_s11_q ? 3'h0 : best_left_rdata_s11_q[8:6]) : 3'h0;
+  logic [10:0] sum_2771;
+  assign sum_2771 = {left, 1'b1} + {taken_2, less_2750_s11_q};
+  // hls/stages/agreement.hpp:258
+  logic [4:0] select_2773;
+  assign select_2773 = so_s11_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  // hls/stages/agreement.hpp:798
+  logic [7:0] select_2775;
+  assign select_2775 = equal_577_s11_q ? registration_slope_here_q : (so_s11_q ? slope : registration_slope_here_q);
+  // hls/stages/agreement.hpp:150
+  logic [2:0] select_2784;
+  assign select_2784 = or_582_s11_q ? (less_585_s11_q ? 3'h0 : best_left_rdata_s11_q[8:6]) : 3'h0;
+  // hls/stages/agreement.hpp:798
+  logic and_3019;
+  assign and_3019 = not_578 & (so_s11_q & (ends_cell_s11_q & (inside_v_s11_q & not_3015_s11_q)));
   // hls/stages/patches.hpp:559
-  logic [9:0] select_3526;
-  assign select_3526 = less_1969_s11_q ? (or_1972_s11_q ? patches_rows_rdata_s11_q[9:0] : 10'h0) : 10'h0;
-  logic [4:0] select_3529;
-  assign select_3529 = less_1969_s11_q ? (or_1972_s11_q ? patches_rows_rdata_s11_q[14:10] : 5'h0) : 5'h0;
+  logic [9:0] select_3536;
+  assign select_3536 = less_1969_s11_q ? (or_1972_s11_q ? patches_rows_rdata_s11_q[9:0] : 10'h0) : 10'h0;
+  logic [4:0] select_3539;
+  assign select_3539 = less_1969_s11_q ? (or_1972_s11_q ? patches_rows_rdata_s11_q[14:10] : 5'h0) : 5'h0;
 
   // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:238; read in stage 11, written in stage 14: 11 < 14 < 11 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -3647,45 +3637,7 @@ module horopter_agreement (
     if (en_i) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
-  // Memory left_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1388; read in stage 11, written in stage 16: 11 < 16 < 11 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  (* ram_style = "distributed" *)
-  logic [1:0] left_turns_mem [0:119];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 120; i++) left_turns_mem[i] = 2'h0;
-`endif
-  logic [6:0] left_turns_raddr;
-  assign left_turns_raddr = x_s11_q[6:0];
-`ifndef SYNTHESIS
-  logic left_turns_re;
-  assign left_turns_re = s11_en & and_1598_s11_q;
-`endif
-  logic [1:0] left_turns_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) left_turns_rdata_q <= left_turns_mem[left_turns_raddr];
-  end
-
-  // Memory right_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1388; read in stage 11, written in stage 16: 11 < 16 < 11 + DISTANCE.
-  // So no address is read and written in one clock, and synthesis needs no bypass.
-  (* no_rw_check *)
-  (* ram_style = "distributed" *)
-  logic [1:0] right_turns_mem [0:119];
-`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 120; i++) right_turns_mem[i] = 2'h0;
-`endif
-  logic [6:0] right_turns_raddr;
-  assign right_turns_raddr = select_630_s11_q;
-`ifndef SYNTHESIS
-  logic right_turns_re;
-  assign right_turns_re = s11_en & and_1598_s11_q;
-`endif
-  logic [1:0] right_turns_rdata_q;
-  always_ff @(posedge clk_i) begin
-    if (en_i) right_turns_rdata_q <= right_turns_mem[right_turns_raddr];
-  end
-
-  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1415; read in stage 11, written in stage 15: 11 < 15 < 11 + DISTANCE.
+  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1419; read in stage 11, written in stage 15: 11 < 15 < 11 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] seen_columns_mem [0:119];
@@ -3708,6 +3660,7 @@ module horopter_agreement (
       moments_place_q <= 14'h0;
       moments_taken_q <= 1'b0;
       moments_starts_q <= 1'b0;
+      draws_late_q <= 1'b0;
       shift_not_right_q <= 1'b0;
       registration_displacement_over_q <= 10'h0;
       registration_displacement_fraction_q <= 5'h0;
@@ -3717,13 +3670,14 @@ module horopter_agreement (
     end else if (s11_en) begin
       moments_place_q <= select_575;
       moments_taken_q <= not_578 & (not_580 & (equal_581_s11_q & inside_v_s11_q));
-      moments_starts_q <= and_2338;
+      moments_starts_q <= and_2342;
+      draws_late_q <= select_2587;
       shift_not_right_q <= $signed(run_shift_s11_q) < $signed(6'h1);
-      registration_displacement_over_q <= so_s11_q ? sum_2761[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2763;
-      registration_slope_here_q <= select_2765;
-      patches_read_row_differing_q <= equal_1791_s11_q ? select_3526 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_1791_s11_q ? select_3529 : patches_read_row_column_q;
+      registration_displacement_over_q <= so_s11_q ? sum_2771[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2773;
+      registration_slope_here_q <= select_2775;
+      patches_read_row_differing_q <= equal_1791_s11_q ? select_3536 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_1791_s11_q ? select_3539 : patches_read_row_column_q;
     end
   end
 
@@ -3742,12 +3696,12 @@ module horopter_agreement (
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s11_en) begin
       middle_sum_columns_values_0_q <= slot_s11_q[0] ? middle_sum_columns_values_0_q : column_s11_q;
-      middle_sum_columns_values_1_q <= select_2585;
-      middle_sum_columns_values_2_q <= select_2586;
-      middle_sum_columns_values_3_q <= select_2587;
-      middle_sum_columns_values_4_q <= select_2588;
-      middle_sum_columns_values_5_q <= select_2589;
-      middle_sum_columns_values_6_q <= select_2590;
+      middle_sum_columns_values_1_q <= select_2589;
+      middle_sum_columns_values_2_q <= select_2590;
+      middle_sum_columns_values_3_q <= select_2591;
+      middle_sum_columns_values_4_q <= select_2592;
+      middle_sum_columns_values_5_q <= select_2593;
+      middle_sum_columns_values_6_q <= select_2594;
     end
   end
 
@@ -3806,6 +3760,7 @@ module horopter_agreement (
   logic [6:0] x_s12_2_q;
   logic [61:0] best_left_rdata_s12_q;
   logic less_623_s12_q;
+  logic [6:0] select_630_s12_q;
   logic [6:0] right_s12_q;
   logic [28:0] best_right_rdata_s12_q;
   logic [6:0] chosen_s12_q;
@@ -3825,8 +3780,8 @@ module horopter_agreement (
   logic select_1570_s12_q;
   logic and_1579_s12_q;
   logic and_1581_s12_q;
-  logic [6:0] select_1585_s12_q;
   logic or_1589_s12_q;
+  logic and_1598_s12_q;
   logic right_2_s12_q;
   logic and_1692_s12_q;
   logic and_1705_s12_q;
@@ -3863,29 +3818,30 @@ module horopter_agreement (
   logic or_1972_s12_q;
   logic [9:0] patches_rows_rdata_s12_q;
   logic sum_1996_s12_q;
-  logic and_2017_s12_q;
-  logic not_2054_s12_q;
-  logic and_2143_s12_q;
-  logic equal_2286_s12_q;
-  logic equal_2475_s12_q;
-  logic and_2612_s12_q;
-  logic equal_2697_s12_q;
+  logic and_2018_s12_q;
+  logic not_2058_s12_q;
+  logic and_2145_s12_q;
+  logic equal_2290_s12_q;
+  logic equal_2479_s12_q;
+  logic and_2585_s12_q;
+  logic and_2616_s12_q;
+  logic equal_2705_s12_q;
   logic rise_s12_q;
-  logic [7:0] xor_2702_s12_q;
-  logic select_2774_s12_q;
-  logic or_2777_s12_q;
-  logic [1:0] sum_2778_s12_q;
-  logic less_2779_s12_q;
-  logic and_3009_s12_q;
-  logic or_3059_s12_q;
-  logic not_3083_s12_q;
-  logic equal_3575_s12_q;
-  logic less_3831_s12_q;
-  logic equal_3902_s12_q;
-  logic or_4052_s12_q;
-  logic and_4066_s12_q;
-  logic and_4083_s12_q;
-  logic not_4095_s12_q;
+  logic [7:0] xor_2710_s12_q;
+  logic select_2784_s12_q;
+  logic or_2787_s12_q;
+  logic [1:0] sum_2788_s12_q;
+  logic less_2789_s12_q;
+  logic and_3019_s12_q;
+  logic or_3069_s12_q;
+  logic not_3093_s12_q;
+  logic equal_3585_s12_q;
+  logic less_3841_s12_q;
+  logic equal_3913_s12_q;
+  logic or_4063_s12_q;
+  logic and_4077_s12_q;
+  logic and_4094_s12_q;
+  logic not_4106_s12_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s12_q <= pixel_0_s11_q;
@@ -3903,7 +3859,7 @@ module horopter_agreement (
       slot_s12_q <= slot_s11_q;
       ends_cell_s12_q <= ends_cell_s11_q;
       lower_half_s12_q <= lower_half_s11_q;
-      draws_late_s12_q <= draws_late_s11_q;
+      draws_late_s12_q <= draws_late_q;
       shift_not_right_s12_q <= shift_not_right_q;
       patches_band_rows_number_s12_q <= patches_band_rows_number_s11_q;
       patches_choosing_band_s12_q <= patches_choosing_band_s11_q;
@@ -3927,8 +3883,8 @@ module horopter_agreement (
       last_s12_q <= last_s11_q;
       and_550_s12_q <= and_550_s11_q;
       and_552_s12_q <= and_552_s11_q;
-      equal_572_s12_q <= equal_572_s11_q;
-      first_s12_q <= first_s11_q;
+      equal_572_s12_q <= equal_572;
+      first_s12_q <= first;
       equal_577_s12_q <= equal_577_s11_q;
       not_578_s12_q <= not_578;
       so_s12_q <= so_s11_q;
@@ -3943,6 +3899,7 @@ module horopter_agreement (
       x_s12_2_q <= x_s11_2_q;
       best_left_rdata_s12_q <= best_left_rdata_s11_q;
       less_623_s12_q <= 8'hb6 < best_left_rdata_s11_q[16:9];
+      select_630_s12_q <= select_630_s11_q;
       right_s12_q <= right_s11_q;
       best_right_rdata_s12_q <= best_right_rdata_s11_q;
       chosen_s12_q <= chosen;
@@ -3962,11 +3919,11 @@ module horopter_agreement (
       select_1570_s12_q <= or_766 ? shift_first_s11_q : equal_1569_s11_q;
       and_1579_s12_q <= and_1579;
       and_1581_s12_q <= and_1581;
-      select_1585_s12_q <= select_1585;
       or_1589_s12_q <= or_1589_s11_q;
+      and_1598_s12_q <= or_582_s11_q & (slot_s11_q[2] & not_586_s11_q);
       right_2_s12_q <= right_2_s11_q;
       and_1692_s12_q <= and_1692_s11_q;
-      and_1705_s12_q <= not_578 & and_1704_s11_q;
+      and_1705_s12_q <= and_1705;
       less_1706_s12_q <= less_1706_s11_q;
       equal_1707_s12_q <= equal_1707;
       sum_1712_s12_q <= sum_1712[8:1];
@@ -3974,7 +3931,7 @@ module horopter_agreement (
       sum_1715_s12_q <= sum_1715;
       select_1717_s12_q <= select_1717[0];
       difference_1719_s12_q <= difference_1719;
-      and_1739_s12_q <= and_1739_s11_q;
+      and_1739_s12_q <= and_1739;
       select_1756_s12_q <= equal_577_s11_q ? 6'h0 : select_1755;
       select_1782_s12_q <= equal_577_s11_q ? 8'h0 : select_1781;
       equal_1784_s12_q <= equal_1784_s11_q;
@@ -4000,29 +3957,30 @@ module horopter_agreement (
       or_1972_s12_q <= or_1972_s11_q;
       patches_rows_rdata_s12_q <= patches_rows_rdata_s11_q[9:0];
       sum_1996_s12_q <= sum_1996_s11_q;
-      and_2017_s12_q <= and_2017_s11_q;
-      not_2054_s12_q <= not_2054_s11_q;
-      and_2143_s12_q <= not_578 & and_2142_s11_q;
-      equal_2286_s12_q <= equal_2286_s11_q;
-      equal_2475_s12_q <= equal_2475_s11_q;
-      and_2612_s12_q <= and_2612_s11_q;
-      equal_2697_s12_q <= equal_2697_s11_q;
+      and_2018_s12_q <= and_2018_s11_q;
+      not_2058_s12_q <= not_2058_s11_q;
+      and_2145_s12_q <= ends_cell_s11_q & select_2144;
+      equal_2290_s12_q <= equal_2290_s11_q;
+      equal_2479_s12_q <= equal_2479_s11_q;
+      and_2585_s12_q <= and_2585_s11_q;
+      and_2616_s12_q <= and_2616_s11_q;
+      equal_2705_s12_q <= equal_2705_s11_q;
       rise_s12_q <= rise[8];
-      xor_2702_s12_q <= rise[7:0] ^ {8{rise[8]}};
-      select_2774_s12_q <= select_2774[0];
-      or_2777_s12_q <= (select_2774 == 3'h0) | (select_2774 == 3'h4);
-      sum_2778_s12_q <= select_2774[2:1] + 2'h3;
-      less_2779_s12_q <= less_2779_s11_q;
-      and_3009_s12_q <= not_578 & and_3008_s11_q;
-      or_3059_s12_q <= or_3059_s11_q;
-      not_3083_s12_q <= not_3083_s11_q;
-      equal_3575_s12_q <= equal_3575_s11_q;
-      less_3831_s12_q <= less_3831_s11_q;
-      equal_3902_s12_q <= equal_3902_s11_q;
-      or_4052_s12_q <= or_4052_s11_q;
-      and_4066_s12_q <= and_4066_s11_q;
-      and_4083_s12_q <= and_4083_s11_q;
-      not_4095_s12_q <= not_4095_s11_q;
+      xor_2710_s12_q <= rise[7:0] ^ {8{rise[8]}};
+      select_2784_s12_q <= select_2784[0];
+      or_2787_s12_q <= (select_2784 == 3'h0) | (select_2784 == 3'h4);
+      sum_2788_s12_q <= select_2784[2:1] + 2'h3;
+      less_2789_s12_q <= less_2789_s11_q;
+      and_3019_s12_q <= and_3019;
+      or_3069_s12_q <= or_3069_s11_q;
+      not_3093_s12_q <= not_3093_s11_q;
+      equal_3585_s12_q <= equal_3585_s11_q;
+      less_3841_s12_q <= less_3841_s11_q;
+      equal_3913_s12_q <= equal_3913_s11_q;
+      or_4063_s12_q <= or_4063_s11_q;
+      and_4077_s12_q <= and_4077_s11_q;
+      and_4094_s12_q <= and_4094_s11_q;
+      not_4106_s12_q <= not_4106_s11_q;
     end
   end
 
@@ -4060,25 +4018,28 @@ module horopter_agreement (
   // hls/stages/moments.hpp:104
   logic not_590;
   assign not_590 = ~(11'h3ec < place);
-  // hls/stages/agreement.hpp:985
+  // hls/stages/agreement.hpp:988
   logic select_625;
   assign select_625 = slot_s12_q[2] ? less_623_s12_q : (6'h2a < best_left_rdata_s12_q[39:34]);
-  // hls/stages/agreement.hpp:999
+  // hls/stages/agreement.hpp:1002
   logic [8:0] difference_635;
   assign difference_635 = {2'h0, chosen_s12_q} - {1'b0, x_s12_q};
-  // hls/stages/agreement.hpp:785
+  // hls/stages/agreement.hpp:788
   logic [7:0] sum_1018;
   assign sum_1018 = {difference_1016_s12_q[6], difference_1016_s12_q} + (age_s12_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
   logic [7:0] sum_1268;
   assign sum_1268 = {difference_1265_s12_q[6], difference_1265_s12_q} + (equal_1266_s12_q ? 8'h0 : sums_0_sum_sums_values_1_q);
   logic [7:0] sum_1516;
   assign sum_1516 = {difference_1514_s12_q[6], difference_1514_s12_q} + (equal_1266_s12_q ? 8'h0 : sums_1_sum_sums_values_1_q);
-  // hls/stages/agreement.hpp:762
+  // hls/stages/agreement.hpp:765
   logic [6:0] select_1545;
   assign select_1545 = slot_s12_q[0] ? chosen_near_q : sum_1544_s12_q;
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:761
   logic [6:0] select_1555;
   assign select_1555 = (select_1545 < select_1553_s12_q) ? select_1553_s12_q : select_1545;
+  // hls/stages/agreement.hpp:798
+  logic [6:0] select_1585;
+  assign select_1585 = so_s12_q ? x_s12_q[6:0] : (or_582_s12_q ? (less_585_s12_q ? 7'h0 : select_630_s12_q) : 7'h0);
   // hls/stages/registration.hpp:214
   logic [10:0] sum_1716;
   assign sum_1716 = {{3{sum_1712_s12_q[7]}}, sum_1712_s12_q} + {sum_1715_s12_q[8], sum_1715_s12_q, select_1713_s12_q};
@@ -4092,71 +4053,74 @@ module horopter_agreement (
   // hls/stages/patches.hpp:471
   logic [10:0] sum_1924;
   assign sum_1924 = {3'h0, patches_columns_above_rdata_s12_q[15:8]} + {sum_1923_s12_q, patches_columns_above_rdata_s12_q[25]};
-  // hls/stages/agreement.hpp:239
-  logic [6:0] select_2597;
-  assign select_2597 = slot_s12_q[0] ? 7'h0 : sum_1544_s12_q;
-  // hls/stages/agreement.hpp:758
-  logic [6:0] select_2599;
-  assign select_2599 = (select_2597 < select_1553_s12_q) ? select_1553_s12_q : select_2597;
-  // hls/stages/agreement.hpp:994
+  // hls/stages/agreement.hpp:240
+  logic [6:0] select_2601;
+  assign select_2601 = slot_s12_q[0] ? 7'h0 : sum_1544_s12_q;
+  // hls/stages/agreement.hpp:761
+  logic [6:0] select_2603;
+  assign select_2603 = (select_2601 < select_1553_s12_q) ? select_1553_s12_q : select_2601;
+  // hls/stages/agreement.hpp:997
   logic [7:0] lower;
   assign lower = rise_s12_q ? best_left_rdata_s12_q[61:54] : best_left_rdata_s12_q[53:46];
   // hls/stages/registration.hpp:47
-  logic [7:0] difference_2780;
-  assign difference_2780 = {sum_2778_s12_q, select_2774_s12_q, 5'h0} - {3'h0, registration_displacement_fraction_q};
+  logic [7:0] difference_2790;
+  assign difference_2790 = {sum_2788_s12_q, select_2784_s12_q, 5'h0} - {3'h0, registration_displacement_fraction_q};
   // hls/stages/registration.hpp:102
-  logic [7:0] select_2781;
-  assign select_2781 = less_2779_s12_q ? difference_2780 : {sum_2778_s12_q, select_2774_s12_q, registration_displacement_fraction_q};
-  logic [7:0] select_2782;
-  assign select_2782 = or_2777_s12_q ? {sum_2778_s12_q, select_2774_s12_q, 5'h0} : select_2781;
+  logic [7:0] select_2791;
+  assign select_2791 = less_2789_s12_q ? difference_2790 : {sum_2788_s12_q, select_2784_s12_q, registration_displacement_fraction_q};
+  logic [7:0] select_2792;
+  assign select_2792 = or_2787_s12_q ? {sum_2788_s12_q, select_2784_s12_q, 5'h0} : select_2791;
   // hls/stages/patches.hpp:191
-  logic select_3098;
-  assign select_3098 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3108;
+  assign select_3108 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/patches.hpp:177
-  logic and_3159;
-  assign and_3159 = patches_along_ends_q & patches_match_row_ends_q;
+  logic and_3169;
+  assign and_3169 = patches_along_ends_q & patches_match_row_ends_q;
   // hls/stages/patches.hpp:417
-  logic [4:0] select_3164;
-  assign select_3164 = or_3059_s12_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  logic [4:0] select_3174;
+  assign select_3174 = or_3069_s12_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:419
-  logic [3:0] select_3166;
-  assign select_3166 = and_3159 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
-  // hls/stages/agreement.hpp:275
-  logic select_3537;
-  assign select_3537 = equal_1791_s12_q ? (less_1969_s12_q & (or_1972_s12_q & (patches_step_s12_q == 5'h0))) : patches_read_first_q;
+  logic [3:0] select_3176;
+  assign select_3176 = and_3169 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  // hls/stages/agreement.hpp:276
+  logic select_3547;
+  assign select_3547 = equal_1791_s12_q ? (less_1969_s12_q & (or_1972_s12_q & (patches_step_s12_q == 5'h0))) : patches_read_first_q;
   // hls/stages/patches.hpp:180
-  logic or_3542;
-  assign or_3542 = patches_read_first_q | (patches_read_row_differing_s12_q < patches_peak_best_differing_q);
-  logic and_3543;
-  assign and_3543 = patches_read_searches_s12_q & or_3542;
+  logic or_3552;
+  assign or_3552 = patches_read_first_q | (patches_read_row_differing_s12_q < patches_peak_best_differing_q);
+  logic and_3553;
+  assign and_3553 = patches_read_searches_s12_q & or_3552;
   // hls/stages/patches.hpp:542
-  logic [14:0] select_3563;
-  assign select_3563 = and_3543 ? {patches_read_row_column_s12_q, patches_read_row_differing_s12_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
-  // hls/stages/agreement.hpp:275
-  logic [9:0] select_3564;
-  assign select_3564 = equal_1791_s12_q ? select_3563[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3565;
-  assign select_3565 = equal_1791_s12_q ? select_3563[14:10] : patches_peak_best_column_q;
+  logic [14:0] select_3573;
+  assign select_3573 = and_3553 ? {patches_read_row_column_s12_q, patches_read_row_differing_s12_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  // hls/stages/agreement.hpp:276
+  logic [9:0] select_3574;
+  assign select_3574 = equal_1791_s12_q ? select_3573[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3575;
+  assign select_3575 = equal_1791_s12_q ? select_3573[14:10] : patches_peak_best_column_q;
+  // hls/stages/agreement.hpp:499
+  logic [8:0] select_3843;
+  assign select_3843 = equal_685_s12_q ? {difference_3842[7], difference_3842} : region_down_rest_q;
+  // hls/stages/division.hpp:18
+  logic [7:0] sum_3844;
+  assign sum_3844 = select_3843[8:1] + 8'h3;
+  // hls/stages/agreement.hpp:465
+  logic [8:0] select_3866;
+  assign select_3866 = equal_2479_s12_q ? (less_3841_s12_q ? region_down_next_q : select_3843) : region_down_rest_q;
+  // hls/stages/agreement.hpp:499
+  logic [7:0] select_3869;
+  assign select_3869 = equal_685_s12_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
+  // hls/stages/agreement.hpp:530
+  logic [7:0] select_3871;
+  assign select_3871 = and_552_s12_q ? (equal_2479_s12_q ? select_3869 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:34
-  logic [7:0] sum_3832;
-  assign sum_3832 = region_down_rest_q[8:1] + 8'h3;
-  // hls/stages/agreement.hpp:464
-  logic [8:0] select_3855;
-  assign select_3855 = equal_685_s12_q ? {difference_3853[7], difference_3853} : (less_3831_s12_q ? region_down_next_q : region_down_rest_q);
-  // hls/stages/agreement.hpp:527
-  logic [8:0] select_3857;
-  assign select_3857 = and_552_s12_q ? (equal_2475_s12_q ? select_3855 : region_down_rest_q) : region_down_rest_q;
-  // hls/stages/agreement.hpp:464
-  logic [7:0] select_3859;
-  assign select_3859 = equal_685_s12_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:527
-  logic [7:0] select_3861;
-  assign select_3861 = and_552_s12_q ? (equal_2475_s12_q ? select_3859 : region_down_back_q) : region_down_back_q;
+  logic [7:0] sum_3872;
+  assign sum_3872 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/division.hpp:36
-  logic [8:0] select_3863;
-  assign select_3863 = sum_3832[7] ? {1'b1, sum_3832[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
+  logic [8:0] select_3874;
+  assign select_3874 = sum_3872[7] ? {1'b1, sum_3872[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
 
-  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1387; read in stage 12, written in stage 15: 12 < 15 < 12 + DISTANCE.
+  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1391; read in stage 12, written in stage 15: 12 < 15 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4173,6 +4137,44 @@ module horopter_agreement (
   logic [1:0] shown_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
+  end
+
+  // Memory left_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1392; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  (* ram_style = "distributed" *)
+  logic [1:0] left_turns_mem [0:119];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 120; i++) left_turns_mem[i] = 2'h0;
+`endif
+  logic [6:0] left_turns_raddr;
+  assign left_turns_raddr = x_s12_q[6:0];
+`ifndef SYNTHESIS
+  logic left_turns_re;
+  assign left_turns_re = s12_en & and_1598_s12_q;
+`endif
+  logic [1:0] left_turns_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) left_turns_rdata_q <= left_turns_mem[left_turns_raddr];
+  end
+
+  // Memory right_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1392; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
+  // So no address is read and written in one clock, and synthesis needs no bypass.
+  (* no_rw_check *)
+  (* ram_style = "distributed" *)
+  logic [1:0] right_turns_mem [0:119];
+`ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
+  initial for (int i = 0; i < 120; i++) right_turns_mem[i] = 2'h0;
+`endif
+  logic [6:0] right_turns_raddr;
+  assign right_turns_raddr = select_630_s12_q;
+`ifndef SYNTHESIS
+  logic right_turns_re;
+  assign right_turns_re = s12_en & and_1598_s12_q;
+`endif
+  logic [1:0] right_turns_rdata_q;
+  always_ff @(posedge clk_i) begin
+    if (en_i) right_turns_rdata_q <= right_turns_mem[right_turns_raddr];
   end
 
   // Memory patches_columns_above, write
@@ -4242,19 +4244,19 @@ module horopter_agreement (
     end else if (s12_en) begin
       sample_pair_pixel_0_q <= pixel_0_s12_q;
       sample_pair_pixel_1_q <= pixel_1_s12_q;
-      chosen_near_q <= select_2599;
-      patches_along_ends_q <= not_3083_s12_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3083_s12_q & select_3098;
-      patches_down_by_q <= or_3059_s12_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3159});
-      patches_along_q <= select_3164;
-      patches_match_row_q <= or_3059_s12_q ? 4'h0 : select_3166;
-      patches_summed_last_q <= not_1792_s12_q & (equal_1793_s12_q & and_3159);
-      patches_read_first_q <= select_3537;
-      patches_peak_best_differing_q <= select_3564;
-      patches_peak_best_column_q <= select_3565;
-      region_down_rest_q <= select_3857;
-      region_down_back_q <= select_3861;
-      region_down_next_q <= select_3863;
+      chosen_near_q <= select_2603;
+      patches_along_ends_q <= not_3093_s12_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3093_s12_q & select_3108;
+      patches_down_by_q <= or_3069_s12_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3169});
+      patches_along_q <= select_3174;
+      patches_match_row_q <= or_3069_s12_q ? 4'h0 : select_3176;
+      patches_summed_last_q <= not_1792_s12_q & (equal_1793_s12_q & and_3169);
+      patches_read_first_q <= select_3547;
+      patches_peak_best_differing_q <= select_3574;
+      patches_peak_best_column_q <= select_3575;
+      region_down_rest_q <= and_552_s12_q ? select_3866 : region_down_rest_q;
+      region_down_back_q <= select_3871;
+      region_down_next_q <= select_3874;
     end
   end
 
@@ -4366,9 +4368,7 @@ module horopter_agreement (
   logic and_1581_s13_q;
   logic [6:0] select_1585_s13_q;
   logic or_1589_s13_q;
-  logic [1:0] left_turns_rdata_s13_q;
   logic and_1607_s13_q;
-  logic [1:0] right_turns_rdata_s13_q;
   logic right_2_s13_q;
   logic and_1692_s13_q;
   logic and_1705_s13_q;
@@ -4404,27 +4404,28 @@ module horopter_agreement (
   logic or_1972_s13_q;
   logic [9:0] patches_rows_rdata_s13_q;
   logic sum_1996_s13_q;
-  logic and_2017_s13_q;
+  logic and_2018_s13_q;
   logic [17:0] seen_columns_rdata_s13_q;
-  logic not_2054_s13_q;
-  logic and_2143_s13_q;
-  logic equal_2286_s13_q;
-  logic equal_2475_s13_q;
-  logic and_2612_s13_q;
-  logic equal_2697_s13_q;
+  logic not_2058_s13_q;
+  logic and_2147_s13_q;
+  logic equal_2290_s13_q;
+  logic equal_2479_s13_q;
+  logic and_2585_s13_q;
+  logic and_2616_s13_q;
+  logic equal_2705_s13_q;
   logic [7:0] lower_s13_q;
-  logic [7:0] sum_2703_s13_q;
-  logic [7:0] select_2782_s13_q;
-  logic and_3009_s13_q;
-  logic and_3543_s13_q;
-  logic equal_3575_s13_q;
-  logic less_3831_s13_q;
-  logic sum_3832_s13_q;
-  logic equal_3902_s13_q;
-  logic or_4052_s13_q;
-  logic and_4066_s13_q;
-  logic and_4083_s13_q;
-  logic not_4095_s13_q;
+  logic [7:0] sum_2711_s13_q;
+  logic [7:0] select_2792_s13_q;
+  logic and_3019_s13_q;
+  logic and_3553_s13_q;
+  logic equal_3585_s13_q;
+  logic less_3841_s13_q;
+  logic sum_3844_s13_q;
+  logic equal_3913_s13_q;
+  logic or_4063_s13_q;
+  logic and_4077_s13_q;
+  logic and_4094_s13_q;
+  logic not_4106_s13_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       saturated_s13_q <= saturated_s12_q;
@@ -4509,11 +4510,9 @@ module horopter_agreement (
       select_1570_s13_q <= select_1570_s12_q;
       and_1579_s13_q <= and_1579_s12_q;
       and_1581_s13_q <= and_1581_s12_q;
-      select_1585_s13_q <= select_1585_s12_q;
+      select_1585_s13_q <= select_1585;
       or_1589_s13_q <= or_1589_s12_q;
-      left_turns_rdata_s13_q <= left_turns_rdata_q;
       and_1607_s13_q <= moments_taken_q;
-      right_turns_rdata_s13_q <= right_turns_rdata_q;
       right_2_s13_q <= right_2_s12_q;
       and_1692_s13_q <= and_1692_s12_q;
       and_1705_s13_q <= and_1705_s12_q;
@@ -4549,27 +4548,28 @@ module horopter_agreement (
       or_1972_s13_q <= or_1972_s12_q;
       patches_rows_rdata_s13_q <= patches_rows_rdata_s12_q;
       sum_1996_s13_q <= sum_1996_s12_q;
-      and_2017_s13_q <= and_2017_s12_q;
+      and_2018_s13_q <= and_2018_s12_q;
       seen_columns_rdata_s13_q <= seen_columns_rdata_q;
-      not_2054_s13_q <= not_2054_s12_q;
-      and_2143_s13_q <= and_2143_s12_q;
-      equal_2286_s13_q <= equal_2286_s12_q;
-      equal_2475_s13_q <= equal_2475_s12_q;
-      and_2612_s13_q <= and_2612_s12_q;
-      equal_2697_s13_q <= equal_2697_s12_q;
+      not_2058_s13_q <= not_2058_s12_q;
+      and_2147_s13_q <= not_578_s12_q & (so_s12_q & and_2145_s12_q);
+      equal_2290_s13_q <= equal_2290_s12_q;
+      equal_2479_s13_q <= equal_2479_s12_q;
+      and_2585_s13_q <= and_2585_s12_q;
+      and_2616_s13_q <= and_2616_s12_q;
+      equal_2705_s13_q <= equal_2705_s12_q;
       lower_s13_q <= lower;
-      sum_2703_s13_q <= {7'h0, rise_s12_q} + xor_2702_s12_q;
-      select_2782_s13_q <= select_2782;
-      and_3009_s13_q <= and_3009_s12_q;
-      and_3543_s13_q <= and_3543;
-      equal_3575_s13_q <= equal_3575_s12_q;
-      less_3831_s13_q <= less_3831_s12_q;
-      sum_3832_s13_q <= sum_3832[7];
-      equal_3902_s13_q <= equal_3902_s12_q;
-      or_4052_s13_q <= or_4052_s12_q;
-      and_4066_s13_q <= and_4066_s12_q;
-      and_4083_s13_q <= and_4083_s12_q;
-      not_4095_s13_q <= not_4095_s12_q;
+      sum_2711_s13_q <= {7'h0, rise_s12_q} + xor_2710_s12_q;
+      select_2792_s13_q <= select_2792;
+      and_3019_s13_q <= and_3019_s12_q;
+      and_3553_s13_q <= and_3553;
+      equal_3585_s13_q <= equal_3585_s12_q;
+      less_3841_s13_q <= less_3841_s12_q;
+      sum_3844_s13_q <= sum_3844[7];
+      equal_3913_s13_q <= equal_3913_s12_q;
+      or_4063_s13_q <= or_4063_s12_q;
+      and_4077_s13_q <= and_4077_s12_q;
+      and_4094_s13_q <= and_4094_s12_q;
+      not_4106_s13_q <= not_4106_s12_q;
     end
   end
 
@@ -4598,7 +4598,7 @@ module horopter_agreement (
   assign sum_533 = select_529_s13_q + (equal_531_s13_q ? 14'h0 : averager_memory_rdata_s13_q[13:0]);
   logic [13:0] sum_537;
   assign sum_537 = sum_535_s13_q + (equal_531_s13_q ? 14'h0 : averager_memory_rdata_s13_q[27:14]);
-  // hls/stages/agreement.hpp:422
+  // hls/stages/agreement.hpp:423
   logic whole;
   assign whole = equal_512_s13_q ? sample_present_s13_q : (sample_present_s13_q & averager_running_mask_q);
   logic all_of_skin;
@@ -4606,38 +4606,38 @@ module horopter_agreement (
   // hls/stages/census.hpp:131
   logic and_545;
   assign and_545 = all_of_skin & (averager_memory_rdata_s13_q[29] | equal_531_s13_q);
-  // hls/stages/agreement.hpp:795
+  // hls/stages/agreement.hpp:798
   logic and_594;
   assign and_594 = not_578_s13_q & and_593_s13_q;
-  // hls/stages/agreement.hpp:247
+  // hls/stages/agreement.hpp:248
   logic and_638;
   assign and_638 = (and_612_s13_q & select_625_s13_q) & ({{22{sum_636_s13_q[9]}}, sum_636_s13_q} < 32'h3);
-  // hls/stages/agreement.hpp:762
+  // hls/stages/agreement.hpp:765
   logic [7:0] select_1019;
   assign select_1019 = slot_s13_q[0] ? chosen_score_q : sum_1018_s13_q;
-  // hls/stages/agreement.hpp:758
+  // hls/stages/agreement.hpp:761
   logic [7:0] select_1518;
   assign select_1518 = less_1517_s13_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
   logic less_1519;
   assign less_1519 = select_1019 < select_1518;
-  // hls/stages/agreement.hpp:808
+  // hls/stages/agreement.hpp:811
   logic [7:0] of_best;
   assign of_best = shift_allowed_q ? (less_1519 ? select_1518 : select_1019) : 8'h0;
-  // hls/stages/agreement.hpp:727
+  // hls/stages/agreement.hpp:730
   logic not_1525;
   assign not_1525 = ~slot_s13_q[0];
-  // hls/stages/agreement.hpp:759
+  // hls/stages/agreement.hpp:762
   logic [1:0] select_1526;
   assign select_1526 = less_1517_s13_q ? {slot_s13_q[0], not_1525} : 2'h0;
   logic [2:0] select_1528;
   assign select_1528 = less_1519 ? {select_1526, not_1525} : (slot_s13_q[0] ? chosen_place_q : 3'h2);
-  // hls/stages/agreement.hpp:809
+  // hls/stages/agreement.hpp:812
   logic [6:0] of_near;
   assign of_near = shift_allowed_q ? select_1555_s13_q : 7'h0;
-  // hls/stages/agreement.hpp:820
+  // hls/stages/agreement.hpp:823
   logic less_1557;
   assign less_1557 = best_left_rdata_s13_q[39:33] < of_near;
-  // hls/stages/agreement.hpp:1136
+  // hls/stages/agreement.hpp:1140
   logic equal_1614;
   assign equal_1614 = x_s13_q[6:4] == 3'h7;
   // hls/stages/registration.hpp:147
@@ -4654,7 +4654,7 @@ module horopter_agreement (
   assign equal_1634 = x_s13_q[5:0] == 6'h35;
   logic equal_1636;
   assign equal_1636 = x_s13_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1186
+  // hls/stages/agreement.hpp:1190
   logic and_1640;
   assign and_1640 = (~equal_1630) & ((~equal_1632) & ((~equal_1634) & (~equal_1636)));
   // hls/stages/patches.hpp:377
@@ -4662,7 +4662,7 @@ module horopter_agreement (
   assign select_1693 = and_1692_s13_q ? 2'h1 : patches_fetch_q;
   logic [4:0] select_1694;
   assign select_1694 = and_1692_s13_q ? patches_band_rows_number_s13_q : patches_band_q;
-  // hls/stages/agreement.hpp:276
+  // hls/stages/agreement.hpp:277
   logic [5:0] select_1695;
   assign select_1695 = row_starts_s13_q ? {select_1694, select_1693[1]} : {patches_band_q, patches_fetch_q[1]};
   // hls/stages/patches.hpp:126
@@ -4723,119 +4723,102 @@ module horopter_agreement (
   // hls/stages/patches.hpp:174
   logic and_1963;
   assign and_1963 = (~(equal_1796_s13_q | (~and_1949))) & (~patches_column_s13_q[4]);
-  // hls/stages/agreement.hpp:205
+  // hls/stages/agreement.hpp:206
   logic [7:0] select_1983;
   assign select_1983 = so_s13_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:1057
+  // hls/stages/agreement.hpp:1061
   logic or_1986;
   assign or_1986 = select_1983[7] | (~({select_1983[5], select_1983[3], select_1983[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1056
+  // hls/stages/agreement.hpp:1060
   logic or_1989;
   assign or_1989 = select_1983[7] | (~({select_1983[6], select_1983[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:1055
+  // hls/stages/agreement.hpp:1059
   logic or_1992;
   assign or_1992 = select_1983[7] | (~(select_1983[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:795
+  // hls/stages/agreement.hpp:798
   logic [5:0] select_1993;
   assign select_1993 = equal_577_s13_q ? x_s13_q[5:0] : {region_row_q, or_1992, or_1989, or_1986};
-  // hls/stages/agreement.hpp:1136
+  // hls/stages/agreement.hpp:1140
   logic not_1994;
   assign not_1994 = ~equal_1614;
-  // hls/stages/agreement.hpp:1065
+  // hls/stages/agreement.hpp:1069
   logic or_1998;
   assign or_1998 = (~sum_1996_s13_q) | equal_1784_s13_q;
-  // hls/stages/agreement.hpp:795
+  // hls/stages/agreement.hpp:798
   logic and_2001;
   assign and_2001 = so_s13_q & (ends_cell_s13_q & (inside_v_s13_q & or_1998));
-  // hls/stages/agreement.hpp:262
-  logic textured;
-  assign textured = inside_v_s13_q & (or_582_s13_q & (not_586_s13_q & and_612_s13_q));
-  // hls/stages/agreement.hpp:1037
-  logic [7:0] select_2082;
-  assign select_2082 = inside_v_s13_q ? (sum_1996_s13_q ? select_1983 : {select_1983[6:0], 1'b0}) : select_1983;
-  // hls/stages/agreement.hpp:1057
-  logic or_2085;
-  assign or_2085 = select_2082[7] | (~({select_2082[5], select_2082[3], select_2082[1]} == 3'h0));
-  // hls/stages/agreement.hpp:276
-  logic select_2199;
-  assign select_2199 = sample_pair_whole_s13_q ? all_of_skin : averager_running_of_skin_q;
-  // hls/stages/agreement.hpp:239
-  logic [7:0] select_2594;
-  assign select_2594 = slot_s13_q[0] ? 8'h0 : sum_1018_s13_q;
-  // hls/stages/agreement.hpp:758
-  logic less_2595;
-  assign less_2595 = select_2594 < select_1518;
-  // hls/stages/agreement.hpp:795
-  logic less_2601;
-  assign less_2601 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
-  logic less_2603;
-  assign less_2603 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
-  // hls/stages/agreement.hpp:995
-  logic [7:0] difference_2701;
-  assign difference_2701 = best_left_rdata_s13_q[16:9] - lower_s13_q;
-  // hls/stages/agreement.hpp:149
-  logic and_2716;
-  assign and_2716 = not_586_s13_q & (slot_s13_q[2] & left_turns_rdata_s13_q[0]);
-  // hls/stages/agreement.hpp:247
-  logic and_2718;
-  assign and_2718 = not_586_s13_q & (slot_s13_q[2] & left_turns_rdata_s13_q[1]);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_2719;
-  assign select_2719 = or_582_s13_q ? {and_2718, and_2716} : 2'h0;
-  // hls/stages/agreement.hpp:247
-  logic [1:0] select_2721;
-  assign select_2721 = less_585_s13_q ? 2'h0 : (slot_s13_q[2] ? right_turns_rdata_s13_q : 2'h0);
-  // hls/stages/agreement.hpp:149
-  logic [1:0] select_2722;
-  assign select_2722 = or_582_s13_q ? select_2721 : 2'h0;
-  // hls/stages/agreement.hpp:795
-  logic [10:0] select_2767;
-  assign select_2767 = equal_577_s13_q ? registration_expected_q : (so_s13_q ? expected : registration_expected_q);
+  // hls/stages/agreement.hpp:1040
+  logic [7:0] select_2086;
+  assign select_2086 = inside_v_s13_q ? (sum_1996_s13_q ? select_1983 : {select_1983[6:0], 1'b0}) : select_1983;
+  // hls/stages/agreement.hpp:1061
+  logic or_2089;
+  assign or_2089 = select_2086[7] | (~({select_2086[5], select_2086[3], select_2086[1]} == 3'h0));
+  // hls/stages/agreement.hpp:277
+  logic select_2203;
+  assign select_2203 = sample_pair_whole_s13_q ? all_of_skin : averager_running_of_skin_q;
+  // hls/stages/agreement.hpp:240
+  logic [7:0] select_2598;
+  assign select_2598 = slot_s13_q[0] ? 8'h0 : sum_1018_s13_q;
+  // hls/stages/agreement.hpp:761
+  logic less_2599;
+  assign less_2599 = select_2598 < select_1518;
+  // hls/stages/agreement.hpp:798
+  logic less_2605;
+  assign less_2605 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
+  logic less_2607;
+  assign less_2607 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
+  // hls/stages/agreement.hpp:998
+  logic [7:0] difference_2709;
+  assign difference_2709 = best_left_rdata_s13_q[16:9] - lower_s13_q;
+  // hls/stages/agreement.hpp:798
+  logic [10:0] select_2777;
+  assign select_2777 = equal_577_s13_q ? registration_expected_q : (so_s13_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:102
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2782_s13_q[7]}}, select_2782_s13_q} - {sum_1720_s13_q[9], sum_1720_s13_q, sum_1716_s13_q};
+  assign value_2 = {{4{select_2792_s13_q[7]}}, select_2792_s13_q} - {sum_1720_s13_q[9], sum_1720_s13_q, sum_1716_s13_q};
   // hls/stages/patches.hpp:358
-  logic not_3024;
-  assign not_3024 = ~select_1696[1];
+  logic not_3034;
+  assign not_3034 = ~select_1696[1];
+  // hls/stages/agreement.hpp:277
+  logic [1:0] select_3036;
+  assign select_3036 = sample_pair_whole_s13_q ? (equal_1697 ? select_1696 : {not_3034, 1'b0}) : patches_fetch_q;
   // hls/stages/agreement.hpp:276
-  logic [1:0] select_3026;
-  assign select_3026 = sample_pair_whole_s13_q ? (equal_1697 ? select_1696 : {not_3024, 1'b0}) : patches_fetch_q;
-  // hls/stages/agreement.hpp:275
-  logic [4:0] select_3521;
-  assign select_3521 = equal_1793_s13_q ? patches_down_by_s13_q : patches_summed_down_by_q;
+  logic [4:0] select_3531;
+  assign select_3531 = equal_1793_s13_q ? patches_down_by_s13_q : patches_summed_down_by_q;
   // hls/stages/patches.hpp:559
-  logic [4:0] select_3532;
-  assign select_3532 = less_1969_s13_q ? (or_1972_s13_q ? patches_step_s13_q : 5'h0) : 5'h0;
+  logic [4:0] select_3542;
+  assign select_3542 = less_1969_s13_q ? (or_1972_s13_q ? patches_step_s13_q : 5'h0) : 5'h0;
   // hls/stages/patches.hpp:543
-  logic [4:0] select_3544;
-  assign select_3544 = and_3543_s13_q ? patches_read_at_q : patches_peak_row_q;
+  logic [4:0] select_3554;
+  assign select_3554 = and_3553_s13_q ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:550
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s13_q} - {1'b0, select_3544};
-  // hls/stages/agreement.hpp:464
-  logic [2:0] select_3834;
-  assign select_3834 = less_3831_s13_q ? (sum_3832_s13_q ? region_row_q : next_region_row_q) : region_row_q;
-  logic [2:0] select_3836;
-  assign select_3836 = equal_2475_s13_q ? (equal_685_s13_q ? 3'h0 : select_3834) : region_row_q;
-  // hls/stages/agreement.hpp:795
-  logic [7:0] select_3841;
-  assign select_3841 = equal_577_s13_q ? select_1983 : (so_s13_q ? (ends_cell_s13_q ? select_2082 : select_1983) : 8'h1);
+  assign away = {1'b0, patches_step_s13_q} - {1'b0, select_3554};
+  // hls/stages/agreement.hpp:465
+  logic [2:0] select_3847;
+  assign select_3847 = less_3841_s13_q ? (sum_3844_s13_q ? region_row_q : next_region_row_q) : (and_2585_s13_q ? region_row_q : 3'h0);
+  // hls/stages/agreement.hpp:530
+  logic [2:0] select_3849;
+  assign select_3849 = and_552_s13_q ? (equal_2479_s13_q ? select_3847 : region_row_q) : region_row_q;
+  // hls/stages/agreement.hpp:798
+  logic [7:0] select_3853;
+  assign select_3853 = equal_577_s13_q ? select_1983 : (so_s13_q ? (ends_cell_s13_q ? select_2086 : select_1983) : 8'h1);
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3832_s13_q;
-  // hls/stages/agreement.hpp:464
-  logic select_3867;
-  assign select_3867 = equal_2475_s13_q ? (equal_685_s13_q | (less_3831_s13_q ? next : region_fresh_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:1225
-  logic equal_3885;
-  assign equal_3885 = x_s13_q[6:3] == 4'h7;
-  logic equal_3910;
-  assign equal_3910 = x_s13_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1133
-  logic [7:0] select_3925;
-  assign select_3925 = (x_s13_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_3927;
-  assign select_3927 = equal_3910 ? cfg_unproven_skin_limit_i : (equal_3885 ? cfg_unproven_limit_i : select_3925);
+  assign next = ~sum_3844_s13_q;
+  // hls/stages/agreement.hpp:465
+  logic select_3878;
+  assign select_3878 = equal_2479_s13_q ? (less_3841_s13_q ? next : (region_fresh_q | equal_685_s13_q)) : region_fresh_q;
+  // hls/stages/agreement.hpp:1229
+  logic equal_3896;
+  assign equal_3896 = x_s13_q[6:3] == 4'h7;
+  logic equal_3921;
+  assign equal_3921 = x_s13_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:1137
+  logic [7:0] select_3936;
+  assign select_3936 = (x_s13_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_3938;
+  assign select_3938 = equal_3921 ? cfg_unproven_skin_limit_i : (equal_3896 ? cfg_unproven_limit_i : select_3936);
 
   // Memory census_memory, 120 x 78, DISTANCE 16, hls/stages/census.hpp:352; read in stage 13, written in stage 15: 13 < 15 < 13 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4897,23 +4880,23 @@ module horopter_agreement (
     end else if (s13_en) begin
       sample_of_skin_q <= mask_s13_q;
       averager_running_mask_q <= sample_pair_whole_s13_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2199;
-      chosen_score_q <= less_2595 ? select_1518 : select_2594;
-      chosen_place_q <= less_2595 ? {select_1526, not_1525} : 3'h2;
-      before_0_q <= select_2594;
+      averager_running_of_skin_q <= select_2203;
+      chosen_score_q <= less_2599 ? select_1518 : select_2598;
+      chosen_place_q <= less_2599 ? {select_1526, not_1525} : 3'h2;
+      before_0_q <= select_2598;
       before_1_q <= sums_0_sum_sums_values_0_q;
       before_2_q <= sums_1_sum_sums_values_0_q;
-      shift_allowed_q <= (~less_2601) & (~less_2603);
-      registration_expected_q <= select_2767;
+      shift_allowed_q <= (~less_2605) & (~less_2607);
+      registration_expected_q <= select_2777;
       patches_band_q <= sample_pair_whole_s13_q ? select_1804 : patches_band_q;
-      patches_fetch_q <= select_3026;
-      patches_summed_down_by_q <= equal_1791_s13_q ? patches_summed_down_by_q : select_3521;
-      patches_read_at_q <= equal_1791_s13_q ? select_3532 : patches_read_at_q;
-      patches_peak_row_q <= equal_1791_s13_q ? select_3544 : patches_peak_row_q;
-      region_row_q <= and_552_s13_q ? select_3836 : region_row_q;
+      patches_fetch_q <= select_3036;
+      patches_summed_down_by_q <= equal_1791_s13_q ? patches_summed_down_by_q : select_3531;
+      patches_read_at_q <= equal_1791_s13_q ? select_3542 : patches_read_at_q;
+      patches_peak_row_q <= equal_1791_s13_q ? select_3554 : patches_peak_row_q;
+      region_row_q <= select_3849;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_3841;
-      region_fresh_q <= and_552_s13_q ? select_3867 : region_fresh_q;
+      region_columns_q <= select_3853;
+      region_fresh_q <= and_552_s13_q ? select_3878 : region_fresh_q;
     end
   end
 
@@ -4973,6 +4956,7 @@ module horopter_agreement (
   logic not_580_s14_q;
   logic equal_581_s14_q;
   logic or_582_s14_q;
+  logic less_585_s14_q;
   logic not_586_s14_q;
   logic inside_v_s14_q;
   logic not_590_s14_q;
@@ -5004,7 +4988,9 @@ module horopter_agreement (
   logic [1:0] shown_right_rdata_s14_q;
   logic [6:0] select_1585_s14_q;
   logic and_1590_s14_q;
+  logic [1:0] left_turns_rdata_s14_q;
   logic and_1607_s14_q;
+  logic [1:0] right_turns_rdata_s14_q;
   logic equal_1614_s14_q;
   logic all_s14_q;
   logic equal_1628_s14_q;
@@ -5063,47 +5049,44 @@ module horopter_agreement (
   logic [5:0] select_1993_s14_q;
   logic not_1994_s14_q;
   logic select_2002_s14_q;
-  logic textured_s14_q;
-  logic and_2019_s14_q;
-  logic and_2026_s14_q;
+  logic and_2005_s14_q;
+  logic and_2020_s14_q;
+  logic and_2028_s14_q;
   logic [12:0] seen_columns_rdata_s14_q;
-  logic not_2054_s14_q;
-  logic and_2068_s14_q;
-  logic and_2070_s14_q;
-  logic or_2085_s14_q;
-  logic or_2088_s14_q;
-  logic or_2091_s14_q;
-  logic and_2103_s14_q;
-  logic and_2119_s14_q;
-  logic and_2143_s14_q;
-  logic equal_2286_s14_q;
-  logic equal_2475_s14_q;
-  logic and_2612_s14_q;
-  logic and_2636_s14_q;
-  logic and_2696_s14_q;
-  logic equal_2697_s14_q;
-  logic [5:0] difference_2701_s14_q;
-  logic [7:0] sum_2703_s14_q;
-  logic select_2719_s14_q;
-  logic select_2722_s14_q;
-  logic and_2723_s14_q;
-  logic [11:0] select_2785_s14_q;
-  logic and_3009_s14_q;
-  logic less_3135_s14_q;
+  logic not_2058_s14_q;
+  logic and_2072_s14_q;
+  logic and_2074_s14_q;
+  logic or_2089_s14_q;
+  logic or_2092_s14_q;
+  logic or_2095_s14_q;
+  logic and_2106_s14_q;
+  logic and_2122_s14_q;
+  logic and_2147_s14_q;
+  logic equal_2290_s14_q;
+  logic equal_2479_s14_q;
+  logic and_2616_s14_q;
+  logic and_2643_s14_q;
+  logic and_2704_s14_q;
+  logic equal_2705_s14_q;
+  logic [5:0] difference_2709_s14_q;
+  logic [7:0] sum_2711_s14_q;
+  logic [11:0] select_2795_s14_q;
+  logic and_3019_s14_q;
+  logic less_3145_s14_q;
   logic [5:0] away_s14_q;
-  logic [9:0] select_3564_s14_q;
-  logic [4:0] select_3565_s14_q;
-  logic equal_3575_s14_q;
-  logic select_3874_s14_q;
-  logic equal_3885_s14_q;
-  logic equal_3902_s14_q;
-  logic equal_3910_s14_q;
-  logic [7:0] select_3927_s14_q;
-  logic and_4040_s14_q;
-  logic or_4052_s14_q;
-  logic and_4066_s14_q;
-  logic and_4083_s14_q;
-  logic not_4095_s14_q;
+  logic [9:0] select_3574_s14_q;
+  logic [4:0] select_3575_s14_q;
+  logic equal_3585_s14_q;
+  logic select_3885_s14_q;
+  logic equal_3896_s14_q;
+  logic equal_3913_s14_q;
+  logic equal_3921_s14_q;
+  logic [7:0] select_3938_s14_q;
+  logic and_4051_s14_q;
+  logic or_4063_s14_q;
+  logic and_4077_s14_q;
+  logic and_4094_s14_q;
+  logic not_4106_s14_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s14_q <= sample_pair_pixel_0_q;
@@ -5162,6 +5145,7 @@ module horopter_agreement (
       not_580_s14_q <= not_580_s13_q;
       equal_581_s14_q <= equal_581_s13_q;
       or_582_s14_q <= or_582_s13_q;
+      less_585_s14_q <= less_585_s13_q;
       not_586_s14_q <= not_586_s13_q;
       inside_v_s14_q <= inside_v_s13_q;
       not_590_s14_q <= not_590_s13_q;
@@ -5193,7 +5177,9 @@ module horopter_agreement (
       shown_right_rdata_s14_q <= shown_right_rdata_q;
       select_1585_s14_q <= select_1585_s13_q;
       and_1590_s14_q <= and_638 & or_1589_s13_q;
+      left_turns_rdata_s14_q <= left_turns_rdata_q;
       and_1607_s14_q <= and_1607_s13_q;
+      right_turns_rdata_s14_q <= right_turns_rdata_q;
       equal_1614_s14_q <= equal_1614;
       all_s14_q <= all;
       equal_1628_s14_q <= equal_1628;
@@ -5252,47 +5238,44 @@ module horopter_agreement (
       select_1993_s14_q <= select_1993;
       not_1994_s14_q <= not_1994;
       select_2002_s14_q <= equal_577_s13_q ? (x_s13_q[6] & not_1994) : and_2001;
-      textured_s14_q <= textured;
-      and_2019_s14_q <= or_582_s13_q & (not_586_s13_q & and_2017_s13_q);
-      and_2026_s14_q <= not_578_s13_q & and_2001;
+      and_2005_s14_q <= or_582_s13_q & (not_586_s13_q & and_612_s13_q);
+      and_2020_s14_q <= or_582_s13_q & (not_586_s13_q & and_2018_s13_q);
+      and_2028_s14_q <= not_578_s13_q & and_2001;
       seen_columns_rdata_s14_q <= {seen_columns_rdata_s13_q[13:7], seen_columns_rdata_s13_q[5:0]};
-      not_2054_s14_q <= not_2054_s13_q;
-      and_2068_s14_q <= seen_columns_rdata_s13_q[14] & inside_v_s13_q;
-      and_2070_s14_q <= seen_columns_rdata_s13_q[5] & inside_v_s13_q;
-      or_2085_s14_q <= or_2085;
-      or_2088_s14_q <= select_2082[7] | (~({select_2082[6], select_2082[3:2]} == 3'h0));
-      or_2091_s14_q <= select_2082[7] | (~(select_2082[6:4] == 3'h0));
-      and_2103_s14_q <= seen_columns_rdata_s13_q[16] & inside_v_s13_q;
-      and_2119_s14_q <= seen_columns_rdata_s13_q[17] & inside_v_s13_q;
-      and_2143_s14_q <= and_2143_s13_q;
-      equal_2286_s14_q <= equal_2286_s13_q;
-      equal_2475_s14_q <= equal_2475_s13_q;
-      and_2612_s14_q <= and_2612_s13_q;
-      and_2636_s14_q <= seen_columns_rdata_s13_q[15] & inside_v_s13_q;
-      and_2696_s14_q <= and_2017_s13_q & and_638;
-      equal_2697_s14_q <= equal_2697_s13_q;
-      difference_2701_s14_q <= difference_2701[7:2];
-      sum_2703_s14_q <= sum_2703_s13_q;
-      select_2719_s14_q <= select_2719[1];
-      select_2722_s14_q <= select_2722[1];
-      and_2723_s14_q <= select_2719[0] & select_2722[0];
-      select_2785_s14_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
-      and_3009_s14_q <= and_3009_s13_q;
-      less_3135_s14_q <= 4'he < patches_column_s13_q[4:1];
+      not_2058_s14_q <= not_2058_s13_q;
+      and_2072_s14_q <= seen_columns_rdata_s13_q[14] & inside_v_s13_q;
+      and_2074_s14_q <= seen_columns_rdata_s13_q[5] & inside_v_s13_q;
+      or_2089_s14_q <= or_2089;
+      or_2092_s14_q <= select_2086[7] | (~({select_2086[6], select_2086[3:2]} == 3'h0));
+      or_2095_s14_q <= select_2086[7] | (~(select_2086[6:4] == 3'h0));
+      and_2106_s14_q <= seen_columns_rdata_s13_q[16] & inside_v_s13_q;
+      and_2122_s14_q <= seen_columns_rdata_s13_q[17] & inside_v_s13_q;
+      and_2147_s14_q <= and_2147_s13_q;
+      equal_2290_s14_q <= equal_2290_s13_q;
+      equal_2479_s14_q <= equal_2479_s13_q;
+      and_2616_s14_q <= and_2616_s13_q;
+      and_2643_s14_q <= seen_columns_rdata_s13_q[15] & inside_v_s13_q;
+      and_2704_s14_q <= and_2018_s13_q & and_638;
+      equal_2705_s14_q <= equal_2705_s13_q;
+      difference_2709_s14_q <= difference_2709[7:2];
+      sum_2711_s14_q <= sum_2711_s13_q;
+      select_2795_s14_q <= ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+      and_3019_s14_q <= and_3019_s13_q;
+      less_3145_s14_q <= 4'he < patches_column_s13_q[4:1];
       away_s14_q <= away;
-      select_3564_s14_q <= patches_peak_best_differing_q;
-      select_3565_s14_q <= patches_peak_best_column_q;
-      equal_3575_s14_q <= equal_3575_s13_q;
-      select_3874_s14_q <= sum_1996_s13_q ? (equal_1784_s13_q & or_1998) : or_1998;
-      equal_3885_s14_q <= equal_3885;
-      equal_3902_s14_q <= equal_3902_s13_q;
-      equal_3910_s14_q <= equal_3910;
-      select_3927_s14_q <= select_3927;
-      and_4040_s14_q <= seen_columns_rdata_s13_q[6] & inside_v_s13_q;
-      or_4052_s14_q <= or_4052_s13_q;
-      and_4066_s14_q <= and_4066_s13_q;
-      and_4083_s14_q <= and_4083_s13_q;
-      not_4095_s14_q <= not_4095_s13_q;
+      select_3574_s14_q <= patches_peak_best_differing_q;
+      select_3575_s14_q <= patches_peak_best_column_q;
+      equal_3585_s14_q <= equal_3585_s13_q;
+      select_3885_s14_q <= sum_1996_s13_q ? (equal_1784_s13_q & or_1998) : or_1998;
+      equal_3896_s14_q <= equal_3896;
+      equal_3913_s14_q <= equal_3913_s13_q;
+      equal_3921_s14_q <= equal_3921;
+      select_3938_s14_q <= select_3938;
+      and_4051_s14_q <= seen_columns_rdata_s13_q[6] & inside_v_s13_q;
+      or_4063_s14_q <= or_4063_s13_q;
+      and_4077_s14_q <= and_4077_s13_q;
+      and_4094_s14_q <= and_4094_s13_q;
+      not_4106_s14_q <= not_4106_s13_q;
     end
   end
 
@@ -5316,6 +5299,8 @@ module horopter_agreement (
   logic centres_values_0_of_skin_q;
   logic centres_values_1_textured_q;
   logic centres_values_1_of_skin_q;
+  logic write_half_q;
+  logic read_half_q;
   // hls/stages/census.hpp:218
   logic [8:0] grey;
   assign grey = and_525_s14_q ? sum_533_s14_q[13:5] : 9'h0;
@@ -5334,7 +5319,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:134
   logic select_565;
   assign select_565 = equal_555_s14_q ? and_563 : (averager_mask_q & and_563);
-  // hls/stages/agreement.hpp:276
+  // hls/stages/agreement.hpp:277
   logic whole_2;
   assign whole_2 = sample_pair_whole_s14_q & select_565;
   // hls/stages/census.hpp:218
@@ -5343,13 +5328,16 @@ module horopter_agreement (
   // hls/stages/census.hpp:134
   logic select_569;
   assign select_569 = equal_555_s14_q ? and_567 : (averager_of_skin_q & and_567);
-  // hls/stages/agreement.hpp:149
+  // hls/stages/agreement.hpp:150
   logic and_640;
   assign and_640 = or_582_s14_q & and_639_s14_q;
+  // hls/stages/agreement.hpp:263
+  logic and_642;
+  assign and_642 = and_640 & not_641_s14_q;
   // hls/stages/moments.hpp:77
   logic and_643;
-  assign and_643 = and_603_s14_q & (and_640 & not_641_s14_q);
-  // hls/stages/agreement.hpp:817
+  assign and_643 = and_603_s14_q & and_642;
+  // hls/stages/agreement.hpp:820
   logic equal_1531;
   assign equal_1531 = select_1528_s14_q == 3'h1;
   logic or_1534;
@@ -5358,31 +5346,31 @@ module horopter_agreement (
   assign select_1536 = or_1534 ? before_0_s14_q : before_1_s14_q;
   logic [7:0] select_1537;
   assign select_1537 = equal_1531 ? (or_1534 ? before_1_q : {7'h0, shift_not_right_s14_q}) : select_1536;
-  // hls/stages/agreement.hpp:818
+  // hls/stages/agreement.hpp:821
   logic [7:0] select_1540;
   assign select_1540 = equal_1531 ? select_1536 : (or_1534 ? before_2_q : before_2_s14_q);
-  // hls/stages/agreement.hpp:831
+  // hls/stages/agreement.hpp:834
   logic or_1572;
   assign or_1572 = select_1570_s14_q | (best_right_rdata_s14_q[7:0] < of_best_s14_q);
-  // hls/stages/agreement.hpp:149
+  // hls/stages/agreement.hpp:150
   logic and_1592;
   assign and_1592 = or_582_s14_q & (not_586_s14_q & and_1590_s14_q);
-  // hls/stages/agreement.hpp:795
+  // hls/stages/agreement.hpp:798
   logic and_1596;
   assign and_1596 = not_578_s14_q & (so_s14_q ? and_1579_s14_q : (equal_581_s14_q & and_640));
-  // hls/stages/agreement.hpp:1186
+  // hls/stages/agreement.hpp:1190
   logic [1:0] quarter;
   assign quarter = x_s14_q[1:0] + 2'h1;
-  // hls/stages/agreement.hpp:1137
+  // hls/stages/agreement.hpp:1141
   logic [1:0] select_1617;
   assign select_1617 = x_s14_q[4] ? {x_s14_q[3], x_s14_q[0]} : {x_s14_q[0], x_s14_q[3]};
-  // hls/stages/agreement.hpp:1150
+  // hls/stages/agreement.hpp:1154
   logic [3:0] select_1619;
   assign select_1619 = equal_1614_s14_q ? {2'h0, quarter} : (all_s14_q ? {1'b0, x_s14_q[2:0]} : {x_s14_q[2:1], select_1617});
   // hls/stages/registration.hpp:107
   logic [1:0] sum_1620;
   assign sum_1620 = slot_s14_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:795
+  // hls/stages/agreement.hpp:798
   logic [3:0] select_1621;
   assign select_1621 = equal_577_s14_q ? select_1619 : {sum_1620, lower_half_s14_q, registration_of_right_q};
   // hls/stages/patches.hpp:214
@@ -5392,10 +5380,10 @@ module horopter_agreement (
   assign equal_1624 = x_s14_q[5:0] == 6'h3e;
   logic equal_1626;
   assign equal_1626 = x_s14_q[5:0] == 6'h3d;
-  // hls/stages/agreement.hpp:1186
+  // hls/stages/agreement.hpp:1190
   logic and_1644;
   assign and_1644 = (~equal_1622) & ((~equal_1624) & ((~equal_1626) & and_1641_s14_q));
-  // hls/stages/agreement.hpp:1137
+  // hls/stages/agreement.hpp:1141
   logic less_1645;
   assign less_1645 = x_s14_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
@@ -5426,133 +5414,138 @@ module horopter_agreement (
   // hls/stages/patches.hpp:472
   logic [11:0] smooth;
   assign smooth = {sum_1925_s14_q, sum_1924_s14_q, patches_columns_above_rdata_s14_q} + {4'h0, pixel_2_s14_q};
-  // hls/stages/agreement.hpp:262
-  logic explained;
-  assign explained = inside_v_s14_q & and_640;
-  // hls/stages/agreement.hpp:1021
-  logic select_2029;
-  assign select_2029 = slot_s14_q[2] ? shown_shown_q : and_640;
-  // hls/stages/agreement.hpp:262
+  // hls/stages/agreement.hpp:263
+  logic textured;
+  assign textured = inside_v_s14_q & and_2005_s14_q;
+  // hls/stages/agreement.hpp:1024
+  logic select_2033;
+  assign select_2033 = slot_s14_q[2] ? shown_shown_q : and_640;
+  // hls/stages/agreement.hpp:263
   logic shown;
-  assign shown = inside_v_s14_q & (shown_right_rdata_s14_q[0] | select_2029);
-  // hls/stages/agreement.hpp:1021
-  logic select_2032;
-  assign select_2032 = slot_s14_q[2] ? shown_nearer_q : and_1592;
-  // hls/stages/agreement.hpp:262
+  assign shown = inside_v_s14_q & (shown_right_rdata_s14_q[0] | select_2033);
+  // hls/stages/agreement.hpp:1024
+  logic select_2036;
+  assign select_2036 = slot_s14_q[2] ? shown_nearer_q : and_1592;
+  // hls/stages/agreement.hpp:263
   logic near;
-  assign near = inside_v_s14_q & (select_2029 ? select_2032 : shown_right_rdata_s14_q[1]);
-  // hls/stages/agreement.hpp:276
-  logic [10:0] select_2177;
-  assign select_2177 = sample_pair_whole_s14_q ? (and_550_s14_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2179;
-  assign select_2179 = sample_pair_whole_s14_q ? (and_550_s14_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2201;
-  assign select_2201 = sample_pair_whole_s14_q ? (and_550_s14_q ? select_565 : averager_mask_q) : averager_mask_q;
-  logic select_2203;
-  assign select_2203 = sample_pair_whole_s14_q ? (and_550_s14_q ? select_569 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:795
-  logic and_2616;
-  assign and_2616 = not_578_s14_q & (so_s14_q & (ends_cell_s14_q & (inside_v_s14_q & and_2612_s14_q)));
-  // hls/stages/agreement.hpp:1113
-  logic not_2635;
-  assign not_2635 = ~(x_s14_q[7:1] == 7'h0);
-  // hls/stages/agreement.hpp:1037
-  logic and_2638;
-  assign and_2638 = seen_columns_rdata_s14_q[6] & inside_v_s14_q;
-  logic and_2639;
-  assign and_2639 = seen_columns_rdata_s14_q[2] & inside_v_s14_q;
-  // hls/stages/agreement.hpp:795
-  logic and_2676;
-  assign and_2676 = ends_cell_s14_q & (inside_v_s14_q & (and_2612_s14_q & and_2019_s14_q));
-  // hls/stages/agreement.hpp:1118
-  logic and_2682;
-  assign and_2682 = not_2635 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
-  // hls/stages/agreement.hpp:247
-  logic and_2706;
-  assign and_2706 = (and_2696_s14_q & equal_2697_s14_q) & (~({2'h0, difference_2701_s14_q} < sum_2703_s14_q));
-  // hls/stages/agreement.hpp:1034
+  assign near = inside_v_s14_q & (select_2033 ? select_2036 : shown_right_rdata_s14_q[1]);
+  // hls/stages/agreement.hpp:1287
+  logic select_2056;
+  assign select_2056 = marks_first_s14_q ? (done_s14_q ? write_half_q : read_half_q) : read_half_q;
+  // hls/stages/agreement.hpp:277
+  logic [10:0] select_2181;
+  assign select_2181 = sample_pair_whole_s14_q ? (and_550_s14_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2183;
+  assign select_2183 = sample_pair_whole_s14_q ? (and_550_s14_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2205;
+  assign select_2205 = sample_pair_whole_s14_q ? (and_550_s14_q ? select_565 : averager_mask_q) : averager_mask_q;
+  logic select_2207;
+  assign select_2207 = sample_pair_whole_s14_q ? (and_550_s14_q ? select_569 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/agreement.hpp:798
+  logic and_2619;
+  assign and_2619 = ends_cell_s14_q & (inside_v_s14_q & (and_2616_s14_q & not_641_s14_q));
+  // hls/stages/agreement.hpp:1117
+  logic not_2642;
+  assign not_2642 = ~((draws_late_s14_q & not_641_s14_q) | (x_s14_q[7:1] == 7'h0));
+  // hls/stages/agreement.hpp:263
+  logic and_2683;
+  assign and_2683 = inside_v_s14_q & (not_641_s14_q & (and_2616_s14_q & and_2020_s14_q));
+  // hls/stages/agreement.hpp:1122
+  logic and_2690;
+  assign and_2690 = not_2642 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
+  // hls/stages/agreement.hpp:248
+  logic and_2714;
+  assign and_2714 = (and_2704_s14_q & equal_2705_s14_q) & (~({2'h0, difference_2709_s14_q} < sum_2711_s14_q));
+  // hls/stages/agreement.hpp:150
   logic and_2725;
-  assign and_2725 = and_640 & (not_641_s14_q & and_2723_s14_q);
-  // hls/stages/agreement.hpp:795
-  logic and_2728;
-  assign and_2728 = ends_cell_s14_q & (inside_v_s14_q & (select_2719_s14_q & and_2725));
-  logic and_2735;
-  assign and_2735 = ends_cell_s14_q & (inside_v_s14_q & (select_2722_s14_q & and_2725));
+  assign and_2725 = not_586_s14_q & (slot_s14_q[2] & left_turns_rdata_s14_q[0]);
+  // hls/stages/agreement.hpp:248
+  logic and_2727;
+  assign and_2727 = not_586_s14_q & (slot_s14_q[2] & left_turns_rdata_s14_q[1]);
+  // hls/stages/agreement.hpp:150
+  logic [1:0] select_2728;
+  assign select_2728 = or_582_s14_q ? {and_2727, and_2725} : 2'h0;
+  // hls/stages/agreement.hpp:248
+  logic [1:0] select_2730;
+  assign select_2730 = less_585_s14_q ? 2'h0 : (slot_s14_q[2] ? right_turns_rdata_s14_q : 2'h0);
+  // hls/stages/agreement.hpp:150
+  logic [1:0] select_2731;
+  assign select_2731 = or_582_s14_q ? select_2730 : 2'h0;
   // hls/stages/registration.hpp:108
-  logic equal_2768;
-  assign equal_2768 = slot_s14_q == 3'h4;
+  logic equal_2778;
+  assign equal_2778 = slot_s14_q == 3'h4;
   // hls/stages/registration.hpp:218
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2785_s14_q[11:7])) ? 12'h7f : select_2785_s14_q;
-  // hls/stages/agreement.hpp:795
-  logic select_2829;
-  assign select_2829 = so_s14_q ? (equal_2768 ? right_2_s14_q : registration_of_right_q) : registration_of_right_q;
-  logic select_2832;
-  assign select_2832 = so_s14_q ? (equal_1707_s14_q ? inside_v_s14_q : registration_was_inside_q) : registration_was_inside_q;
-  // hls/stages/agreement.hpp:1137
+  assign residual = ($signed(5'h0) < $signed(select_2795_s14_q[11:7])) ? 12'h7f : select_2795_s14_q;
+  // hls/stages/agreement.hpp:798
+  logic select_2839;
+  assign select_2839 = so_s14_q ? (equal_2778 ? right_2_s14_q : registration_of_right_q) : registration_of_right_q;
+  logic select_2842;
+  assign select_2842 = so_s14_q ? (equal_1707_s14_q ? inside_v_s14_q : registration_was_inside_q) : registration_was_inside_q;
+  // hls/stages/agreement.hpp:1141
   logic [1:0] quarter_2;
   assign quarter_2 = all_s14_q ? x_s14_q[1:0] : select_1617;
-  // hls/stages/agreement.hpp:275
-  logic [10:0] select_3113;
-  assign select_3113 = equal_1793_s14_q ? patches_down_values_0_q : (or_1797_s14_q ? down_2_s14_q : patches_down_values_0_q);
-  logic [10:0] select_3115;
-  assign select_3115 = or_1797_s14_q ? patches_down_values_0_q : patches_down_values_1_q;
-  logic [10:0] select_3117;
-  assign select_3117 = equal_1791_s14_q ? patches_down_values_1_q : (equal_1793_s14_q ? patches_down_values_1_q : select_3115);
+  // hls/stages/agreement.hpp:276
+  logic [10:0] select_3123;
+  assign select_3123 = equal_1793_s14_q ? patches_down_values_0_q : (or_1797_s14_q ? down_2_s14_q : patches_down_values_0_q);
+  logic [10:0] select_3125;
+  assign select_3125 = or_1797_s14_q ? patches_down_values_0_q : patches_down_values_1_q;
+  logic [10:0] select_3127;
+  assign select_3127 = equal_1791_s14_q ? patches_down_values_1_q : (equal_1793_s14_q ? patches_down_values_1_q : select_3125);
   // hls/stages/patches.hpp:559
-  logic and_3549;
-  assign and_3549 = less_1969_s14_q & (or_1972_s14_q & (equal_1970_s14_q & (away_s14_q == 6'h3f)));
-  logic and_3554;
-  assign and_3554 = less_1969_s14_q & (or_1972_s14_q & (equal_1970_s14_q & (away_s14_q == 6'h1)));
+  logic and_3559;
+  assign and_3559 = less_1969_s14_q & (or_1972_s14_q & (equal_1970_s14_q & (away_s14_q == 6'h3f)));
+  logic and_3564;
+  assign and_3564 = less_1969_s14_q & (or_1972_s14_q & (equal_1970_s14_q & (away_s14_q == 6'h1)));
   // hls/stages/patches.hpp:556
-  logic [6:0] sum_3556;
-  assign sum_3556 = {away_s14_q[5], away_s14_q} + 7'h7d;
+  logic [6:0] sum_3566;
+  assign sum_3566 = {away_s14_q[5], away_s14_q} + 7'h7d;
   // hls/stages/patches.hpp:544
-  logic [9:0] select_3567;
-  assign select_3567 = patches_read_above_q ? patches_read_row_differing_s14_q : patches_peak_above_q;
-  // hls/stages/agreement.hpp:275
-  logic [9:0] select_3568;
-  assign select_3568 = equal_1791_s14_q ? select_3567 : patches_peak_above_q;
+  logic [9:0] select_3577;
+  assign select_3577 = patches_read_above_q ? patches_read_row_differing_s14_q : patches_peak_above_q;
+  // hls/stages/agreement.hpp:276
+  logic [9:0] select_3578;
+  assign select_3578 = equal_1791_s14_q ? select_3577 : patches_peak_above_q;
   // hls/stages/patches.hpp:545
-  logic [9:0] select_3569;
-  assign select_3569 = patches_read_below_q ? patches_read_row_differing_s14_q : patches_peak_below_q;
-  // hls/stages/agreement.hpp:275
-  logic [9:0] select_3570;
-  assign select_3570 = equal_1791_s14_q ? select_3569 : patches_peak_below_q;
-  // hls/stages/agreement.hpp:795
-  logic select_3828;
-  assign select_3828 = equal_577_s14_q ? shown_shown_q : (so_s14_q ? select_2029 : shown_shown_q);
-  logic select_3830;
-  assign select_3830 = equal_577_s14_q ? shown_nearer_q : (so_s14_q ? select_2032 : shown_nearer_q);
-  // hls/stages/agreement.hpp:205
-  logic or_3872;
-  assign or_3872 = segment_starts_q | not_580_s14_q;
-  // hls/stages/agreement.hpp:795
-  logic select_3876;
-  assign select_3876 = ends_cell_s14_q ? (inside_v_s14_q ? select_3874_s14_q : or_3872) : or_3872;
-  // hls/stages/agreement.hpp:1225
-  logic equal_3905;
-  assign equal_3905 = x_s14_q[6:3] == 4'ha;
-  logic equal_3908;
-  assign equal_3908 = x_s14_q[6:3] == 4'hb;
-  logic equal_3909;
-  assign equal_3909 = x_s14_q[6:3] == 4'h9;
-  // hls/stages/agreement.hpp:1133
-  logic [7:0] select_3929;
-  assign select_3929 = equal_3905 ? cfg_regions_limit_i : (equal_3909 ? cfg_hidden_limit_i : select_3927_s14_q);
-  // hls/stages/agreement.hpp:795
-  logic select_4038;
-  assign select_4038 = so_s14_q ? (ends_cell_s14_q ? and_2070_s14_q : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4042;
-  assign select_4042 = so_s14_q ? (ends_cell_s14_q ? and_4040_s14_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
-  logic select_4044;
-  assign select_4044 = ends_cell_s14_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_4046;
-  assign select_4046 = equal_577_s14_q ? centres_values_1_textured_q : (so_s14_q ? select_4044 : centres_values_1_textured_q);
-  logic select_4047;
-  assign select_4047 = ends_cell_s14_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic [9:0] select_3579;
+  assign select_3579 = patches_read_below_q ? patches_read_row_differing_s14_q : patches_peak_below_q;
+  // hls/stages/agreement.hpp:276
+  logic [9:0] select_3580;
+  assign select_3580 = equal_1791_s14_q ? select_3579 : patches_peak_below_q;
+  // hls/stages/agreement.hpp:798
+  logic select_3838;
+  assign select_3838 = equal_577_s14_q ? shown_shown_q : (so_s14_q ? select_2033 : shown_shown_q);
+  logic select_3840;
+  assign select_3840 = equal_577_s14_q ? shown_nearer_q : (so_s14_q ? select_2036 : shown_nearer_q);
+  // hls/stages/agreement.hpp:206
+  logic or_3883;
+  assign or_3883 = segment_starts_q | not_580_s14_q;
+  // hls/stages/agreement.hpp:798
+  logic select_3887;
+  assign select_3887 = ends_cell_s14_q ? (inside_v_s14_q ? select_3885_s14_q : or_3883) : or_3883;
+  // hls/stages/agreement.hpp:1229
+  logic equal_3916;
+  assign equal_3916 = x_s14_q[6:3] == 4'ha;
+  logic equal_3919;
+  assign equal_3919 = x_s14_q[6:3] == 4'hb;
+  logic equal_3920;
+  assign equal_3920 = x_s14_q[6:3] == 4'h9;
+  // hls/stages/agreement.hpp:1137
+  logic [7:0] select_3940;
+  assign select_3940 = equal_3916 ? cfg_regions_limit_i : (equal_3920 ? cfg_hidden_limit_i : select_3938_s14_q);
+  // hls/stages/agreement.hpp:798
   logic select_4049;
-  assign select_4049 = equal_577_s14_q ? centres_values_1_of_skin_q : (so_s14_q ? select_4047 : centres_values_1_of_skin_q);
+  assign select_4049 = so_s14_q ? (ends_cell_s14_q ? and_2074_s14_q : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_4053;
+  assign select_4053 = so_s14_q ? (ends_cell_s14_q ? and_4051_s14_q : centres_values_0_of_skin_q) : centres_values_0_of_skin_q;
+  logic select_4055;
+  assign select_4055 = ends_cell_s14_q ? centres_values_0_textured_q : centres_values_1_textured_q;
+  logic select_4057;
+  assign select_4057 = equal_577_s14_q ? centres_values_1_textured_q : (so_s14_q ? select_4055 : centres_values_1_textured_q);
+  logic select_4058;
+  assign select_4058 = ends_cell_s14_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4060;
+  assign select_4060 = equal_577_s14_q ? centres_values_1_of_skin_q : (so_s14_q ? select_4058 : centres_values_1_of_skin_q);
 
   // Memory patches_choices, 64 x 23, DISTANCE 24, hls/stages/patches.hpp:777; read in stage 14, written in stage 16: 14 < 16 < 14 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -5610,7 +5603,7 @@ module horopter_agreement (
     if (en_i) patches_left_codes_rdata_q <= patches_left_codes_mem[patches_left_codes_raddr];
   end
 
-  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1408; read in stage 14, written in stage 17: 14 < 17 < 14 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1412; read in stage 14, written in stage 17: 14 < 17 < 14 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -5709,24 +5702,28 @@ module horopter_agreement (
       centres_values_0_of_skin_q <= 1'b0;
       centres_values_1_textured_q <= 1'b0;
       centres_values_1_of_skin_q <= 1'b0;
+      write_half_q <= 1'b0;
+      read_half_q <= 1'b1;
     end else if (s14_en) begin
-      averager_mask_q <= select_2201;
-      averager_of_skin_q <= select_2203;
-      registration_of_right_q <= equal_577_s14_q ? registration_of_right_q : select_2829;
-      registration_was_inside_q <= equal_577_s14_q ? registration_was_inside_q : select_2832;
-      patches_down_values_0_q <= equal_1791_s14_q ? patches_down_values_0_q : select_3113;
-      patches_down_values_1_q <= select_3117;
-      patches_read_above_q <= equal_1791_s14_q ? and_3549 : patches_read_above_q;
-      patches_read_below_q <= equal_1791_s14_q ? and_3554 : patches_read_below_q;
-      patches_peak_above_q <= select_3568;
-      patches_peak_below_q <= select_3570;
-      shown_shown_q <= select_3828;
-      shown_nearer_q <= select_3830;
-      segment_starts_q <= equal_577_s14_q ? or_3872 : (so_s14_q ? select_3876 : or_3872);
-      centres_values_0_textured_q <= equal_577_s14_q ? centres_values_0_textured_q : select_4038;
-      centres_values_0_of_skin_q <= equal_577_s14_q ? centres_values_0_of_skin_q : select_4042;
-      centres_values_1_textured_q <= select_4046;
-      centres_values_1_of_skin_q <= select_4049;
+      averager_mask_q <= select_2205;
+      averager_of_skin_q <= select_2207;
+      registration_of_right_q <= equal_577_s14_q ? registration_of_right_q : select_2839;
+      registration_was_inside_q <= equal_577_s14_q ? registration_was_inside_q : select_2842;
+      patches_down_values_0_q <= equal_1791_s14_q ? patches_down_values_0_q : select_3123;
+      patches_down_values_1_q <= select_3127;
+      patches_read_above_q <= equal_1791_s14_q ? and_3559 : patches_read_above_q;
+      patches_read_below_q <= equal_1791_s14_q ? and_3564 : patches_read_below_q;
+      patches_peak_above_q <= select_3578;
+      patches_peak_below_q <= select_3580;
+      shown_shown_q <= select_3838;
+      shown_nearer_q <= select_3840;
+      segment_starts_q <= equal_577_s14_q ? or_3883 : (so_s14_q ? select_3887 : or_3883);
+      centres_values_0_textured_q <= equal_577_s14_q ? centres_values_0_textured_q : select_4049;
+      centres_values_0_of_skin_q <= equal_577_s14_q ? centres_values_0_of_skin_q : select_4053;
+      centres_values_1_textured_q <= select_4057;
+      centres_values_1_of_skin_q <= select_4060;
+      write_half_q <= marks_first_s14_q ? (write_half_q ^ done_s14_q) : write_half_q;
+      read_half_q <= select_2056;
     end
   end
 
@@ -5739,8 +5736,8 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s14_en) begin
-      averager_total_0_q <= select_2177;
-      averager_total_1_q <= select_2179;
+      averager_total_0_q <= select_2181;
+      averager_total_1_q <= select_2183;
     end
   end
 
@@ -5761,7 +5758,6 @@ module horopter_agreement (
   logic [2:0] slot_s15_q;
   logic ends_cell_s15_q;
   logic lower_half_s15_q;
-  logic draws_late_s15_q;
   logic registration_of_right_s15_q;
   logic [4:0] patches_choosing_band_s15_q;
   logic patches_lower_s15_q;
@@ -5776,7 +5772,6 @@ module horopter_agreement (
   logic region_fresh_s15_q;
   logic centres_values_1_textured_s15_q;
   logic centres_values_1_of_skin_s15_q;
-  logic done_s15_q;
   logic [3:0] select_511_s15_q;
   logic row_starts_s15_q;
   logic [6:0] select_546_s15_q;
@@ -5804,6 +5799,8 @@ module horopter_agreement (
   logic [32:0] best_left_rdata_s15_q;
   logic [6:0] right_s15_q;
   logic [14:0] best_right_rdata_s15_q;
+  logic and_640_s15_q;
+  logic not_641_s15_q;
   logic and_645_s15_q;
   logic and_652_s15_q;
   logic equal_685_s15_q;
@@ -5878,65 +5875,68 @@ module horopter_agreement (
   logic or_1989_s15_q;
   logic or_1992_s15_q;
   logic not_1994_s15_q;
-  logic textured_s15_q;
-  logic explained_s15_q;
-  logic and_2019_s15_q;
-  logic and_2026_s15_q;
+  logic and_2007_s15_q;
+  logic and_2012_s15_q;
+  logic and_2020_s15_q;
+  logic and_2028_s15_q;
   logic [12:0] seen_columns_rdata_s15_q;
+  logic textured_s15_q;
   logic shown_s15_q;
   logic near_s15_q;
-  logic not_2054_s15_q;
-  logic and_2068_s15_q;
-  logic and_2070_s15_q;
-  logic or_2085_s15_q;
-  logic or_2088_s15_q;
-  logic or_2091_s15_q;
-  logic and_2103_s15_q;
-  logic and_2105_s15_q;
+  logic not_2058_s15_q;
+  logic select_2070_s15_q;
+  logic and_2072_s15_q;
+  logic and_2074_s15_q;
+  logic or_2089_s15_q;
+  logic or_2092_s15_q;
+  logic or_2095_s15_q;
   logic and_2106_s15_q;
-  logic and_2119_s15_q;
-  logic and_2121_s15_q;
+  logic and_2108_s15_q;
+  logic and_2109_s15_q;
   logic and_2122_s15_q;
-  logic and_2143_s15_q;
-  logic equal_2286_s15_q;
-  logic equal_2475_s15_q;
-  logic and_2616_s15_q;
-  logic not_2635_s15_q;
-  logic and_2636_s15_q;
-  logic and_2637_s15_q;
-  logic [1:0] sum_2641_s15_q;
-  logic and_2678_s15_q;
-  logic and_2685_s15_q;
-  logic and_2709_s15_q;
-  logic and_2730_s15_q;
-  logic and_2737_s15_q;
-  logic and_2771_s15_q;
-  logic and_2772_s15_q;
+  logic and_2124_s15_q;
+  logic and_2125_s15_q;
+  logic and_2147_s15_q;
+  logic equal_2290_s15_q;
+  logic equal_2479_s15_q;
+  logic and_2621_s15_q;
+  logic not_2642_s15_q;
+  logic and_2643_s15_q;
+  logic and_2645_s15_q;
+  logic and_2646_s15_q;
+  logic and_2686_s15_q;
+  logic and_2693_s15_q;
+  logic and_2717_s15_q;
+  logic select_2728_s15_q;
+  logic select_2731_s15_q;
+  logic and_2732_s15_q;
+  logic and_2781_s15_q;
+  logic and_2782_s15_q;
   logic [11:0] residual_s15_q;
-  logic equal_2834_s15_q;
-  logic [3:0] not_2835_s15_q;
+  logic equal_2844_s15_q;
+  logic [3:0] not_2845_s15_q;
   logic [1:0] quarter_2_s15_q;
-  logic and_3009_s15_q;
-  logic less_3135_s15_q;
-  logic equal_3478_s15_q;
-  logic and_3558_s15_q;
-  logic [9:0] select_3564_s15_q;
-  logic [4:0] select_3565_s15_q;
-  logic [4:0] select_3566_s15_q;
-  logic equal_3575_s15_q;
-  logic less_3603_s15_q;
-  logic less_3606_s15_q;
-  logic equal_3885_s15_q;
-  logic equal_3902_s15_q;
-  logic equal_3905_s15_q;
-  logic equal_3908_s15_q;
-  logic equal_3909_s15_q;
-  logic equal_3910_s15_q;
-  logic [7:0] select_3930_s15_q;
-  logic or_4052_s15_q;
-  logic and_4066_s15_q;
-  logic and_4083_s15_q;
-  logic not_4095_s15_q;
+  logic and_3019_s15_q;
+  logic less_3145_s15_q;
+  logic equal_3488_s15_q;
+  logic and_3568_s15_q;
+  logic [9:0] select_3574_s15_q;
+  logic [4:0] select_3575_s15_q;
+  logic [4:0] select_3576_s15_q;
+  logic equal_3585_s15_q;
+  logic less_3613_s15_q;
+  logic less_3616_s15_q;
+  logic equal_3896_s15_q;
+  logic equal_3913_s15_q;
+  logic equal_3916_s15_q;
+  logic equal_3919_s15_q;
+  logic equal_3920_s15_q;
+  logic equal_3921_s15_q;
+  logic [7:0] select_3941_s15_q;
+  logic or_4063_s15_q;
+  logic and_4077_s15_q;
+  logic and_4094_s15_q;
+  logic not_4106_s15_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s15_q <= pixel_0_s14_q;
@@ -5956,7 +5956,6 @@ module horopter_agreement (
       slot_s15_q <= slot_s14_q;
       ends_cell_s15_q <= ends_cell_s14_q;
       lower_half_s15_q <= lower_half_s14_q;
-      draws_late_s15_q <= draws_late_s14_q;
       registration_of_right_s15_q <= registration_of_right_q;
       patches_choosing_band_s15_q <= patches_choosing_band_s14_q;
       patches_lower_s15_q <= patches_lower_s14_q;
@@ -5971,7 +5970,6 @@ module horopter_agreement (
       region_fresh_s15_q <= region_fresh_s14_q;
       centres_values_1_textured_s15_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s15_q <= centres_values_1_of_skin_q;
-      done_s15_q <= done_s14_q;
       select_511_s15_q <= select_511_s14_q;
       row_starts_s15_q <= row_starts_s14_q;
       select_546_s15_q <= select_546_s14_q;
@@ -5999,6 +5997,8 @@ module horopter_agreement (
       best_left_rdata_s15_q <= best_left_rdata_s14_q;
       right_s15_q <= right_s14_q;
       best_right_rdata_s15_q <= best_right_rdata_s14_q[14:0];
+      and_640_s15_q <= and_640;
+      not_641_s15_q <= not_641_s14_q;
       and_645_s15_q <= and_645_s14_q;
       and_652_s15_q <= and_652_s14_q;
       equal_685_s15_q <= equal_685_s14_q;
@@ -6073,65 +6073,68 @@ module horopter_agreement (
       or_1989_s15_q <= or_1989_s14_q;
       or_1992_s15_q <= or_1992_s14_q;
       not_1994_s15_q <= not_1994_s14_q;
-      textured_s15_q <= textured_s14_q;
-      explained_s15_q <= explained;
-      and_2019_s15_q <= and_2019_s14_q;
-      and_2026_s15_q <= and_2026_s14_q;
+      and_2007_s15_q <= inside_v_s14_q & (and_2005_s14_q & not_641_s14_q);
+      and_2012_s15_q <= inside_v_s14_q & and_642;
+      and_2020_s15_q <= and_2020_s14_q;
+      and_2028_s15_q <= and_2028_s14_q;
       seen_columns_rdata_s15_q <= seen_columns_rdata_s14_q;
+      textured_s15_q <= textured;
       shown_s15_q <= shown;
       near_s15_q <= near;
-      not_2054_s15_q <= not_2054_s14_q;
-      and_2068_s15_q <= and_2068_s14_q;
-      and_2070_s15_q <= and_2070_s14_q;
-      or_2085_s15_q <= or_2085_s14_q;
-      or_2088_s15_q <= or_2088_s14_q;
-      or_2091_s15_q <= or_2091_s14_q;
-      and_2103_s15_q <= and_2103_s14_q;
-      and_2105_s15_q <= seen_columns_rdata_s14_q[7] & inside_v_s14_q;
-      and_2106_s15_q <= seen_columns_rdata_s14_q[3] & inside_v_s14_q;
-      and_2119_s15_q <= and_2119_s14_q;
-      and_2121_s15_q <= seen_columns_rdata_s14_q[8] & inside_v_s14_q;
-      and_2122_s15_q <= seen_columns_rdata_s14_q[4] & inside_v_s14_q;
-      and_2143_s15_q <= and_2143_s14_q;
-      equal_2286_s15_q <= equal_2286_s14_q;
-      equal_2475_s15_q <= equal_2475_s14_q;
-      and_2616_s15_q <= and_2616;
-      not_2635_s15_q <= not_2635;
-      and_2636_s15_q <= and_2636_s14_q;
-      and_2637_s15_q <= seen_columns_rdata_s14_q[10] & inside_v_s14_q;
-      sum_2641_s15_q <= {1'b0, and_2638} + ({1'b0, explained} + {1'b0, and_2639});
-      and_2678_s15_q <= not_578_s14_q & (so_s14_q & and_2676);
-      and_2685_s15_q <= not_578_s14_q & (so_s14_q & (ends_cell_s14_q & and_2682));
-      and_2709_s15_q <= inside_v_s14_q & (or_582_s14_q & (not_586_s14_q & and_2706));
-      and_2730_s15_q <= not_578_s14_q & (so_s14_q & and_2728);
-      and_2737_s15_q <= not_578_s14_q & (so_s14_q & and_2735);
-      and_2771_s15_q <= not_578_s14_q & (so_s14_q & (half_ends & equal_2768));
-      and_2772_s15_q <= and_640 & less_1706_s14_q;
+      not_2058_s15_q <= not_2058_s14_q;
+      select_2070_s15_q <= draws_late_s14_q ? read_half_q : write_half_q;
+      and_2072_s15_q <= and_2072_s14_q;
+      and_2074_s15_q <= and_2074_s14_q;
+      or_2089_s15_q <= or_2089_s14_q;
+      or_2092_s15_q <= or_2092_s14_q;
+      or_2095_s15_q <= or_2095_s14_q;
+      and_2106_s15_q <= and_2106_s14_q;
+      and_2108_s15_q <= seen_columns_rdata_s14_q[7] & inside_v_s14_q;
+      and_2109_s15_q <= seen_columns_rdata_s14_q[3] & inside_v_s14_q;
+      and_2122_s15_q <= and_2122_s14_q;
+      and_2124_s15_q <= seen_columns_rdata_s14_q[8] & inside_v_s14_q;
+      and_2125_s15_q <= seen_columns_rdata_s14_q[4] & inside_v_s14_q;
+      and_2147_s15_q <= and_2147_s14_q;
+      equal_2290_s15_q <= equal_2290_s14_q;
+      equal_2479_s15_q <= equal_2479_s14_q;
+      and_2621_s15_q <= not_578_s14_q & (so_s14_q & and_2619);
+      not_2642_s15_q <= not_2642;
+      and_2643_s15_q <= and_2643_s14_q;
+      and_2645_s15_q <= seen_columns_rdata_s14_q[6] & inside_v_s14_q;
+      and_2646_s15_q <= seen_columns_rdata_s14_q[2] & inside_v_s14_q;
+      and_2686_s15_q <= not_578_s14_q & (so_s14_q & (ends_cell_s14_q & and_2683));
+      and_2693_s15_q <= not_578_s14_q & (so_s14_q & (ends_cell_s14_q & and_2690));
+      and_2717_s15_q <= (or_582_s14_q & (not_586_s14_q & and_2714)) & not_641_s14_q;
+      select_2728_s15_q <= select_2728[1];
+      select_2731_s15_q <= select_2731[1];
+      and_2732_s15_q <= select_2728[0] & select_2731[0];
+      and_2781_s15_q <= not_578_s14_q & (so_s14_q & (half_ends & equal_2778));
+      and_2782_s15_q <= and_640 & less_1706_s14_q;
       residual_s15_q <= residual;
-      equal_2834_s15_q <= sum_1620 == 2'h2;
-      not_2835_s15_q <= ~select_1667;
+      equal_2844_s15_q <= sum_1620 == 2'h2;
+      not_2845_s15_q <= ~select_1667;
       quarter_2_s15_q <= quarter_2;
-      and_3009_s15_q <= and_3009_s14_q;
-      less_3135_s15_q <= less_3135_s14_q;
-      equal_3478_s15_q <= patches_match_row_s14_q == 4'h0;
-      and_3558_s15_q <= equal_1970_s14_q & ({sum_3556[6], sum_3556} < 8'hfb);
-      select_3564_s15_q <= select_3564_s14_q;
-      select_3565_s15_q <= select_3565_s14_q;
-      select_3566_s15_q <= patches_peak_row_q;
-      equal_3575_s15_q <= equal_3575_s14_q;
-      less_3603_s15_q <= select_3568 < select_3570;
-      less_3606_s15_q <= select_3570 < select_3568;
-      equal_3885_s15_q <= equal_3885_s14_q;
-      equal_3902_s15_q <= equal_3902_s14_q;
-      equal_3905_s15_q <= equal_3905;
-      equal_3908_s15_q <= equal_3908;
-      equal_3909_s15_q <= equal_3909;
-      equal_3910_s15_q <= equal_3910_s14_q;
-      select_3930_s15_q <= equal_3908 ? {cfg_on_skin_limit_i, 3'h0} : select_3929;
-      or_4052_s15_q <= or_4052_s14_q;
-      and_4066_s15_q <= and_4066_s14_q;
-      and_4083_s15_q <= and_4083_s14_q;
-      not_4095_s15_q <= not_4095_s14_q;
+      and_3019_s15_q <= and_3019_s14_q;
+      less_3145_s15_q <= less_3145_s14_q;
+      equal_3488_s15_q <= patches_match_row_s14_q == 4'h0;
+      and_3568_s15_q <= equal_1970_s14_q & ({sum_3566[6], sum_3566} < 8'hfb);
+      select_3574_s15_q <= select_3574_s14_q;
+      select_3575_s15_q <= select_3575_s14_q;
+      select_3576_s15_q <= patches_peak_row_q;
+      equal_3585_s15_q <= equal_3585_s14_q;
+      less_3613_s15_q <= select_3578 < select_3580;
+      less_3616_s15_q <= select_3580 < select_3578;
+      equal_3896_s15_q <= equal_3896_s14_q;
+      equal_3913_s15_q <= equal_3913_s14_q;
+      equal_3916_s15_q <= equal_3916;
+      equal_3919_s15_q <= equal_3919;
+      equal_3920_s15_q <= equal_3920;
+      equal_3921_s15_q <= equal_3921_s14_q;
+      select_3941_s15_q <= equal_3919 ? {cfg_on_skin_limit_i, 3'h0} : select_3940;
+      or_4063_s15_q <= or_4063_s14_q;
+      and_4077_s15_q <= and_4077_s14_q;
+      and_4094_s15_q <= and_4094_s14_q;
+      not_4106_s15_q <= not_4106_s14_q;
     end
   end
 
@@ -6247,12 +6250,12 @@ module horopter_agreement (
   assign less_680 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
   logic less_681;
   assign less_681 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
-  // hls/stages/agreement.hpp:459
+  // hls/stages/agreement.hpp:460
   logic equal_682;
   assign equal_682 = last_s15_q == 7'h0;
   logic [3:0] select_686;
   assign select_686 = equal_685_s15_q ? 4'h0 : rows_passed_above_q[3:0];
-  // hls/stages/agreement.hpp:460
+  // hls/stages/agreement.hpp:461
   logic [4:0] select_687;
   assign select_687 = equal_682 ? {select_686, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:290
@@ -6280,22 +6283,22 @@ module horopter_agreement (
   // hls/stages/census.hpp:321
   logic [9:0] half_grey_levels_2;
   assign half_grey_levels_2 = {1'b0, census_columns_values_0_cell_2_right_q} - {1'b0, census_columns_values_1_cell_2_right_q};
-  // hls/stages/agreement.hpp:795
+  // hls/stages/agreement.hpp:798
   logic and_1593;
   assign and_1593 = not_580_s15_q & and_1592_s15_q;
   // hls/stages/moments.hpp:73
   logic and_1600;
   assign and_1600 = moments_has_before_q & moments_memory_rdata_s15_q[0];
-  // hls/stages/agreement.hpp:1010
+  // hls/stages/agreement.hpp:1013
   logic and_1604;
   assign and_1604 = not_590_s15_q & (and_1600 & (moments_memory_rdata_s15_q[1] ^ and_645_s15_q));
   // hls/stages/moments.hpp:73
   logic and_1609;
   assign and_1609 = moments_has_before_q & moments_memory_rdata_s15_q[2];
-  // hls/stages/agreement.hpp:1010
+  // hls/stages/agreement.hpp:1013
   logic and_1613;
   assign and_1613 = not_590_s15_q & (and_1609 & (moments_memory_rdata_s15_q[3] ^ and_652_s15_q));
-  // hls/stages/agreement.hpp:795
+  // hls/stages/agreement.hpp:798
   logic and_1663;
   assign and_1663 = so_s15_q & and_1662_s15_q;
   logic and_1744;
@@ -6314,244 +6317,262 @@ module horopter_agreement (
   assign sum_1928 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
   logic [14:0] difference_1929;
   assign difference_1929 = {1'b0, sum_1927, smooth_s15_q[0]} - {1'b0, sum_1928, patches_smooth_values_3_q[0]};
-  // hls/stages/agreement.hpp:262
-  logic and_2028;
-  assign and_2028 = inside_v_s15_q & and_2019_s15_q;
-  // hls/stages/agreement.hpp:1037
-  logic and_2071;
-  assign and_2071 = seen_columns_rdata_s15_q[0] & inside_v_s15_q;
-  // hls/stages/agreement.hpp:1094
-  logic [1:0] sum_2073;
-  assign sum_2073 = {1'b0, and_2070_s15_q} + ({1'b0, textured_s15_q} + {1'b0, and_2071});
-  // hls/stages/agreement.hpp:1037
-  logic and_2104;
-  assign and_2104 = seen_columns_rdata_s15_q[11] & inside_v_s15_q;
-  // hls/stages/agreement.hpp:1096
-  logic [1:0] sum_2108;
-  assign sum_2108 = {1'b0, and_2105_s15_q} + ({1'b0, shown_s15_q} + {1'b0, and_2106_s15_q});
-  // hls/stages/agreement.hpp:1037
-  logic and_2120;
-  assign and_2120 = seen_columns_rdata_s15_q[12] & inside_v_s15_q;
-  // hls/stages/agreement.hpp:1097
-  logic [1:0] sum_2124;
-  assign sum_2124 = {1'b0, and_2121_s15_q} + ({1'b0, near_s15_q} + {1'b0, and_2122_s15_q});
-  // hls/stages/agreement.hpp:276
-  logic [8:0] select_2169;
-  assign select_2169 = sample_pair_whole_s15_q ? (and_550_s15_q ? grey_s15_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2171;
-  assign select_2171 = sample_pair_whole_s15_q ? (and_550_s15_q ? grey_2_s15_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  // hls/stages/agreement.hpp:263
+  logic and_2023;
+  assign and_2023 = inside_v_s15_q & (not_641_s15_q & (and_2020_s15_q & and_1592_s15_q));
+  logic and_2031;
+  assign and_2031 = inside_v_s15_q & and_2020_s15_q;
+  logic explained;
+  assign explained = inside_v_s15_q & and_640_s15_q;
+  // hls/stages/agreement.hpp:1040
+  logic and_2075;
+  assign and_2075 = seen_columns_rdata_s15_q[0] & inside_v_s15_q;
+  // hls/stages/agreement.hpp:1098
+  logic [1:0] sum_2077;
+  assign sum_2077 = {1'b0, and_2074_s15_q} + ({1'b0, textured_s15_q} + {1'b0, and_2075});
+  // hls/stages/agreement.hpp:1040
+  logic and_2107;
+  assign and_2107 = seen_columns_rdata_s15_q[11] & inside_v_s15_q;
+  // hls/stages/agreement.hpp:1100
+  logic [1:0] sum_2111;
+  assign sum_2111 = {1'b0, and_2108_s15_q} + ({1'b0, shown_s15_q} + {1'b0, and_2109_s15_q});
+  // hls/stages/agreement.hpp:1040
+  logic and_2123;
+  assign and_2123 = seen_columns_rdata_s15_q[12] & inside_v_s15_q;
+  // hls/stages/agreement.hpp:1101
+  logic [1:0] sum_2127;
+  assign sum_2127 = {1'b0, and_2124_s15_q} + ({1'b0, near_s15_q} + {1'b0, and_2125_s15_q});
+  // hls/stages/agreement.hpp:277
   logic [8:0] select_2173;
-  assign select_2173 = sample_pair_whole_s15_q ? (and_550_s15_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  assign select_2173 = sample_pair_whole_s15_q ? (and_550_s15_q ? grey_s15_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
   logic [8:0] select_2175;
-  assign select_2175 = sample_pair_whole_s15_q ? (and_550_s15_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  assign select_2175 = sample_pair_whole_s15_q ? (and_550_s15_q ? grey_2_s15_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2177;
+  assign select_2177 = sample_pair_whole_s15_q ? (and_550_s15_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2179;
+  assign select_2179 = sample_pair_whole_s15_q ? (and_550_s15_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2180;
-  assign sum_2180 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s15_q};
-  logic [9:0] sum_2188;
-  assign sum_2188 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s15_q};
-  // hls/stages/agreement.hpp:527
-  logic [8:0] select_2204;
-  assign select_2204 = and_552_s15_q ? select_558_s15_q : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2205;
-  assign select_2205 = and_552_s15_q ? select_562_s15_q : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2207;
-  assign select_2207 = and_552_s15_q ? census_memory_rdata_s15_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [9:0] sum_2184;
+  assign sum_2184 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s15_q};
+  logic [9:0] sum_2192;
+  assign sum_2192 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s15_q};
+  // hls/stages/agreement.hpp:530
   logic [8:0] select_2208;
-  assign select_2208 = and_552_s15_q ? census_memory_rdata_s15_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2209;
-  assign select_2209 = and_552_s15_q ? census_memory_rdata_s15_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_2210;
-  assign select_2210 = and_552_s15_q ? census_memory_rdata_s15_q[28:20] : census_columns_values_0_cell_2_left_q;
+  assign select_2208 = and_552_s15_q ? select_558_s15_q : census_columns_values_0_cell_0_left_q;
+  logic [8:0] select_2209;
+  assign select_2209 = and_552_s15_q ? select_562_s15_q : census_columns_values_0_cell_0_right_q;
   logic [8:0] select_2211;
-  assign select_2211 = and_552_s15_q ? census_memory_rdata_s15_q[37:29] : census_columns_values_0_cell_2_right_q;
-  logic select_2212;
-  assign select_2212 = and_552_s15_q ? census_memory_rdata_s15_q[38] : census_columns_values_0_cell_2_mask_q;
+  assign select_2211 = and_552_s15_q ? census_memory_rdata_s15_q[8:0] : census_columns_values_0_cell_1_left_q;
+  logic [8:0] select_2212;
+  assign select_2212 = and_552_s15_q ? census_memory_rdata_s15_q[17:9] : census_columns_values_0_cell_1_right_q;
   logic select_2213;
-  assign select_2213 = and_552_s15_q ? census_memory_rdata_s15_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  assign select_2213 = and_552_s15_q ? census_memory_rdata_s15_q[18] : census_columns_values_0_cell_1_mask_q;
   logic [8:0] select_2214;
-  assign select_2214 = and_552_s15_q ? census_memory_rdata_s15_q[48:40] : census_columns_values_0_cell_3_left_q;
+  assign select_2214 = and_552_s15_q ? census_memory_rdata_s15_q[28:20] : census_columns_values_0_cell_2_left_q;
   logic [8:0] select_2215;
-  assign select_2215 = and_552_s15_q ? census_memory_rdata_s15_q[57:49] : census_columns_values_0_cell_3_right_q;
+  assign select_2215 = and_552_s15_q ? census_memory_rdata_s15_q[37:29] : census_columns_values_0_cell_2_right_q;
   logic select_2216;
-  assign select_2216 = and_552_s15_q ? census_memory_rdata_s15_q[58] : census_columns_values_0_cell_3_mask_q;
-  logic [8:0] select_2217;
-  assign select_2217 = and_552_s15_q ? census_memory_rdata_s15_q[67:59] : census_columns_values_0_cell_4_left_q;
+  assign select_2216 = and_552_s15_q ? census_memory_rdata_s15_q[38] : census_columns_values_0_cell_2_mask_q;
+  logic select_2217;
+  assign select_2217 = and_552_s15_q ? census_memory_rdata_s15_q[39] : census_columns_values_0_cell_2_of_skin_q;
   logic [8:0] select_2218;
-  assign select_2218 = and_552_s15_q ? census_memory_rdata_s15_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2219;
-  assign select_2219 = and_552_s15_q ? census_memory_rdata_s15_q[77] : census_columns_values_0_cell_4_mask_q;
-  logic [8:0] select_2220;
-  assign select_2220 = and_552_s15_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  assign select_2218 = and_552_s15_q ? census_memory_rdata_s15_q[48:40] : census_columns_values_0_cell_3_left_q;
+  logic [8:0] select_2219;
+  assign select_2219 = and_552_s15_q ? census_memory_rdata_s15_q[57:49] : census_columns_values_0_cell_3_right_q;
+  logic select_2220;
+  assign select_2220 = and_552_s15_q ? census_memory_rdata_s15_q[58] : census_columns_values_0_cell_3_mask_q;
   logic [8:0] select_2221;
-  assign select_2221 = and_552_s15_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
-  logic [8:0] select_2223;
-  assign select_2223 = and_552_s15_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  assign select_2221 = and_552_s15_q ? census_memory_rdata_s15_q[67:59] : census_columns_values_0_cell_4_left_q;
+  logic [8:0] select_2222;
+  assign select_2222 = and_552_s15_q ? census_memory_rdata_s15_q[76:68] : census_columns_values_0_cell_4_right_q;
+  logic select_2223;
+  assign select_2223 = and_552_s15_q ? census_memory_rdata_s15_q[77] : census_columns_values_0_cell_4_mask_q;
   logic [8:0] select_2224;
-  assign select_2224 = and_552_s15_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
-  logic [8:0] select_2226;
-  assign select_2226 = and_552_s15_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  assign select_2224 = and_552_s15_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
+  logic [8:0] select_2225;
+  assign select_2225 = and_552_s15_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
   logic [8:0] select_2227;
-  assign select_2227 = and_552_s15_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
-  logic select_2229;
-  assign select_2229 = and_552_s15_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  assign select_2227 = and_552_s15_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  logic [8:0] select_2228;
+  assign select_2228 = and_552_s15_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
   logic [8:0] select_2230;
-  assign select_2230 = and_552_s15_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  assign select_2230 = and_552_s15_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
   logic [8:0] select_2231;
-  assign select_2231 = and_552_s15_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic [8:0] select_2233;
-  assign select_2233 = and_552_s15_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  assign select_2231 = and_552_s15_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2233;
+  assign select_2233 = and_552_s15_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
   logic [8:0] select_2234;
-  assign select_2234 = and_552_s15_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic [8:0] select_2236;
-  assign select_2236 = and_552_s15_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  assign select_2234 = and_552_s15_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
+  logic [8:0] select_2235;
+  assign select_2235 = and_552_s15_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
   logic [8:0] select_2237;
-  assign select_2237 = and_552_s15_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
-  logic [8:0] select_2239;
-  assign select_2239 = and_552_s15_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  assign select_2237 = and_552_s15_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
+  logic [8:0] select_2238;
+  assign select_2238 = and_552_s15_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
   logic [8:0] select_2240;
-  assign select_2240 = and_552_s15_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
-  logic [8:0] select_2242;
-  assign select_2242 = and_552_s15_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  assign select_2240 = and_552_s15_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
+  logic [8:0] select_2241;
+  assign select_2241 = and_552_s15_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
   logic [8:0] select_2243;
-  assign select_2243 = and_552_s15_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
-  logic [8:0] select_2245;
-  assign select_2245 = and_552_s15_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  assign select_2243 = and_552_s15_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  logic [8:0] select_2244;
+  assign select_2244 = and_552_s15_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
   logic [8:0] select_2246;
-  assign select_2246 = and_552_s15_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
-  logic [8:0] select_2248;
-  assign select_2248 = and_552_s15_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  assign select_2246 = and_552_s15_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  logic [8:0] select_2247;
+  assign select_2247 = and_552_s15_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
   logic [8:0] select_2249;
-  assign select_2249 = and_552_s15_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  assign select_2249 = and_552_s15_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2250;
+  assign select_2250 = and_552_s15_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
   logic [8:0] select_2252;
-  assign select_2252 = and_552_s15_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  assign select_2252 = and_552_s15_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
   logic [8:0] select_2253;
-  assign select_2253 = and_552_s15_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  assign select_2253 = and_552_s15_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
   logic [8:0] select_2256;
-  assign select_2256 = and_552_s15_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  assign select_2256 = and_552_s15_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
   logic [8:0] select_2257;
-  assign select_2257 = and_552_s15_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  assign select_2257 = and_552_s15_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic [8:0] select_2260;
+  assign select_2260 = and_552_s15_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2261;
+  assign select_2261 = and_552_s15_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
   // hls/stages/census.hpp:286
-  logic [9:0] difference_2261;
-  assign difference_2261 = {1'b0, select_562_s15_q} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [9:0] difference_2264;
-  assign difference_2264 = {1'b0, census_memory_rdata_s15_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [9:0] difference_2265;
+  assign difference_2265 = {1'b0, select_562_s15_q} - {1'b0, census_columns_values_0_cell_0_right_q};
   logic [9:0] difference_2268;
-  assign difference_2268 = {1'b0, census_memory_rdata_s15_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  assign difference_2268 = {1'b0, census_memory_rdata_s15_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
   logic [9:0] difference_2272;
-  assign difference_2272 = {1'b0, census_memory_rdata_s15_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  assign difference_2272 = {1'b0, census_memory_rdata_s15_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
   logic [9:0] difference_2276;
-  assign difference_2276 = {1'b0, census_memory_rdata_s15_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  // hls/stages/agreement.hpp:1150
-  logic equal_2301;
-  assign equal_2301 = x_s15_q[6:0] == 7'h70;
-  // hls/stages/agreement.hpp:795
-  logic select_2307;
-  assign select_2307 = equal_577_s15_q ? (moments_has_before_q | equal_2301) : moments_has_before_q;
+  assign difference_2276 = {1'b0, census_memory_rdata_s15_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [9:0] difference_2280;
+  assign difference_2280 = {1'b0, census_memory_rdata_s15_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  // hls/stages/agreement.hpp:1154
+  logic equal_2305;
+  assign equal_2305 = x_s15_q[6:0] == 7'h70;
+  // hls/stages/agreement.hpp:798
+  logic select_2311;
+  assign select_2311 = equal_577_s15_q ? (moments_has_before_q | equal_2305) : moments_has_before_q;
   // hls/stages/census.hpp:371
-  logic [9:0] difference_2372;
-  assign difference_2372 = {1'b0, select_558_s15_q} - {1'b0, sharpness_last_mean_0_q};
-  logic [9:0] difference_2384;
-  assign difference_2384 = {1'b0, select_562_s15_q} - {1'b0, sharpness_last_mean_1_q};
-  // hls/stages/agreement.hpp:527
-  logic and_2610;
-  assign and_2610 = and_552_s15_q & (equal_685_s15_q & equal_2475_s15_q);
-  // hls/stages/agreement.hpp:795
-  logic and_2621;
-  assign and_2621 = not_578_s15_q & (so_s15_q & (ends_cell_s15_q & textured_s15_q));
-  // hls/stages/agreement.hpp:1095
-  logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2636_s15_q} + ({2'h0, and_2637_s15_q} + {1'b0, sum_2641_s15_q});
-  // hls/stages/agreement.hpp:933
-  logic [13:0] select_2680;
-  assign select_2680 = and_2610 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2678_s15_q});
-  logic [13:0] select_2687;
-  assign select_2687 = and_2610 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2685_s15_q});
+  logic [9:0] difference_2376;
+  assign difference_2376 = {1'b0, select_558_s15_q} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2388;
+  assign difference_2388 = {1'b0, select_562_s15_q} - {1'b0, sharpness_last_mean_1_q};
+  // hls/stages/agreement.hpp:530
+  logic and_2614;
+  assign and_2614 = and_552_s15_q & (equal_685_s15_q & equal_2479_s15_q);
+  // hls/stages/agreement.hpp:798
+  logic and_2626;
+  assign and_2626 = not_578_s15_q & (so_s15_q & (ends_cell_s15_q & and_2007_s15_q));
+  // hls/stages/agreement.hpp:1040
+  logic and_2644;
+  assign and_2644 = seen_columns_rdata_s15_q[10] & inside_v_s15_q;
+  // hls/stages/agreement.hpp:1099
+  logic [1:0] sum_2648;
+  assign sum_2648 = {1'b0, and_2645_s15_q} + ({1'b0, explained} + {1'b0, and_2646_s15_q});
+  // hls/stages/agreement.hpp:936
+  logic [13:0] select_2688;
+  assign select_2688 = and_2614 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2686_s15_q});
+  logic [13:0] select_2695;
+  assign select_2695 = and_2614 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2693_s15_q});
+  // hls/stages/agreement.hpp:798
+  logic and_2721;
+  assign and_2721 = not_578_s15_q & (so_s15_q & (ends_cell_s15_q & (inside_v_s15_q & and_2717_s15_q)));
+  // hls/stages/agreement.hpp:1037
+  logic and_2733;
+  assign and_2733 = and_640_s15_q & and_2732_s15_q;
+  // hls/stages/agreement.hpp:263
+  logic and_2736;
+  assign and_2736 = inside_v_s15_q & (not_641_s15_q & (select_2728_s15_q & and_2733));
+  logic and_2744;
+  assign and_2744 = inside_v_s15_q & (not_641_s15_q & (select_2731_s15_q & and_2733));
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_2806;
-  assign difference_2806 = 13'h0 - {residual_s15_q[11], residual_s15_q};
-  logic less_2821;
-  assign less_2821 = $signed(difference_2806) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic [12:0] difference_2816;
+  assign difference_2816 = 13'h0 - {residual_s15_q[11], residual_s15_q};
+  logic less_2831;
+  assign less_2831 = $signed(difference_2816) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/registration.hpp:269
-  logic [3:0] select_2837;
-  assign select_2837 = equal_2834_s15_q ? (registration_fresh_q & not_2835_s15_q) : registration_fresh_q;
-  // hls/stages/agreement.hpp:795
-  logic [3:0] select_2839;
-  assign select_2839 = so_s15_q ? (and_1662_s15_q ? select_2837 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_2847;
+  assign select_2847 = equal_2844_s15_q ? (registration_fresh_q & not_2845_s15_q) : registration_fresh_q;
+  // hls/stages/agreement.hpp:798
+  logic [3:0] select_2849;
+  assign select_2849 = so_s15_q ? (and_1662_s15_q ? select_2847 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_2841;
-  assign select_2841 = and_2610 ? 4'hf : (equal_577_s15_q ? registration_fresh_q : select_2839);
+  logic [3:0] select_2851;
+  assign select_2851 = and_2614 ? 4'hf : (equal_577_s15_q ? registration_fresh_q : select_2849);
   // hls/stages/registration.hpp:258
-  logic not_2861;
-  assign not_2861 = ~quarter_2_s15_q[1];
-  logic [3:0] select_2862;
-  assign select_2862 = quarter_2_s15_q[0] ? {quarter_2_s15_q[1], 1'b0, not_2861, 1'b0} : {1'b0, quarter_2_s15_q[1], 1'b0, not_2861};
-  // hls/stages/agreement.hpp:275
-  logic [11:0] select_3101;
-  assign select_3101 = equal_1793_s15_q ? patches_smooth_values_0_q : (or_1797_s15_q ? smooth_s15_q : patches_smooth_values_0_q);
-  logic [11:0] select_3103;
-  assign select_3103 = or_1797_s15_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
-  logic [11:0] select_3105;
-  assign select_3105 = equal_1791_s15_q ? patches_smooth_values_1_q : (equal_1793_s15_q ? patches_smooth_values_1_q : select_3103);
-  logic [11:0] select_3106;
-  assign select_3106 = or_1797_s15_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
-  logic [11:0] select_3108;
-  assign select_3108 = equal_1791_s15_q ? patches_smooth_values_2_q : (equal_1793_s15_q ? patches_smooth_values_2_q : select_3106);
-  logic [11:0] select_3109;
-  assign select_3109 = or_1797_s15_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic not_2871;
+  assign not_2871 = ~quarter_2_s15_q[1];
+  logic [3:0] select_2872;
+  assign select_2872 = quarter_2_s15_q[0] ? {quarter_2_s15_q[1], 1'b0, not_2871, 1'b0} : {1'b0, quarter_2_s15_q[1], 1'b0, not_2871};
+  // hls/stages/agreement.hpp:276
   logic [11:0] select_3111;
-  assign select_3111 = equal_1791_s15_q ? patches_smooth_values_3_q : (equal_1793_s15_q ? patches_smooth_values_3_q : select_3109);
-  logic [10:0] select_3118;
-  assign select_3118 = or_1797_s15_q ? patches_down_values_1_s15_q : patches_down_values_2_q;
-  logic [10:0] select_3120;
-  assign select_3120 = equal_1791_s15_q ? patches_down_values_2_q : (equal_1793_s15_q ? patches_down_values_2_q : select_3118);
-  logic [10:0] select_3121;
-  assign select_3121 = or_1797_s15_q ? patches_down_values_2_q : patches_down_values_3_q;
-  logic [10:0] select_3123;
-  assign select_3123 = equal_1791_s15_q ? patches_down_values_3_q : (equal_1793_s15_q ? patches_down_values_3_q : select_3121);
+  assign select_3111 = equal_1793_s15_q ? patches_smooth_values_0_q : (or_1797_s15_q ? smooth_s15_q : patches_smooth_values_0_q);
+  logic [11:0] select_3113;
+  assign select_3113 = or_1797_s15_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3115;
+  assign select_3115 = equal_1791_s15_q ? patches_smooth_values_1_q : (equal_1793_s15_q ? patches_smooth_values_1_q : select_3113);
+  logic [11:0] select_3116;
+  assign select_3116 = or_1797_s15_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3118;
+  assign select_3118 = equal_1791_s15_q ? patches_smooth_values_2_q : (equal_1793_s15_q ? patches_smooth_values_2_q : select_3116);
+  logic [11:0] select_3119;
+  assign select_3119 = or_1797_s15_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3121;
+  assign select_3121 = equal_1791_s15_q ? patches_smooth_values_3_q : (equal_1793_s15_q ? patches_smooth_values_3_q : select_3119);
+  logic [10:0] select_3128;
+  assign select_3128 = or_1797_s15_q ? patches_down_values_1_s15_q : patches_down_values_2_q;
+  logic [10:0] select_3130;
+  assign select_3130 = equal_1791_s15_q ? patches_down_values_2_q : (equal_1793_s15_q ? patches_down_values_2_q : select_3128);
+  logic [10:0] select_3131;
+  assign select_3131 = or_1797_s15_q ? patches_down_values_2_q : patches_down_values_3_q;
+  logic [10:0] select_3133;
+  assign select_3133 = equal_1791_s15_q ? patches_down_values_3_q : (equal_1793_s15_q ? patches_down_values_3_q : select_3131);
   // hls/stages/patches.hpp:559
-  logic [9:0] select_3560;
-  assign select_3560 = or_1972_s15_q ? (and_3558_s15_q ? patches_rows_rdata_s15_q : 10'h3ff) : 10'h3ff;
-  // hls/stages/agreement.hpp:275
-  logic [9:0] select_3562;
-  assign select_3562 = equal_1791_s15_q ? (less_1969_s15_q ? select_3560 : 10'h3ff) : patches_read_far_q;
+  logic [9:0] select_3570;
+  assign select_3570 = or_1972_s15_q ? (and_3568_s15_q ? patches_rows_rdata_s15_q : 10'h3ff) : 10'h3ff;
+  // hls/stages/agreement.hpp:276
+  logic [9:0] select_3572;
+  assign select_3572 = equal_1791_s15_q ? (less_1969_s15_q ? select_3570 : 10'h3ff) : patches_read_far_q;
   // hls/stages/patches.hpp:581
   logic [9:0] high;
-  assign high = less_3603_s15_q ? patches_peak_below_q : patches_peak_above_q;
+  assign high = less_3613_s15_q ? patches_peak_below_q : patches_peak_above_q;
   logic [9:0] low;
-  assign low = less_3606_s15_q ? patches_peak_below_q : patches_peak_above_q;
+  assign low = less_3616_s15_q ? patches_peak_below_q : patches_peak_above_q;
   // hls/stages/patches.hpp:582
   logic [9:0] eight;
   assign eight = high - low;
   logic [9:0] fall_2;
-  assign fall_2 = high - select_3564_s15_q;
-  // hls/stages/agreement.hpp:1231
-  logic equal_3671;
-  assign equal_3671 = x_s15_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1225
-  logic equal_3907;
-  assign equal_3907 = x_s15_q[6:3] == 4'hc;
-  // hls/stages/agreement.hpp:1133
+  assign fall_2 = high - select_3574_s15_q;
+  // hls/stages/agreement.hpp:1235
+  logic equal_3681;
+  assign equal_3681 = x_s15_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:1229
+  logic equal_3918;
+  assign equal_3918 = x_s15_q[6:3] == 4'hc;
+  // hls/stages/agreement.hpp:1137
   logic [7:0] limit;
-  assign limit = equal_3907 ? cfg_regions_limit_i : select_3930_s15_q;
-  // hls/stages/agreement.hpp:1239
-  logic not_3932;
-  assign not_3932 = ~x_s15_q[2];
-  logic [3:0] select_3933;
-  assign select_3933 = x_s15_q[1] ? {x_s15_q[2], 1'b0, not_3932, 1'b0} : {1'b0, x_s15_q[2], 1'b0, not_3932};
-  logic [7:0] select_3934;
-  assign select_3934 = x_s15_q[0] ? {select_3933[3], 1'b0, select_3933[2], 1'b0, select_3933[1], 1'b0, select_3933[0], 1'b0} : {1'b0, select_3933[3], 1'b0, select_3933[2], 1'b0, select_3933[1], 1'b0, select_3933[0]};
-  // hls/stages/agreement.hpp:1133
-  logic [13:0] select_3938;
-  assign select_3938 = equal_3909_s15_q ? counts_skin_supervised_q : (equal_3910_s15_q ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] select_3940;
-  assign select_3940 = equal_3908_s15_q ? counts_skin_textured_q : (equal_3905_s15_q ? counts_textured_q : select_3938);
+  assign limit = equal_3918 ? cfg_regions_limit_i : select_3941_s15_q;
+  // hls/stages/agreement.hpp:1243
+  logic not_3943;
+  assign not_3943 = ~x_s15_q[2];
+  logic [3:0] select_3944;
+  assign select_3944 = x_s15_q[1] ? {x_s15_q[2], 1'b0, not_3943, 1'b0} : {1'b0, x_s15_q[2], 1'b0, not_3943};
+  logic [7:0] select_3945;
+  assign select_3945 = x_s15_q[0] ? {select_3944[3], 1'b0, select_3944[2], 1'b0, select_3944[1], 1'b0, select_3944[0], 1'b0} : {1'b0, select_3944[3], 1'b0, select_3944[2], 1'b0, select_3944[1], 1'b0, select_3944[0]};
+  // hls/stages/agreement.hpp:1137
+  logic [13:0] select_3949;
+  assign select_3949 = equal_3920_s15_q ? counts_skin_supervised_q : (equal_3921_s15_q ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_3951;
+  assign select_3951 = equal_3919_s15_q ? counts_skin_textured_q : (equal_3916_s15_q ? counts_textured_q : select_3949);
   logic [13:0] of;
-  assign of = equal_3907 ? counts_textured_q : select_3940;
+  assign of = equal_3918 ? counts_textured_q : select_3951;
   // hls/stages/registration.hpp:258
-  logic not_4145;
-  assign not_4145 = ~quarter_s15_q[1];
-  logic [3:0] select_4146;
-  assign select_4146 = quarter_s15_q[0] ? {quarter_s15_q[1], 1'b0, not_4145, 1'b0} : {1'b0, quarter_s15_q[1], 1'b0, not_4145};
+  logic not_4156;
+  assign not_4156 = ~quarter_s15_q[1];
+  logic [3:0] select_4157;
+  assign select_4157 = quarter_s15_q[0] ? {quarter_s15_q[1], 1'b0, not_4156, 1'b0} : {1'b0, quarter_s15_q[1], 1'b0, not_4156};
 
   // Memory registration_sums, 12 x 32, DISTANCE 24, hls/stages/registration.hpp:277; read in stage 15, written in stage 19: 15 < 19 < 15 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -6652,7 +6673,7 @@ module horopter_agreement (
   logic seen_columns_we;
   assign seen_columns_we = s15_en & and_1581_s15_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s15_q, near_s15_q, shown_s15_q, explained_s15_q, and_2028, textured_s15_q};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_s15_q, near_s15_q, shown_s15_q, explained, and_2031, textured_s15_q};
   end
 `ifndef SYNTHESIS
   logic [6:0] seen_columns_raddr_s12_sim;
@@ -6714,19 +6735,19 @@ module horopter_agreement (
       segment_started_q <= 1'b0;
     end else if (s15_en) begin
       census_filled_q <= and_552_s15_q ? {select_688[2:0], 1'b1} : census_filled_q;
-      moments_has_before_q <= select_2307;
+      moments_has_before_q <= select_2311;
       rows_passed_above_q <= and_552_s15_q ? select_687 : rows_passed_above_q;
-      counts_textured_q <= and_2610 ? 14'h0 : (counts_textured_q + {13'h0, and_2621});
-      counts_skin_supervised_q <= select_2680;
-      counts_skin_textured_q <= select_2687;
-      registration_fresh_q <= select_2841;
-      patches_smooth_values_0_q <= equal_1791_s15_q ? patches_smooth_values_0_q : select_3101;
-      patches_smooth_values_1_q <= select_3105;
-      patches_smooth_values_2_q <= select_3108;
-      patches_smooth_values_3_q <= select_3111;
-      patches_down_values_2_q <= select_3120;
-      patches_down_values_3_q <= select_3123;
-      patches_read_far_q <= select_3562;
+      counts_textured_q <= and_2614 ? 14'h0 : (counts_textured_q + {13'h0, and_2626});
+      counts_skin_supervised_q <= select_2688;
+      counts_skin_textured_q <= select_2695;
+      registration_fresh_q <= select_2851;
+      patches_smooth_values_0_q <= equal_1791_s15_q ? patches_smooth_values_0_q : select_3111;
+      patches_smooth_values_1_q <= select_3115;
+      patches_smooth_values_2_q <= select_3118;
+      patches_smooth_values_3_q <= select_3121;
+      patches_down_values_2_q <= select_3130;
+      patches_down_values_3_q <= select_3133;
+      patches_read_far_q <= select_3572;
       segment_started_q <= ~segment_starts_q;
     end
   end
@@ -6784,50 +6805,50 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s15_en) begin
-      averager_quarter_1_0_q <= select_2169;
-      averager_quarter_1_1_q <= select_2171;
-      averager_quarter_2_0_q <= select_2173;
-      averager_quarter_2_1_q <= select_2175;
-      census_columns_values_0_cell_0_left_q <= select_2204;
-      census_columns_values_0_cell_0_right_q <= select_2205;
-      census_columns_values_0_cell_1_left_q <= select_2207;
-      census_columns_values_0_cell_1_right_q <= select_2208;
-      census_columns_values_0_cell_1_mask_q <= select_2209;
-      census_columns_values_0_cell_2_left_q <= select_2210;
-      census_columns_values_0_cell_2_right_q <= select_2211;
-      census_columns_values_0_cell_2_mask_q <= select_2212;
-      census_columns_values_0_cell_2_of_skin_q <= select_2213;
-      census_columns_values_0_cell_3_left_q <= select_2214;
-      census_columns_values_0_cell_3_right_q <= select_2215;
-      census_columns_values_0_cell_3_mask_q <= select_2216;
-      census_columns_values_0_cell_4_left_q <= select_2217;
-      census_columns_values_0_cell_4_right_q <= select_2218;
-      census_columns_values_0_cell_4_mask_q <= select_2219;
-      census_columns_values_1_cell_0_left_q <= select_2220;
-      census_columns_values_1_cell_0_right_q <= select_2221;
-      census_columns_values_1_cell_1_left_q <= select_2223;
-      census_columns_values_1_cell_1_right_q <= select_2224;
-      census_columns_values_1_cell_2_left_q <= select_2226;
-      census_columns_values_1_cell_2_right_q <= select_2227;
-      census_columns_values_1_cell_2_of_skin_q <= select_2229;
-      census_columns_values_1_cell_3_left_q <= select_2230;
-      census_columns_values_1_cell_3_right_q <= select_2231;
-      census_columns_values_1_cell_4_left_q <= select_2233;
-      census_columns_values_1_cell_4_right_q <= select_2234;
-      census_columns_values_2_cell_0_left_q <= select_2236;
-      census_columns_values_2_cell_0_right_q <= select_2237;
-      census_columns_values_2_cell_1_left_q <= select_2239;
-      census_columns_values_2_cell_1_right_q <= select_2240;
-      census_columns_values_2_cell_2_left_q <= select_2242;
-      census_columns_values_2_cell_2_right_q <= select_2243;
-      census_columns_values_2_cell_3_left_q <= select_2245;
-      census_columns_values_2_cell_3_right_q <= select_2246;
-      census_columns_values_2_cell_4_left_q <= select_2248;
-      census_columns_values_2_cell_4_right_q <= select_2249;
-      census_columns_values_3_cell_1_left_q <= select_2252;
-      census_columns_values_3_cell_1_right_q <= select_2253;
-      census_columns_values_3_cell_3_left_q <= select_2256;
-      census_columns_values_3_cell_3_right_q <= select_2257;
+      averager_quarter_1_0_q <= select_2173;
+      averager_quarter_1_1_q <= select_2175;
+      averager_quarter_2_0_q <= select_2177;
+      averager_quarter_2_1_q <= select_2179;
+      census_columns_values_0_cell_0_left_q <= select_2208;
+      census_columns_values_0_cell_0_right_q <= select_2209;
+      census_columns_values_0_cell_1_left_q <= select_2211;
+      census_columns_values_0_cell_1_right_q <= select_2212;
+      census_columns_values_0_cell_1_mask_q <= select_2213;
+      census_columns_values_0_cell_2_left_q <= select_2214;
+      census_columns_values_0_cell_2_right_q <= select_2215;
+      census_columns_values_0_cell_2_mask_q <= select_2216;
+      census_columns_values_0_cell_2_of_skin_q <= select_2217;
+      census_columns_values_0_cell_3_left_q <= select_2218;
+      census_columns_values_0_cell_3_right_q <= select_2219;
+      census_columns_values_0_cell_3_mask_q <= select_2220;
+      census_columns_values_0_cell_4_left_q <= select_2221;
+      census_columns_values_0_cell_4_right_q <= select_2222;
+      census_columns_values_0_cell_4_mask_q <= select_2223;
+      census_columns_values_1_cell_0_left_q <= select_2224;
+      census_columns_values_1_cell_0_right_q <= select_2225;
+      census_columns_values_1_cell_1_left_q <= select_2227;
+      census_columns_values_1_cell_1_right_q <= select_2228;
+      census_columns_values_1_cell_2_left_q <= select_2230;
+      census_columns_values_1_cell_2_right_q <= select_2231;
+      census_columns_values_1_cell_2_of_skin_q <= select_2233;
+      census_columns_values_1_cell_3_left_q <= select_2234;
+      census_columns_values_1_cell_3_right_q <= select_2235;
+      census_columns_values_1_cell_4_left_q <= select_2237;
+      census_columns_values_1_cell_4_right_q <= select_2238;
+      census_columns_values_2_cell_0_left_q <= select_2240;
+      census_columns_values_2_cell_0_right_q <= select_2241;
+      census_columns_values_2_cell_1_left_q <= select_2243;
+      census_columns_values_2_cell_1_right_q <= select_2244;
+      census_columns_values_2_cell_2_left_q <= select_2246;
+      census_columns_values_2_cell_2_right_q <= select_2247;
+      census_columns_values_2_cell_3_left_q <= select_2249;
+      census_columns_values_2_cell_3_right_q <= select_2250;
+      census_columns_values_2_cell_4_left_q <= select_2252;
+      census_columns_values_2_cell_4_right_q <= select_2253;
+      census_columns_values_3_cell_1_left_q <= select_2256;
+      census_columns_values_3_cell_1_right_q <= select_2257;
+      census_columns_values_3_cell_3_left_q <= select_2260;
+      census_columns_values_3_cell_3_right_q <= select_2261;
       sharpness_last_mean_0_q <= and_552_s15_q ? select_558_s15_q : sharpness_last_mean_0_q;
       sharpness_last_mean_1_q <= and_552_s15_q ? select_562_s15_q : sharpness_last_mean_1_q;
     end
@@ -6854,7 +6875,6 @@ module horopter_agreement (
   logic [2:0] slot_s16_q;
   logic ends_cell_s16_q;
   logic lower_half_s16_q;
-  logic draws_late_s16_q;
   logic [13:0] counts_textured_s16_q;
   logic registration_of_right_s16_q;
   logic [4:0] patches_choosing_band_s16_q;
@@ -6872,7 +6892,6 @@ module horopter_agreement (
   logic segment_started_s16_q;
   logic centres_values_1_textured_s16_q;
   logic centres_values_1_of_skin_s16_q;
-  logic done_s16_q;
   logic [3:0] select_511_s16_q;
   logic row_starts_s16_q;
   logic [6:0] select_546_s16_q;
@@ -7000,82 +7019,85 @@ module horopter_agreement (
   logic or_1992_s16_q;
   logic not_1994_s16_q;
   logic [29:0] regions_rdata_s16_q;
-  logic textured_s16_q;
-  logic explained_s16_q;
-  logic and_2021_s16_q;
-  logic and_2026_s16_q;
-  logic not_2054_s16_q;
-  logic and_2068_s16_q;
-  logic and_2069_s16_q;
-  logic [1:0] sum_2073_s16_q;
-  logic or_2085_s16_q;
-  logic or_2088_s16_q;
-  logic or_2091_s16_q;
-  logic and_2103_s16_q;
-  logic [2:0] sum_2109_s16_q;
-  logic and_2119_s16_q;
-  logic [2:0] sum_2125_s16_q;
-  logic and_2143_s16_q;
-  logic sum_2180_s16_q;
-  logic [9:0] difference_2181_s16_q;
-  logic sum_2188_s16_q;
-  logic [9:0] difference_2189_s16_q;
-  logic difference_2261_s16_q;
-  logic [8:0] xor_2262_s16_q;
-  logic difference_2264_s16_q;
-  logic [8:0] xor_2265_s16_q;
+  logic and_2007_s16_q;
+  logic and_2012_s16_q;
+  logic and_2023_s16_q;
+  logic and_2028_s16_q;
+  logic select_2056_s16_q;
+  logic not_2058_s16_q;
+  logic select_2070_s16_q;
+  logic and_2072_s16_q;
+  logic and_2073_s16_q;
+  logic [1:0] sum_2077_s16_q;
+  logic or_2089_s16_q;
+  logic or_2092_s16_q;
+  logic or_2095_s16_q;
+  logic and_2106_s16_q;
+  logic [2:0] sum_2112_s16_q;
+  logic and_2122_s16_q;
+  logic [2:0] sum_2128_s16_q;
+  logic and_2147_s16_q;
+  logic sum_2184_s16_q;
+  logic [9:0] difference_2185_s16_q;
+  logic sum_2192_s16_q;
+  logic [9:0] difference_2193_s16_q;
+  logic difference_2265_s16_q;
+  logic [8:0] xor_2266_s16_q;
   logic difference_2268_s16_q;
   logic [8:0] xor_2269_s16_q;
   logic difference_2272_s16_q;
   logic [8:0] xor_2273_s16_q;
   logic difference_2276_s16_q;
   logic [8:0] xor_2277_s16_q;
-  logic equal_2286_s16_q;
-  logic equal_2301_s16_q;
-  logic difference_2372_s16_q;
-  logic [8:0] xor_2373_s16_q;
-  logic difference_2384_s16_q;
-  logic [8:0] xor_2385_s16_q;
-  logic equal_2475_s16_q;
-  logic and_2610_s16_q;
-  logic and_2616_s16_q;
+  logic difference_2280_s16_q;
+  logic [8:0] xor_2281_s16_q;
+  logic equal_2290_s16_q;
+  logic equal_2305_s16_q;
+  logic difference_2376_s16_q;
+  logic [8:0] xor_2377_s16_q;
+  logic difference_2388_s16_q;
+  logic [8:0] xor_2389_s16_q;
+  logic equal_2479_s16_q;
+  logic and_2614_s16_q;
   logic and_2621_s16_q;
-  logic not_2635_s16_q;
-  logic [2:0] explained_2_s16_q;
-  logic and_2712_s16_q;
-  logic and_2730_s16_q;
-  logic and_2737_s16_q;
-  logic and_2771_s16_q;
-  logic and_2772_s16_q;
+  logic and_2626_s16_q;
+  logic not_2642_s16_q;
+  logic and_2643_s16_q;
+  logic [2:0] sum_2649_s16_q;
+  logic and_2721_s16_q;
+  logic and_2739_s16_q;
+  logic and_2747_s16_q;
+  logic and_2781_s16_q;
+  logic and_2782_s16_q;
   logic [7:0] residual_s16_q;
-  logic less_2807_s16_q;
-  logic less_2821_s16_q;
-  logic equal_2864_s16_q;
-  logic and_3009_s16_q;
-  logic less_3135_s16_q;
-  logic equal_3478_s16_q;
-  logic [9:0] select_3564_s16_q;
-  logic [4:0] select_3565_s16_q;
-  logic [4:0] select_3566_s16_q;
-  logic equal_3575_s16_q;
-  logic less_3603_s16_q;
+  logic less_2817_s16_q;
+  logic less_2831_s16_q;
+  logic equal_2874_s16_q;
+  logic and_3019_s16_q;
+  logic less_3145_s16_q;
+  logic equal_3488_s16_q;
+  logic [9:0] select_3574_s16_q;
+  logic [4:0] select_3575_s16_q;
+  logic [4:0] select_3576_s16_q;
+  logic equal_3585_s16_q;
+  logic less_3613_s16_q;
   logic [9:0] eight_s16_q;
   logic [9:0] fall_2_s16_q;
-  logic equal_3671_s16_q;
-  logic and_3886_s16_q;
-  logic equal_3902_s16_q;
-  logic equal_3905_s16_q;
-  logic equal_3907_s16_q;
-  logic equal_3908_s16_q;
-  logic equal_3909_s16_q;
-  logic equal_3910_s16_q;
-  logic equal_3936_s16_q;
+  logic equal_3681_s16_q;
+  logic and_3897_s16_q;
+  logic equal_3913_s16_q;
+  logic equal_3916_s16_q;
+  logic equal_3918_s16_q;
+  logic equal_3919_s16_q;
+  logic equal_3920_s16_q;
+  logic equal_3921_s16_q;
+  logic equal_3947_s16_q;
   logic [13:0] of_s16_q;
-  logic or_4052_s16_q;
-  logic and_4066_s16_q;
-  logic and_4083_s16_q;
-  logic not_4095_s16_q;
-  logic equal_4148_s16_q;
+  logic or_4063_s16_q;
+  logic and_4077_s16_q;
+  logic and_4094_s16_q;
+  logic not_4106_s16_q;
+  logic equal_4159_s16_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s16_q <= pixel_0_s15_q;
@@ -7099,7 +7121,6 @@ module horopter_agreement (
       slot_s16_q <= slot_s15_q;
       ends_cell_s16_q <= ends_cell_s15_q;
       lower_half_s16_q <= lower_half_s15_q;
-      draws_late_s16_q <= draws_late_s15_q;
       counts_textured_s16_q <= counts_textured_q;
       registration_of_right_s16_q <= registration_of_right_s15_q;
       patches_choosing_band_s16_q <= patches_choosing_band_s15_q;
@@ -7117,7 +7138,6 @@ module horopter_agreement (
       segment_started_s16_q <= segment_started_q;
       centres_values_1_textured_s16_q <= centres_values_1_textured_s15_q;
       centres_values_1_of_skin_s16_q <= centres_values_1_of_skin_s15_q;
-      done_s16_q <= done_s15_q;
       select_511_s16_q <= select_511_s15_q;
       row_starts_s16_q <= row_starts_s15_q;
       select_546_s16_q <= select_546_s15_q;
@@ -7245,82 +7265,85 @@ module horopter_agreement (
       or_1992_s16_q <= or_1992_s15_q;
       not_1994_s16_q <= not_1994_s15_q;
       regions_rdata_s16_q <= regions_rdata_q;
-      textured_s16_q <= textured_s15_q;
-      explained_s16_q <= explained_s15_q;
-      and_2021_s16_q <= inside_v_s15_q & (and_2019_s15_q & and_1592_s15_q);
-      and_2026_s16_q <= and_2026_s15_q;
-      not_2054_s16_q <= not_2054_s15_q;
-      and_2068_s16_q <= and_2068_s15_q;
-      and_2069_s16_q <= seen_columns_rdata_s15_q[9] & inside_v_s15_q;
-      sum_2073_s16_q <= sum_2073;
-      or_2085_s16_q <= or_2085_s15_q;
-      or_2088_s16_q <= or_2088_s15_q;
-      or_2091_s16_q <= or_2091_s15_q;
-      and_2103_s16_q <= and_2103_s15_q;
-      sum_2109_s16_q <= {2'h0, and_2104} + {1'b0, sum_2108};
-      and_2119_s16_q <= and_2119_s15_q;
-      sum_2125_s16_q <= {2'h0, and_2120} + {1'b0, sum_2124};
-      and_2143_s16_q <= and_2143_s15_q;
-      sum_2180_s16_q <= sum_2180[0];
-      difference_2181_s16_q <= {1'b0, sum_2180[9:1]} - {1'b0, averager_quarter_1_0_q};
-      sum_2188_s16_q <= sum_2188[0];
-      difference_2189_s16_q <= {1'b0, sum_2188[9:1]} - {1'b0, averager_quarter_1_1_q};
-      difference_2261_s16_q <= difference_2261[9];
-      xor_2262_s16_q <= difference_2261[8:0] ^ {9{difference_2261[9]}};
-      difference_2264_s16_q <= difference_2264[9];
-      xor_2265_s16_q <= difference_2264[8:0] ^ {9{difference_2264[9]}};
+      and_2007_s16_q <= and_2007_s15_q;
+      and_2012_s16_q <= and_2012_s15_q;
+      and_2023_s16_q <= and_2023;
+      and_2028_s16_q <= and_2028_s15_q;
+      select_2056_s16_q <= read_half_q;
+      not_2058_s16_q <= not_2058_s15_q;
+      select_2070_s16_q <= select_2070_s15_q;
+      and_2072_s16_q <= and_2072_s15_q;
+      and_2073_s16_q <= seen_columns_rdata_s15_q[9] & inside_v_s15_q;
+      sum_2077_s16_q <= sum_2077;
+      or_2089_s16_q <= or_2089_s15_q;
+      or_2092_s16_q <= or_2092_s15_q;
+      or_2095_s16_q <= or_2095_s15_q;
+      and_2106_s16_q <= and_2106_s15_q;
+      sum_2112_s16_q <= {2'h0, and_2107} + {1'b0, sum_2111};
+      and_2122_s16_q <= and_2122_s15_q;
+      sum_2128_s16_q <= {2'h0, and_2123} + {1'b0, sum_2127};
+      and_2147_s16_q <= and_2147_s15_q;
+      sum_2184_s16_q <= sum_2184[0];
+      difference_2185_s16_q <= {1'b0, sum_2184[9:1]} - {1'b0, averager_quarter_1_0_q};
+      sum_2192_s16_q <= sum_2192[0];
+      difference_2193_s16_q <= {1'b0, sum_2192[9:1]} - {1'b0, averager_quarter_1_1_q};
+      difference_2265_s16_q <= difference_2265[9];
+      xor_2266_s16_q <= difference_2265[8:0] ^ {9{difference_2265[9]}};
       difference_2268_s16_q <= difference_2268[9];
       xor_2269_s16_q <= difference_2268[8:0] ^ {9{difference_2268[9]}};
       difference_2272_s16_q <= difference_2272[9];
       xor_2273_s16_q <= difference_2272[8:0] ^ {9{difference_2272[9]}};
       difference_2276_s16_q <= difference_2276[9];
       xor_2277_s16_q <= difference_2276[8:0] ^ {9{difference_2276[9]}};
-      equal_2286_s16_q <= equal_2286_s15_q;
-      equal_2301_s16_q <= equal_2301;
-      difference_2372_s16_q <= difference_2372[9];
-      xor_2373_s16_q <= difference_2372[8:0] ^ {9{difference_2372[9]}};
-      difference_2384_s16_q <= difference_2384[9];
-      xor_2385_s16_q <= difference_2384[8:0] ^ {9{difference_2384[9]}};
-      equal_2475_s16_q <= equal_2475_s15_q;
-      and_2610_s16_q <= and_2610;
-      and_2616_s16_q <= and_2616_s15_q;
-      and_2621_s16_q <= and_2621;
-      not_2635_s16_q <= not_2635_s15_q;
-      explained_2_s16_q <= explained_2;
-      and_2712_s16_q <= not_578_s15_q & (so_s15_q & (ends_cell_s15_q & and_2709_s15_q));
-      and_2730_s16_q <= and_2730_s15_q;
-      and_2737_s16_q <= and_2737_s15_q;
-      and_2771_s16_q <= and_2771_s15_q;
-      and_2772_s16_q <= and_2772_s15_q;
+      difference_2280_s16_q <= difference_2280[9];
+      xor_2281_s16_q <= difference_2280[8:0] ^ {9{difference_2280[9]}};
+      equal_2290_s16_q <= equal_2290_s15_q;
+      equal_2305_s16_q <= equal_2305;
+      difference_2376_s16_q <= difference_2376[9];
+      xor_2377_s16_q <= difference_2376[8:0] ^ {9{difference_2376[9]}};
+      difference_2388_s16_q <= difference_2388[9];
+      xor_2389_s16_q <= difference_2388[8:0] ^ {9{difference_2388[9]}};
+      equal_2479_s16_q <= equal_2479_s15_q;
+      and_2614_s16_q <= and_2614;
+      and_2621_s16_q <= and_2621_s15_q;
+      and_2626_s16_q <= and_2626;
+      not_2642_s16_q <= not_2642_s15_q;
+      and_2643_s16_q <= and_2643_s15_q;
+      sum_2649_s16_q <= {2'h0, and_2644} + {1'b0, sum_2648};
+      and_2721_s16_q <= and_2721;
+      and_2739_s16_q <= not_578_s15_q & (so_s15_q & (ends_cell_s15_q & and_2736));
+      and_2747_s16_q <= not_578_s15_q & (so_s15_q & (ends_cell_s15_q & and_2744));
+      and_2781_s16_q <= and_2781_s15_q;
+      and_2782_s16_q <= and_2782_s15_q;
       residual_s16_q <= residual_s15_q[7:0];
-      less_2807_s16_q <= $signed(difference_2806) < $signed({7'h0, cfg_moved_limit_i});
-      less_2821_s16_q <= less_2821;
-      equal_2864_s16_q <= (registration_fresh_q & select_2862) == 4'h0;
-      and_3009_s16_q <= and_3009_s15_q;
-      less_3135_s16_q <= less_3135_s15_q;
-      equal_3478_s16_q <= equal_3478_s15_q;
-      select_3564_s16_q <= select_3564_s15_q;
-      select_3565_s16_q <= select_3565_s15_q;
-      select_3566_s16_q <= select_3566_s15_q;
-      equal_3575_s16_q <= equal_3575_s15_q;
-      less_3603_s16_q <= less_3603_s15_q;
+      less_2817_s16_q <= $signed(difference_2816) < $signed({7'h0, cfg_moved_limit_i});
+      less_2831_s16_q <= less_2831;
+      equal_2874_s16_q <= (registration_fresh_q & select_2872) == 4'h0;
+      and_3019_s16_q <= and_3019_s15_q;
+      less_3145_s16_q <= less_3145_s15_q;
+      equal_3488_s16_q <= equal_3488_s15_q;
+      select_3574_s16_q <= select_3574_s15_q;
+      select_3575_s16_q <= select_3575_s15_q;
+      select_3576_s16_q <= select_3576_s15_q;
+      equal_3585_s16_q <= equal_3585_s15_q;
+      less_3613_s16_q <= less_3613_s15_q;
       eight_s16_q <= eight;
       fall_2_s16_q <= fall_2;
-      equal_3671_s16_q <= equal_3671;
-      and_3886_s16_q <= equal_3885_s15_q & equal_3671;
-      equal_3902_s16_q <= equal_3902_s15_q;
-      equal_3905_s16_q <= equal_3905_s15_q;
-      equal_3907_s16_q <= equal_3907;
-      equal_3908_s16_q <= equal_3908_s15_q;
-      equal_3909_s16_q <= equal_3909_s15_q;
-      equal_3910_s16_q <= equal_3910_s15_q;
-      equal_3936_s16_q <= (limit & select_3934) == 8'h0;
+      equal_3681_s16_q <= equal_3681;
+      and_3897_s16_q <= equal_3896_s15_q & equal_3681;
+      equal_3913_s16_q <= equal_3913_s15_q;
+      equal_3916_s16_q <= equal_3916_s15_q;
+      equal_3918_s16_q <= equal_3918;
+      equal_3919_s16_q <= equal_3919_s15_q;
+      equal_3920_s16_q <= equal_3920_s15_q;
+      equal_3921_s16_q <= equal_3921_s15_q;
+      equal_3947_s16_q <= (limit & select_3945) == 8'h0;
       of_s16_q <= of;
-      or_4052_s16_q <= or_4052_s15_q;
-      and_4066_s16_q <= and_4066_s15_q;
-      and_4083_s16_q <= and_4083_s15_q;
-      not_4095_s16_q <= not_4095_s15_q;
-      equal_4148_s16_q <= (registration_fresh_q & select_4146) == 4'h0;
+      or_4063_s16_q <= or_4063_s15_q;
+      and_4077_s16_q <= and_4077_s15_q;
+      and_4094_s16_q <= and_4094_s15_q;
+      not_4106_s16_q <= not_4106_s15_q;
+      equal_4159_s16_q <= (registration_fresh_q & select_4157) == 4'h0;
     end
   end
 
@@ -7367,7 +7390,7 @@ module horopter_agreement (
   logic [12:0] rows_passed_q;
   logic [8:0] columns_passed_q;
   logic line_ended_q;
-  // hls/stages/agreement.hpp:460
+  // hls/stages/agreement.hpp:461
   logic whole_3;
   assign whole_3 = census_columns_values_0_cell_0_mask_q & and_693_s16_q;
   logic whole_4;
@@ -7423,211 +7446,212 @@ module horopter_agreement (
   // hls/stages/patches.hpp:453
   logic and_1940;
   assign and_1940 = difference_1929_s16_q[14] & (~(difference_1929_s16_q[13:8] == 6'h3f));
-  // hls/stages/agreement.hpp:907
-  logic [6:0] select_2007;
-  assign select_2007 = segment_started_s16_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:908
-  logic [6:0] sum_2008;
-  assign sum_2008 = {6'h0, textured_s16_q} + select_2007;
-  // hls/stages/agreement.hpp:1068
-  logic [9:0] sum_2010;
-  assign sum_2010 = {3'h0, sum_2008} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[9:0]);
-  // hls/stages/agreement.hpp:907
-  logic [6:0] select_2012;
-  assign select_2012 = segment_started_s16_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:908
-  logic [6:0] sum_2013;
-  assign sum_2013 = {6'h0, explained_s16_q} + select_2012;
-  // hls/stages/agreement.hpp:1069
-  logic [9:0] sum_2015;
-  assign sum_2015 = {3'h0, sum_2013} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[19:10]);
-  // hls/stages/agreement.hpp:907
-  logic [6:0] select_2022;
-  assign select_2022 = segment_started_s16_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:909
-  logic [6:0] sum_2023;
-  assign sum_2023 = {6'h0, and_2021_s16_q} + select_2022;
-  // hls/stages/agreement.hpp:1070
-  logic [9:0] sum_2025;
-  assign sum_2025 = {3'h0, sum_2023} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[29:20]);
-  // hls/stages/agreement.hpp:1283
-  logic or_2035;
-  assign or_2035 = marks_first_s16_q | line_ended_q;
-  // hls/stages/agreement.hpp:1285
-  logic [12:0] select_2037;
-  assign select_2037 = marks_first_s16_q ? 13'h1 : (or_2035 ? {rows_passed_q[11:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1284
-  logic [8:0] select_2039;
-  assign select_2039 = or_2035 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1292
-  logic select_2041;
-  assign select_2041 = cfg_compete_i ? (or_2035 & select_2037[12]) : (select_2039[8] & select_2037[9]);
-  // hls/stages/agreement.hpp:1094
+  // hls/stages/agreement.hpp:910
+  logic [6:0] select_2008;
+  assign select_2008 = segment_started_s16_q ? segment_textured_q : 7'h0;
+  // hls/stages/agreement.hpp:911
+  logic [6:0] sum_2009;
+  assign sum_2009 = {6'h0, and_2007_s16_q} + select_2008;
+  // hls/stages/agreement.hpp:1072
+  logic [9:0] sum_2011;
+  assign sum_2011 = {3'h0, sum_2009} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[9:0]);
+  // hls/stages/agreement.hpp:910
+  logic [6:0] select_2013;
+  assign select_2013 = segment_started_s16_q ? segment_explained_q : 7'h0;
+  // hls/stages/agreement.hpp:911
+  logic [6:0] sum_2014;
+  assign sum_2014 = {6'h0, and_2012_s16_q} + select_2013;
+  // hls/stages/agreement.hpp:1073
+  logic [9:0] sum_2016;
+  assign sum_2016 = {3'h0, sum_2014} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[19:10]);
+  // hls/stages/agreement.hpp:910
+  logic [6:0] select_2024;
+  assign select_2024 = segment_started_s16_q ? segment_nearer_q : 7'h0;
+  // hls/stages/agreement.hpp:912
+  logic [6:0] sum_2025;
+  assign sum_2025 = {6'h0, and_2023_s16_q} + select_2024;
+  // hls/stages/agreement.hpp:1074
+  logic [9:0] sum_2027;
+  assign sum_2027 = {3'h0, sum_2025} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[29:20]);
+  // hls/stages/agreement.hpp:1287
+  logic or_2039;
+  assign or_2039 = marks_first_s16_q | line_ended_q;
+  // hls/stages/agreement.hpp:1289
+  logic [12:0] select_2041;
+  assign select_2041 = marks_first_s16_q ? 13'h1 : (or_2039 ? {rows_passed_q[11:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:1288
+  logic [8:0] select_2043;
+  assign select_2043 = or_2039 ? 9'h0 : columns_passed_q;
+  // hls/stages/agreement.hpp:1296
+  logic select_2045;
+  assign select_2045 = cfg_compete_i ? (or_2039 & select_2041[12]) : (select_2043[8] & select_2041[9]);
+  // hls/stages/agreement.hpp:1098
   logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2068_s16_q} + ({2'h0, and_2069_s16_q} + {1'b0, sum_2073_s16_q});
-  // hls/stages/agreement.hpp:1096
+  assign textured_2 = {2'h0, and_2072_s16_q} + ({2'h0, and_2073_s16_q} + {1'b0, sum_2077_s16_q});
+  // hls/stages/agreement.hpp:1100
   logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2103_s16_q} + sum_2109_s16_q;
-  // hls/stages/agreement.hpp:1103
-  logic [2:0] select_2111;
-  assign select_2111 = age_s16_q ? box_shown_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:1097
+  assign shown_2 = {2'h0, and_2106_s16_q} + sum_2112_s16_q;
+  // hls/stages/agreement.hpp:1107
+  logic [2:0] select_2114;
+  assign select_2114 = age_s16_q ? box_shown_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:1101
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2119_s16_q} + sum_2125_s16_q;
-  // hls/stages/agreement.hpp:1104
-  logic [2:0] select_2127;
-  assign select_2127 = age_s16_q ? box_nearer_columns_values_4_q : 3'h0;
+  assign near_2 = {2'h0, and_2122_s16_q} + sum_2128_s16_q;
+  // hls/stages/agreement.hpp:1108
+  logic [2:0] select_2130;
+  assign select_2130 = age_s16_q ? box_nearer_columns_values_4_q : 3'h0;
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2182;
-  assign xor_2182 = {difference_2181_s16_q[8:0], sum_2180_s16_q} ^ {10{difference_2181_s16_q[9]}};
+  logic [9:0] xor_2186;
+  assign xor_2186 = {difference_2185_s16_q[8:0], sum_2184_s16_q} ^ {10{difference_2185_s16_q[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2181_s16_q[9]} + {1'b0, xor_2182};
-  logic [9:0] xor_2190;
-  assign xor_2190 = {difference_2189_s16_q[8:0], sum_2188_s16_q} ^ {10{difference_2189_s16_q[9]}};
+  assign size = {10'h0, difference_2185_s16_q[9]} + {1'b0, xor_2186};
+  logic [9:0] xor_2194;
+  assign xor_2194 = {difference_2193_s16_q[8:0], sum_2192_s16_q} ^ {10{difference_2193_s16_q[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2189_s16_q[9]} + {1'b0, xor_2190};
-  // hls/stages/agreement.hpp:527
-  logic select_2206;
-  assign select_2206 = and_552_s16_q ? whole_2_s16_q : census_columns_values_0_cell_0_mask_q;
-  logic select_2222;
-  assign select_2222 = and_552_s16_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
-  logic select_2225;
-  assign select_2225 = and_552_s16_q ? census_columns_values_0_cell_1_mask_s16_q : census_columns_values_1_cell_1_mask_q;
-  logic select_2232;
-  assign select_2232 = and_552_s16_q ? census_columns_values_0_cell_3_mask_s16_q : census_columns_values_1_cell_3_mask_q;
-  logic select_2235;
-  assign select_2235 = and_552_s16_q ? census_columns_values_0_cell_4_mask_s16_q : census_columns_values_1_cell_4_mask_q;
-  logic select_2238;
-  assign select_2238 = and_552_s16_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
-  logic select_2241;
-  assign select_2241 = and_552_s16_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  assign size_2 = {10'h0, difference_2193_s16_q[9]} + {1'b0, xor_2194};
+  // hls/stages/agreement.hpp:530
+  logic select_2210;
+  assign select_2210 = and_552_s16_q ? whole_2_s16_q : census_columns_values_0_cell_0_mask_q;
+  logic select_2226;
+  assign select_2226 = and_552_s16_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic select_2229;
+  assign select_2229 = and_552_s16_q ? census_columns_values_0_cell_1_mask_s16_q : census_columns_values_1_cell_1_mask_q;
+  logic select_2236;
+  assign select_2236 = and_552_s16_q ? census_columns_values_0_cell_3_mask_s16_q : census_columns_values_1_cell_3_mask_q;
+  logic select_2239;
+  assign select_2239 = and_552_s16_q ? census_columns_values_0_cell_4_mask_s16_q : census_columns_values_1_cell_4_mask_q;
+  logic select_2242;
+  assign select_2242 = and_552_s16_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  logic select_2245;
+  assign select_2245 = and_552_s16_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
   // hls/stages/census.hpp:286
-  logic [9:0] sum_2263;
-  assign sum_2263 = {9'h0, difference_2261_s16_q} + {1'b0, xor_2262_s16_q};
-  logic [9:0] sum_2266;
-  assign sum_2266 = {9'h0, difference_2264_s16_q} + {1'b0, xor_2265_s16_q};
+  logic [9:0] sum_2267;
+  assign sum_2267 = {9'h0, difference_2265_s16_q} + {1'b0, xor_2266_s16_q};
+  logic [9:0] sum_2270;
+  assign sum_2270 = {9'h0, difference_2268_s16_q} + {1'b0, xor_2269_s16_q};
   // hls/stages/moments.hpp:54
-  logic [13:0] sum_2298;
-  assign sum_2298 = {13'h0, moments_turns_0_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_0_q);
-  logic [13:0] sum_2300;
-  assign sum_2300 = {13'h0, moments_turns_1_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_1_q);
-  // hls/stages/agreement.hpp:795
-  logic and_2341;
-  assign and_2341 = not_580_s16_q & (equal_581_s16_q & (inside_v_s16_q & and_1604_s16_q));
+  logic [13:0] sum_2302;
+  assign sum_2302 = {13'h0, moments_turns_0_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2304;
+  assign sum_2304 = {13'h0, moments_turns_1_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_1_q);
+  // hls/stages/agreement.hpp:798
   logic and_2345;
-  assign and_2345 = not_580_s16_q & (equal_581_s16_q & (inside_v_s16_q & and_1613_s16_q));
+  assign and_2345 = not_580_s16_q & (equal_581_s16_q & (inside_v_s16_q & and_1604_s16_q));
+  logic and_2349;
+  assign and_2349 = not_580_s16_q & (equal_581_s16_q & (inside_v_s16_q & and_1613_s16_q));
   // hls/stages/census.hpp:371
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2372_s16_q} + xor_2373_s16_q;
+  assign contrast = {8'h0, difference_2376_s16_q} + xor_2377_s16_q;
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2384_s16_q} + xor_2385_s16_q;
-  // hls/stages/agreement.hpp:795
-  logic and_2626;
-  assign and_2626 = not_578_s16_q & (so_s16_q & (ends_cell_s16_q & explained_s16_q));
-  // hls/stages/agreement.hpp:933
-  logic [13:0] select_2628;
-  assign select_2628 = and_2610_s16_q ? 14'h0 : (counts_explained_q + {13'h0, and_2626});
-  // hls/stages/agreement.hpp:795
+  assign contrast_2 = {8'h0, difference_2388_s16_q} + xor_2389_s16_q;
+  // hls/stages/agreement.hpp:798
   logic and_2631;
-  assign and_2631 = not_578_s16_q & (so_s16_q & (ends_cell_s16_q & and_2021_s16_q));
-  // hls/stages/agreement.hpp:1102
-  logic [2:0] select_2644;
-  assign select_2644 = age_s16_q ? box_explained_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:1140
-  logic less_2660;
-  assign less_2660 = region_row_s16_q < x_s16_q[5:3];
+  assign and_2631 = not_578_s16_q & (so_s16_q & (ends_cell_s16_q & and_2012_s16_q));
+  // hls/stages/agreement.hpp:936
+  logic [13:0] select_2633;
+  assign select_2633 = and_2614_s16_q ? 14'h0 : (counts_explained_q + {13'h0, and_2631});
+  // hls/stages/agreement.hpp:798
+  logic and_2636;
+  assign and_2636 = not_578_s16_q & (so_s16_q & (ends_cell_s16_q & and_2023_s16_q));
+  // hls/stages/agreement.hpp:1099
+  logic [2:0] explained_2;
+  assign explained_2 = {2'h0, and_2643_s16_q} + sum_2649_s16_q;
+  // hls/stages/agreement.hpp:1106
+  logic [2:0] select_2651;
+  assign select_2651 = age_s16_q ? box_explained_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:1144
+  logic less_2667;
+  assign less_2667 = region_row_s16_q < x_s16_q[5:3];
   // hls/stages/patches.hpp:349
-  logic not_2999;
-  assign not_2999 = ~and_1789_s16_q;
+  logic not_3009;
+  assign not_3009 = ~and_1789_s16_q;
   // hls/stages/patches.hpp:509
   logic [27:0] word;
   assign word = or_1894_s16_q ? patches_right_codes_rdata_s16_q : 28'h0;
   // hls/stages/patches.hpp:526
-  logic [47:0] select_3168;
-  assign select_3168 = new_row_s16_q ? patches_left_codes_rdata_s16_q : patches_left_row_q;
-  // hls/stages/agreement.hpp:275
-  logic [47:0] select_3170;
-  assign select_3170 = equal_1791_s16_q ? patches_left_row_q : (equal_1793_s16_q ? select_3168 : patches_left_row_q);
-  logic [4:0] select_3515;
-  assign select_3515 = equal_1793_s16_q ? patches_along_s16_q : patches_summed_row_column_q;
+  logic [47:0] select_3178;
+  assign select_3178 = new_row_s16_q ? patches_left_codes_rdata_s16_q : patches_left_row_q;
+  // hls/stages/agreement.hpp:276
+  logic [47:0] select_3180;
+  assign select_3180 = equal_1791_s16_q ? patches_left_row_q : (equal_1793_s16_q ? select_3178 : patches_left_row_q);
+  logic [4:0] select_3525;
+  assign select_3525 = equal_1793_s16_q ? patches_along_s16_q : patches_summed_row_column_q;
   // hls/stages/patches.hpp:546
-  logic [9:0] select_3572;
-  assign select_3572 = (patches_read_far_s16_q < patches_peak_far_q) ? patches_read_far_s16_q : patches_peak_far_q;
-  // hls/stages/agreement.hpp:275
-  logic [9:0] select_3574;
-  assign select_3574 = equal_1791_s16_q ? (patches_read_first_s16_q ? patches_read_far_s16_q : select_3572) : patches_peak_far_q;
+  logic [9:0] select_3582;
+  assign select_3582 = (patches_read_far_s16_q < patches_peak_far_q) ? patches_read_far_s16_q : patches_peak_far_q;
+  // hls/stages/agreement.hpp:276
+  logic [9:0] select_3584;
+  assign select_3584 = equal_1791_s16_q ? (patches_read_first_s16_q ? patches_read_far_s16_q : select_3582) : patches_peak_far_q;
   // hls/stages/patches.hpp:584
-  logic [10:0] sum_3612;
-  assign sum_3612 = {1'b0, fall_2_s16_q} + {2'h0, fall_2_s16_q[9:1]};
+  logic [10:0] sum_3622;
+  assign sum_3622 = {1'b0, fall_2_s16_q} + {2'h0, fall_2_s16_q[9:1]};
   // hls/stages/patches.hpp:585
-  logic [10:0] sum_3616;
-  assign sum_3616 = {1'b0, fall_2_s16_q} + {3'h0, fall_2_s16_q[9:2]};
-  logic less_3620;
-  assign less_3620 = {eight_s16_q, 3'h0} < ({fall_2_s16_q, 3'h0} - {3'h0, fall_2_s16_q});
-  // hls/stages/agreement.hpp:1239
-  logic [13:0] select_3923;
-  assign select_3923 = equal_3671_s16_q ? 14'h0 : product_q;
-  logic [13:0] select_3942;
-  assign select_3942 = equal_3936_s16_q ? 14'h0 : of_s16_q;
+  logic [10:0] sum_3626;
+  assign sum_3626 = {1'b0, fall_2_s16_q} + {3'h0, fall_2_s16_q[9:2]};
+  logic less_3630;
+  assign less_3630 = {eight_s16_q, 3'h0} < ({fall_2_s16_q, 3'h0} - {3'h0, fall_2_s16_q});
+  // hls/stages/agreement.hpp:1243
+  logic [13:0] select_3934;
+  assign select_3934 = equal_3681_s16_q ? 14'h0 : product_q;
+  logic [13:0] select_3953;
+  assign select_3953 = equal_3947_s16_q ? 14'h0 : of_s16_q;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_3923} + {1'b0, select_3942};
-  // hls/stages/agreement.hpp:795
-  logic [2:0] select_3983;
-  assign select_3983 = ends_cell_s16_q ? explained_2_s16_q : box_explained_columns_values_0_q;
-  logic [2:0] select_3985;
-  assign select_3985 = equal_577_s16_q ? box_explained_columns_values_0_q : (so_s16_q ? select_3983 : box_explained_columns_values_0_q);
-  logic [2:0] select_3986;
-  assign select_3986 = ends_cell_s16_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [2:0] select_3988;
-  assign select_3988 = equal_577_s16_q ? box_explained_columns_values_1_q : (so_s16_q ? select_3986 : box_explained_columns_values_1_q);
-  logic [2:0] select_3989;
-  assign select_3989 = ends_cell_s16_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
-  logic [2:0] select_3991;
-  assign select_3991 = equal_577_s16_q ? box_explained_columns_values_2_q : (so_s16_q ? select_3989 : box_explained_columns_values_2_q);
-  logic [2:0] select_3992;
-  assign select_3992 = ends_cell_s16_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [2:0] select_3994;
-  assign select_3994 = equal_577_s16_q ? box_explained_columns_values_3_q : (so_s16_q ? select_3992 : box_explained_columns_values_3_q);
+  assign sum_4 = {1'b0, select_3934} + {1'b0, select_3953};
+  // hls/stages/agreement.hpp:798
   logic [2:0] select_3995;
-  assign select_3995 = ends_cell_s16_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  assign select_3995 = so_s16_q ? (ends_cell_s16_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
   logic [2:0] select_3997;
-  assign select_3997 = equal_577_s16_q ? box_explained_columns_values_4_q : (so_s16_q ? select_3995 : box_explained_columns_values_4_q);
+  assign select_3997 = ends_cell_s16_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
+  logic [2:0] select_3999;
+  assign select_3999 = equal_577_s16_q ? box_explained_columns_values_1_q : (so_s16_q ? select_3997 : box_explained_columns_values_1_q);
+  logic [2:0] select_4000;
+  assign select_4000 = ends_cell_s16_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
   logic [2:0] select_4002;
-  assign select_4002 = so_s16_q ? (ends_cell_s16_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
-  logic [2:0] select_4004;
-  assign select_4004 = ends_cell_s16_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  assign select_4002 = equal_577_s16_q ? box_explained_columns_values_2_q : (so_s16_q ? select_4000 : box_explained_columns_values_2_q);
+  logic [2:0] select_4003;
+  assign select_4003 = ends_cell_s16_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
+  logic [2:0] select_4005;
+  assign select_4005 = equal_577_s16_q ? box_explained_columns_values_3_q : (so_s16_q ? select_4003 : box_explained_columns_values_3_q);
   logic [2:0] select_4006;
-  assign select_4006 = equal_577_s16_q ? box_shown_columns_values_1_q : (so_s16_q ? select_4004 : box_shown_columns_values_1_q);
-  logic [2:0] select_4007;
-  assign select_4007 = ends_cell_s16_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
-  logic [2:0] select_4009;
-  assign select_4009 = equal_577_s16_q ? box_shown_columns_values_2_q : (so_s16_q ? select_4007 : box_shown_columns_values_2_q);
-  logic [2:0] select_4010;
-  assign select_4010 = ends_cell_s16_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [2:0] select_4012;
-  assign select_4012 = equal_577_s16_q ? box_shown_columns_values_3_q : (so_s16_q ? select_4010 : box_shown_columns_values_3_q);
+  assign select_4006 = ends_cell_s16_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_4008;
+  assign select_4008 = equal_577_s16_q ? box_explained_columns_values_4_q : (so_s16_q ? select_4006 : box_explained_columns_values_4_q);
   logic [2:0] select_4013;
-  assign select_4013 = ends_cell_s16_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  assign select_4013 = so_s16_q ? (ends_cell_s16_q ? shown_2 : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
   logic [2:0] select_4015;
-  assign select_4015 = equal_577_s16_q ? box_shown_columns_values_4_q : (so_s16_q ? select_4013 : box_shown_columns_values_4_q);
+  assign select_4015 = ends_cell_s16_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
+  logic [2:0] select_4017;
+  assign select_4017 = equal_577_s16_q ? box_shown_columns_values_1_q : (so_s16_q ? select_4015 : box_shown_columns_values_1_q);
+  logic [2:0] select_4018;
+  assign select_4018 = ends_cell_s16_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
   logic [2:0] select_4020;
-  assign select_4020 = so_s16_q ? (ends_cell_s16_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_4022;
-  assign select_4022 = ends_cell_s16_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  assign select_4020 = equal_577_s16_q ? box_shown_columns_values_2_q : (so_s16_q ? select_4018 : box_shown_columns_values_2_q);
+  logic [2:0] select_4021;
+  assign select_4021 = ends_cell_s16_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
+  logic [2:0] select_4023;
+  assign select_4023 = equal_577_s16_q ? box_shown_columns_values_3_q : (so_s16_q ? select_4021 : box_shown_columns_values_3_q);
   logic [2:0] select_4024;
-  assign select_4024 = equal_577_s16_q ? box_nearer_columns_values_1_q : (so_s16_q ? select_4022 : box_nearer_columns_values_1_q);
-  logic [2:0] select_4025;
-  assign select_4025 = ends_cell_s16_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [2:0] select_4027;
-  assign select_4027 = equal_577_s16_q ? box_nearer_columns_values_2_q : (so_s16_q ? select_4025 : box_nearer_columns_values_2_q);
-  logic [2:0] select_4028;
-  assign select_4028 = ends_cell_s16_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [2:0] select_4030;
-  assign select_4030 = equal_577_s16_q ? box_nearer_columns_values_3_q : (so_s16_q ? select_4028 : box_nearer_columns_values_3_q);
+  assign select_4024 = ends_cell_s16_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4026;
+  assign select_4026 = equal_577_s16_q ? box_shown_columns_values_4_q : (so_s16_q ? select_4024 : box_shown_columns_values_4_q);
   logic [2:0] select_4031;
-  assign select_4031 = ends_cell_s16_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  assign select_4031 = so_s16_q ? (ends_cell_s16_q ? near_2 : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
   logic [2:0] select_4033;
-  assign select_4033 = equal_577_s16_q ? box_nearer_columns_values_4_q : (so_s16_q ? select_4031 : box_nearer_columns_values_4_q);
+  assign select_4033 = ends_cell_s16_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4035;
+  assign select_4035 = equal_577_s16_q ? box_nearer_columns_values_1_q : (so_s16_q ? select_4033 : box_nearer_columns_values_1_q);
+  logic [2:0] select_4036;
+  assign select_4036 = ends_cell_s16_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4038;
+  assign select_4038 = equal_577_s16_q ? box_nearer_columns_values_2_q : (so_s16_q ? select_4036 : box_nearer_columns_values_2_q);
+  logic [2:0] select_4039;
+  assign select_4039 = ends_cell_s16_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4041;
+  assign select_4041 = equal_577_s16_q ? box_nearer_columns_values_3_q : (so_s16_q ? select_4039 : box_nearer_columns_values_3_q);
+  logic [2:0] select_4042;
+  assign select_4042 = ends_cell_s16_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4044;
+  assign select_4044 = equal_577_s16_q ? box_nearer_columns_values_4_q : (so_s16_q ? select_4042 : box_nearer_columns_values_4_q);
 
   // Memory best_left, write
   logic [6:0] best_left_waddr;
@@ -7816,8 +7840,6 @@ module horopter_agreement (
     if (left_turns_we) left_turns_mem[left_turns_waddr] <= {and_1604_s16_q, and_1601_s16_q};
   end
 `ifndef SYNTHESIS
-  logic [6:0] left_turns_raddr_s12_sim;
-  logic left_turns_re_s12_sim;
   logic [6:0] left_turns_raddr_s13_sim;
   logic left_turns_re_s13_sim;
   logic [6:0] left_turns_raddr_s14_sim;
@@ -7826,15 +7848,12 @@ module horopter_agreement (
   logic left_turns_re_s15_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      left_turns_re_s12_sim <= 1'b0;
       left_turns_re_s13_sim <= 1'b0;
       left_turns_re_s14_sim <= 1'b0;
       left_turns_re_s15_sim <= 1'b0;
     end else if (en_i) begin
-      left_turns_re_s12_sim <= left_turns_re;
-      left_turns_raddr_s12_sim <= left_turns_raddr;
-      left_turns_re_s13_sim <= left_turns_re_s12_sim;
-      left_turns_raddr_s13_sim <= left_turns_raddr_s12_sim;
+      left_turns_re_s13_sim <= left_turns_re;
+      left_turns_raddr_s13_sim <= left_turns_raddr;
       left_turns_re_s14_sim <= left_turns_re_s13_sim;
       left_turns_raddr_s14_sim <= left_turns_raddr_s13_sim;
       left_turns_re_s15_sim <= left_turns_re_s14_sim;
@@ -7844,9 +7863,6 @@ module horopter_agreement (
   always_ff @(posedge clk_i) begin
     if (rst_ni && left_turns_we) begin
       if (left_turns_re && left_turns_raddr == left_turns_waddr) begin
-        $error("left_turns: address %0d is read less than DISTANCE steps after its write", left_turns_waddr);
-      end
-      if (left_turns_re_s12_sim && left_turns_raddr_s12_sim == left_turns_waddr) begin
         $error("left_turns: address %0d is read less than DISTANCE steps after its write", left_turns_waddr);
       end
       if (left_turns_re_s13_sim && left_turns_raddr_s13_sim == left_turns_waddr) begin
@@ -7873,8 +7889,6 @@ module horopter_agreement (
     if (right_turns_we) right_turns_mem[right_turns_waddr] <= {and_1613_s16_q, and_1610_s16_q};
   end
 `ifndef SYNTHESIS
-  logic [6:0] right_turns_raddr_s12_sim;
-  logic right_turns_re_s12_sim;
   logic [6:0] right_turns_raddr_s13_sim;
   logic right_turns_re_s13_sim;
   logic [6:0] right_turns_raddr_s14_sim;
@@ -7883,15 +7897,12 @@ module horopter_agreement (
   logic right_turns_re_s15_sim;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      right_turns_re_s12_sim <= 1'b0;
       right_turns_re_s13_sim <= 1'b0;
       right_turns_re_s14_sim <= 1'b0;
       right_turns_re_s15_sim <= 1'b0;
     end else if (en_i) begin
-      right_turns_re_s12_sim <= right_turns_re;
-      right_turns_raddr_s12_sim <= right_turns_raddr;
-      right_turns_re_s13_sim <= right_turns_re_s12_sim;
-      right_turns_raddr_s13_sim <= right_turns_raddr_s12_sim;
+      right_turns_re_s13_sim <= right_turns_re;
+      right_turns_raddr_s13_sim <= right_turns_raddr;
       right_turns_re_s14_sim <= right_turns_re_s13_sim;
       right_turns_raddr_s14_sim <= right_turns_raddr_s13_sim;
       right_turns_re_s15_sim <= right_turns_re_s14_sim;
@@ -7901,9 +7912,6 @@ module horopter_agreement (
   always_ff @(posedge clk_i) begin
     if (rst_ni && right_turns_we) begin
       if (right_turns_re && right_turns_raddr == right_turns_waddr) begin
-        $error("right_turns: address %0d is read less than DISTANCE steps after its write", right_turns_waddr);
-      end
-      if (right_turns_re_s12_sim && right_turns_raddr_s12_sim == right_turns_waddr) begin
         $error("right_turns: address %0d is read less than DISTANCE steps after its write", right_turns_waddr);
       end
       if (right_turns_re_s13_sim && right_turns_raddr_s13_sim == right_turns_waddr) begin
@@ -7975,25 +7983,25 @@ module horopter_agreement (
       columns_passed_q <= 9'h0;
       line_ended_q <= 1'b1;
     end else if (s16_en) begin
-      moments_turned_0_q <= sum_2298;
-      moments_turned_1_q <= sum_2300;
-      moments_turns_0_q <= not_578_s16_q & and_2341;
-      moments_turns_1_q <= not_578_s16_q & and_2345;
-      counts_explained_q <= select_2628;
-      patches_fixed_q <= not_2999 & (patches_fixed_q | (and_3009_s16_q & and_1746));
-      patches_choice_valid_q <= and_1789_s16_q ? (select_1747 & not_2999) : select_1747;
+      moments_turned_0_q <= sum_2302;
+      moments_turned_1_q <= sum_2304;
+      moments_turns_0_q <= not_578_s16_q & and_2345;
+      moments_turns_1_q <= not_578_s16_q & and_2349;
+      counts_explained_q <= select_2633;
+      patches_fixed_q <= not_3009 & (patches_fixed_q | (and_3019_s16_q & and_1746));
+      patches_choice_valid_q <= and_1789_s16_q ? (select_1747 & not_3009) : select_1747;
       patches_choice_column_q <= select_1752;
       patches_choice_shift_q <= select_1757;
       patches_choice_slope_q <= select_1783;
-      patches_left_row_q <= select_3170;
-      patches_summed_row_column_q <= equal_1791_s16_q ? patches_summed_row_column_q : select_3515;
-      patches_peak_far_q <= select_3574;
-      segment_textured_q <= select_2007 + {6'h0, and_2621_s16_q};
-      segment_explained_q <= select_2012 + {6'h0, and_2626};
-      segment_nearer_q <= select_2022 + {6'h0, and_2631};
+      patches_left_row_q <= select_3180;
+      patches_summed_row_column_q <= equal_1791_s16_q ? patches_summed_row_column_q : select_3525;
+      patches_peak_far_q <= select_3584;
+      segment_textured_q <= select_2008 + {6'h0, and_2626_s16_q};
+      segment_explained_q <= select_2013 + {6'h0, and_2631};
+      segment_nearer_q <= select_2024 + {6'h0, and_2636};
       product_q <= equal_577_s16_q ? sum_4[14:1] : product_q;
-      rows_passed_q <= select_2037;
-      columns_passed_q <= {select_2039[7:0], or_2035};
+      rows_passed_q <= select_2041;
+      columns_passed_q <= {select_2043[7:0], or_2039};
       line_ended_q <= marks_last_s16_q;
     end
   end
@@ -8027,28 +8035,28 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s16_en) begin
-      census_columns_values_0_cell_0_mask_q <= select_2206;
-      census_columns_values_1_cell_0_mask_q <= select_2222;
-      census_columns_values_1_cell_1_mask_q <= select_2225;
-      census_columns_values_1_cell_3_mask_q <= select_2232;
-      census_columns_values_1_cell_4_mask_q <= select_2235;
-      census_columns_values_2_cell_0_mask_q <= select_2238;
-      census_columns_values_2_cell_1_mask_q <= select_2241;
-      box_explained_columns_values_0_q <= select_3985;
-      box_explained_columns_values_1_q <= select_3988;
-      box_explained_columns_values_2_q <= select_3991;
-      box_explained_columns_values_3_q <= select_3994;
-      box_explained_columns_values_4_q <= select_3997;
-      box_shown_columns_values_0_q <= equal_577_s16_q ? box_shown_columns_values_0_q : select_4002;
-      box_shown_columns_values_1_q <= select_4006;
-      box_shown_columns_values_2_q <= select_4009;
-      box_shown_columns_values_3_q <= select_4012;
-      box_shown_columns_values_4_q <= select_4015;
-      box_nearer_columns_values_0_q <= equal_577_s16_q ? box_nearer_columns_values_0_q : select_4020;
-      box_nearer_columns_values_1_q <= select_4024;
-      box_nearer_columns_values_2_q <= select_4027;
-      box_nearer_columns_values_3_q <= select_4030;
-      box_nearer_columns_values_4_q <= select_4033;
+      census_columns_values_0_cell_0_mask_q <= select_2210;
+      census_columns_values_1_cell_0_mask_q <= select_2226;
+      census_columns_values_1_cell_1_mask_q <= select_2229;
+      census_columns_values_1_cell_3_mask_q <= select_2236;
+      census_columns_values_1_cell_4_mask_q <= select_2239;
+      census_columns_values_2_cell_0_mask_q <= select_2242;
+      census_columns_values_2_cell_1_mask_q <= select_2245;
+      box_explained_columns_values_0_q <= equal_577_s16_q ? box_explained_columns_values_0_q : select_3995;
+      box_explained_columns_values_1_q <= select_3999;
+      box_explained_columns_values_2_q <= select_4002;
+      box_explained_columns_values_3_q <= select_4005;
+      box_explained_columns_values_4_q <= select_4008;
+      box_shown_columns_values_0_q <= equal_577_s16_q ? box_shown_columns_values_0_q : select_4013;
+      box_shown_columns_values_1_q <= select_4017;
+      box_shown_columns_values_2_q <= select_4020;
+      box_shown_columns_values_3_q <= select_4023;
+      box_shown_columns_values_4_q <= select_4026;
+      box_nearer_columns_values_0_q <= equal_577_s16_q ? box_nearer_columns_values_0_q : select_4031;
+      box_nearer_columns_values_1_q <= select_4035;
+      box_nearer_columns_values_2_q <= select_4038;
+      box_nearer_columns_values_3_q <= select_4041;
+      box_nearer_columns_values_4_q <= select_4044;
     end
   end
 
@@ -8072,7 +8080,6 @@ module horopter_agreement (
   logic [2:0] slot_s17_q;
   logic ends_cell_s17_q;
   logic lower_half_s17_q;
-  logic draws_late_s17_q;
   logic [13:0] counts_textured_s17_q;
   logic [13:0] counts_explained_s17_q;
   logic registration_of_right_s17_q;
@@ -8086,7 +8093,6 @@ module horopter_agreement (
   logic [13:0] product_s17_q;
   logic centres_values_1_textured_s17_q;
   logic centres_values_1_of_skin_s17_q;
-  logic done_s17_q;
   logic [3:0] select_511_s17_q;
   logic row_starts_s17_q;
   logic [6:0] select_546_s17_q;
@@ -8177,77 +8183,79 @@ module horopter_agreement (
   logic or_1989_s17_q;
   logic or_1992_s17_q;
   logic not_1994_s17_q;
-  logic [9:0] sum_2010_s17_q;
-  logic [9:0] sum_2015_s17_q;
-  logic [9:0] sum_2025_s17_q;
-  logic and_2026_s17_q;
-  logic select_2041_s17_q;
-  logic not_2054_s17_q;
+  logic [9:0] sum_2011_s17_q;
+  logic [9:0] sum_2016_s17_q;
+  logic [9:0] sum_2027_s17_q;
+  logic and_2028_s17_q;
+  logic select_2045_s17_q;
+  logic select_2056_s17_q;
+  logic not_2058_s17_q;
+  logic select_2070_s17_q;
   logic [2:0] textured_2_s17_q;
-  logic or_2085_s17_q;
-  logic or_2088_s17_q;
-  logic or_2091_s17_q;
-  logic [3:0] difference_2112_s17_q;
-  logic [3:0] difference_2128_s17_q;
-  logic and_2143_s17_q;
+  logic or_2089_s17_q;
+  logic or_2092_s17_q;
+  logic or_2095_s17_q;
+  logic [3:0] difference_2115_s17_q;
+  logic [3:0] difference_2131_s17_q;
+  logic and_2147_s17_q;
   logic [10:0] size_s17_q;
   logic [10:0] size_2_s17_q;
-  logic [10:0] sum_2267_s17_q;
-  logic [9:0] sum_2270_s17_q;
+  logic [10:0] sum_2271_s17_q;
   logic [9:0] sum_2274_s17_q;
   logic [9:0] sum_2278_s17_q;
-  logic equal_2286_s17_q;
-  logic equal_2301_s17_q;
+  logic [9:0] sum_2282_s17_q;
+  logic equal_2290_s17_q;
+  logic equal_2305_s17_q;
   logic [8:0] contrast_s17_q;
   logic [8:0] contrast_2_s17_q;
-  logic equal_2475_s17_q;
-  logic and_2610_s17_q;
-  logic and_2616_s17_q;
-  logic and_2631_s17_q;
-  logic not_2635_s17_q;
-  logic [3:0] difference_2645_s17_q;
-  logic [9:0] select_2661_s17_q;
-  logic [9:0] select_2664_s17_q;
-  logic and_2712_s17_q;
-  logic and_2730_s17_q;
-  logic and_2737_s17_q;
-  logic and_2771_s17_q;
-  logic and_2772_s17_q;
+  logic equal_2479_s17_q;
+  logic and_2614_s17_q;
+  logic and_2621_s17_q;
+  logic and_2636_s17_q;
+  logic not_2642_s17_q;
+  logic [3:0] difference_2652_s17_q;
+  logic [9:0] select_2668_s17_q;
+  logic [9:0] select_2671_s17_q;
+  logic and_2721_s17_q;
+  logic and_2739_s17_q;
+  logic and_2747_s17_q;
+  logic and_2781_s17_q;
+  logic and_2782_s17_q;
   logic [7:0] residual_s17_q;
-  logic and_2808_s17_q;
-  logic and_2822_s17_q;
-  logic equal_2864_s17_q;
+  logic and_2818_s17_q;
+  logic and_2832_s17_q;
+  logic equal_2874_s17_q;
   logic [27:0] word_s17_q;
-  logic equal_3129_s17_q;
-  logic less_3135_s17_q;
-  logic [47:0] select_3168_s17_q;
-  logic equal_3478_s17_q;
-  logic [9:0] select_3564_s17_q;
-  logic [4:0] select_3565_s17_q;
-  logic [4:0] select_3566_s17_q;
-  logic equal_3575_s17_q;
-  logic less_3603_s17_q;
-  logic not_3611_s17_q;
-  logic not_3614_s17_q;
-  logic not_3618_s17_q;
+  logic equal_3139_s17_q;
+  logic less_3145_s17_q;
+  logic [47:0] select_3178_s17_q;
+  logic equal_3488_s17_q;
+  logic [9:0] select_3574_s17_q;
+  logic [4:0] select_3575_s17_q;
+  logic [4:0] select_3576_s17_q;
+  logic equal_3585_s17_q;
+  logic less_3613_s17_q;
   logic not_3621_s17_q;
-  logic equal_3671_s17_q;
-  logic and_3886_s17_q;
-  logic less_3887_s17_q;
-  logic equal_3888_s17_q;
-  logic equal_3902_s17_q;
-  logic equal_3905_s17_q;
-  logic equal_3907_s17_q;
-  logic equal_3908_s17_q;
-  logic equal_3909_s17_q;
-  logic equal_3910_s17_q;
+  logic not_3624_s17_q;
+  logic not_3628_s17_q;
+  logic not_3631_s17_q;
+  logic equal_3681_s17_q;
+  logic and_3897_s17_q;
+  logic less_3898_s17_q;
+  logic equal_3899_s17_q;
+  logic equal_3913_s17_q;
+  logic equal_3916_s17_q;
+  logic equal_3918_s17_q;
+  logic equal_3919_s17_q;
+  logic equal_3920_s17_q;
+  logic equal_3921_s17_q;
   logic sum_4_s17_q;
-  logic or_4052_s17_q;
-  logic and_4066_s17_q;
-  logic and_4083_s17_q;
-  logic not_4095_s17_q;
-  logic equal_4148_s17_q;
-  logic [9:0] select_4158_s17_q;
+  logic or_4063_s17_q;
+  logic and_4077_s17_q;
+  logic and_4094_s17_q;
+  logic not_4106_s17_q;
+  logic equal_4159_s17_q;
+  logic [9:0] select_4169_s17_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s17_q <= pixel_0_s16_q;
@@ -8270,7 +8278,6 @@ module horopter_agreement (
       slot_s17_q <= slot_s16_q;
       ends_cell_s17_q <= ends_cell_s16_q;
       lower_half_s17_q <= lower_half_s16_q;
-      draws_late_s17_q <= draws_late_s16_q;
       counts_textured_s17_q <= counts_textured_s16_q;
       counts_explained_s17_q <= counts_explained_q;
       registration_of_right_s17_q <= registration_of_right_s16_q;
@@ -8284,7 +8291,6 @@ module horopter_agreement (
       product_s17_q <= product_q;
       centres_values_1_textured_s17_q <= centres_values_1_textured_s16_q;
       centres_values_1_of_skin_s17_q <= centres_values_1_of_skin_s16_q;
-      done_s17_q <= done_s16_q;
       select_511_s17_q <= select_511_s16_q;
       row_starts_s17_q <= row_starts_s16_q;
       select_546_s17_q <= select_546_s16_q;
@@ -8375,77 +8381,79 @@ module horopter_agreement (
       or_1989_s17_q <= or_1989_s16_q;
       or_1992_s17_q <= or_1992_s16_q;
       not_1994_s17_q <= not_1994_s16_q;
-      sum_2010_s17_q <= sum_2010;
-      sum_2015_s17_q <= sum_2015;
-      sum_2025_s17_q <= sum_2025;
-      and_2026_s17_q <= and_2026_s16_q;
-      select_2041_s17_q <= select_2041;
-      not_2054_s17_q <= not_2054_s16_q;
+      sum_2011_s17_q <= sum_2011;
+      sum_2016_s17_q <= sum_2016;
+      sum_2027_s17_q <= sum_2027;
+      and_2028_s17_q <= and_2028_s16_q;
+      select_2045_s17_q <= select_2045;
+      select_2056_s17_q <= select_2056_s16_q;
+      not_2058_s17_q <= not_2058_s16_q;
+      select_2070_s17_q <= select_2070_s16_q;
       textured_2_s17_q <= textured_2;
-      or_2085_s17_q <= or_2085_s16_q;
-      or_2088_s17_q <= or_2088_s16_q;
-      or_2091_s17_q <= or_2091_s16_q;
-      difference_2112_s17_q <= {1'b0, shown_2} - {1'b0, select_2111};
-      difference_2128_s17_q <= {1'b0, near_2} - {1'b0, select_2127};
-      and_2143_s17_q <= and_2143_s16_q;
+      or_2089_s17_q <= or_2089_s16_q;
+      or_2092_s17_q <= or_2092_s16_q;
+      or_2095_s17_q <= or_2095_s16_q;
+      difference_2115_s17_q <= {1'b0, shown_2} - {1'b0, select_2114};
+      difference_2131_s17_q <= {1'b0, near_2} - {1'b0, select_2130};
+      and_2147_s17_q <= and_2147_s16_q;
       size_s17_q <= size;
       size_2_s17_q <= size_2;
-      sum_2267_s17_q <= {1'b0, sum_2263} + {1'b0, sum_2266};
-      sum_2270_s17_q <= {9'h0, difference_2268_s16_q} + {1'b0, xor_2269_s16_q};
+      sum_2271_s17_q <= {1'b0, sum_2267} + {1'b0, sum_2270};
       sum_2274_s17_q <= {9'h0, difference_2272_s16_q} + {1'b0, xor_2273_s16_q};
       sum_2278_s17_q <= {9'h0, difference_2276_s16_q} + {1'b0, xor_2277_s16_q};
-      equal_2286_s17_q <= equal_2286_s16_q;
-      equal_2301_s17_q <= equal_2301_s16_q;
+      sum_2282_s17_q <= {9'h0, difference_2280_s16_q} + {1'b0, xor_2281_s16_q};
+      equal_2290_s17_q <= equal_2290_s16_q;
+      equal_2305_s17_q <= equal_2305_s16_q;
       contrast_s17_q <= contrast;
       contrast_2_s17_q <= contrast_2;
-      equal_2475_s17_q <= equal_2475_s16_q;
-      and_2610_s17_q <= and_2610_s16_q;
-      and_2616_s17_q <= and_2616_s16_q;
-      and_2631_s17_q <= and_2631;
-      not_2635_s17_q <= not_2635_s16_q;
-      difference_2645_s17_q <= {1'b0, explained_2_s16_q} - {1'b0, select_2644};
-      select_2661_s17_q <= less_2660 ? 10'h0 : regions_rdata_s16_q[9:0];
-      select_2664_s17_q <= less_2660 ? 10'h0 : regions_rdata_s16_q[19:10];
-      and_2712_s17_q <= and_2712_s16_q;
-      and_2730_s17_q <= and_2730_s16_q;
-      and_2737_s17_q <= and_2737_s16_q;
-      and_2771_s17_q <= and_2771_s16_q;
-      and_2772_s17_q <= and_2772_s16_q;
+      equal_2479_s17_q <= equal_2479_s16_q;
+      and_2614_s17_q <= and_2614_s16_q;
+      and_2621_s17_q <= and_2621_s16_q;
+      and_2636_s17_q <= and_2636;
+      not_2642_s17_q <= not_2642_s16_q;
+      difference_2652_s17_q <= {1'b0, explained_2} - {1'b0, select_2651};
+      select_2668_s17_q <= less_2667 ? 10'h0 : regions_rdata_s16_q[9:0];
+      select_2671_s17_q <= less_2667 ? 10'h0 : regions_rdata_s16_q[19:10];
+      and_2721_s17_q <= and_2721_s16_q;
+      and_2739_s17_q <= and_2739_s16_q;
+      and_2747_s17_q <= and_2747_s16_q;
+      and_2781_s17_q <= and_2781_s16_q;
+      and_2782_s17_q <= and_2782_s16_q;
       residual_s17_q <= residual_s16_q;
-      and_2808_s17_q <= and_2772_s16_q & less_2807_s16_q;
-      and_2822_s17_q <= and_2772_s16_q & less_2821_s16_q;
-      equal_2864_s17_q <= equal_2864_s16_q;
+      and_2818_s17_q <= and_2782_s16_q & less_2817_s16_q;
+      and_2832_s17_q <= and_2782_s16_q & less_2831_s16_q;
+      equal_2874_s17_q <= equal_2874_s16_q;
       word_s17_q <= word;
-      equal_3129_s17_q <= patches_along_s16_q == 5'h7;
-      less_3135_s17_q <= less_3135_s16_q;
-      select_3168_s17_q <= select_3168;
-      equal_3478_s17_q <= equal_3478_s16_q;
-      select_3564_s17_q <= select_3564_s16_q;
-      select_3565_s17_q <= select_3565_s16_q;
-      select_3566_s17_q <= select_3566_s16_q;
-      equal_3575_s17_q <= equal_3575_s16_q;
-      less_3603_s17_q <= less_3603_s16_q;
-      not_3611_s17_q <= ~({eight_s16_q, 3'h0} < {3'h0, fall_2_s16_q});
-      not_3614_s17_q <= ~({eight_s16_q, 3'h0} < {1'b0, sum_3612, fall_2_s16_q[0]});
-      not_3618_s17_q <= ~({eight_s16_q, 3'h0} < {sum_3616, fall_2_s16_q[1:0]});
-      not_3621_s17_q <= ~less_3620;
-      equal_3671_s17_q <= equal_3671_s16_q;
-      and_3886_s17_q <= and_3886_s16_q;
-      less_3887_s17_q <= counts_explained_q < product_q;
-      equal_3888_s17_q <= counts_explained_q == product_q;
-      equal_3902_s17_q <= equal_3902_s16_q;
-      equal_3905_s17_q <= equal_3905_s16_q;
-      equal_3907_s17_q <= equal_3907_s16_q;
-      equal_3908_s17_q <= equal_3908_s16_q;
-      equal_3909_s17_q <= equal_3909_s16_q;
-      equal_3910_s17_q <= equal_3910_s16_q;
+      equal_3139_s17_q <= patches_along_s16_q == 5'h7;
+      less_3145_s17_q <= less_3145_s16_q;
+      select_3178_s17_q <= select_3178;
+      equal_3488_s17_q <= equal_3488_s16_q;
+      select_3574_s17_q <= select_3574_s16_q;
+      select_3575_s17_q <= select_3575_s16_q;
+      select_3576_s17_q <= select_3576_s16_q;
+      equal_3585_s17_q <= equal_3585_s16_q;
+      less_3613_s17_q <= less_3613_s16_q;
+      not_3621_s17_q <= ~({eight_s16_q, 3'h0} < {3'h0, fall_2_s16_q});
+      not_3624_s17_q <= ~({eight_s16_q, 3'h0} < {1'b0, sum_3622, fall_2_s16_q[0]});
+      not_3628_s17_q <= ~({eight_s16_q, 3'h0} < {sum_3626, fall_2_s16_q[1:0]});
+      not_3631_s17_q <= ~less_3630;
+      equal_3681_s17_q <= equal_3681_s16_q;
+      and_3897_s17_q <= and_3897_s16_q;
+      less_3898_s17_q <= counts_explained_q < product_q;
+      equal_3899_s17_q <= counts_explained_q == product_q;
+      equal_3913_s17_q <= equal_3913_s16_q;
+      equal_3916_s17_q <= equal_3916_s16_q;
+      equal_3918_s17_q <= equal_3918_s16_q;
+      equal_3919_s17_q <= equal_3919_s16_q;
+      equal_3920_s17_q <= equal_3920_s16_q;
+      equal_3921_s17_q <= equal_3921_s16_q;
       sum_4_s17_q <= sum_4[0];
-      or_4052_s17_q <= or_4052_s16_q;
-      and_4066_s17_q <= and_4066_s16_q;
-      and_4083_s17_q <= and_4083_s16_q;
-      not_4095_s17_q <= not_4095_s16_q;
-      equal_4148_s17_q <= equal_4148_s16_q;
-      select_4158_s17_q <= less_2660 ? 10'h0 : regions_rdata_s16_q[29:20];
+      or_4063_s17_q <= or_4063_s16_q;
+      and_4077_s17_q <= and_4077_s16_q;
+      and_4094_s17_q <= and_4094_s16_q;
+      not_4106_s17_q <= not_4106_s16_q;
+      equal_4159_s17_q <= equal_4159_s16_q;
+      select_4169_s17_q <= less_2667 ? 10'h0 : regions_rdata_s16_q[29:20];
     end
   end
 
@@ -8491,8 +8499,6 @@ module horopter_agreement (
   logic [4:0] box_explained_sum_sums_values_0_q;
   logic [4:0] box_shown_sum_sums_values_0_q;
   logic [4:0] box_nearer_sum_sums_values_0_q;
-  logic write_half_q;
-  logic read_half_q;
   logic began_q;
   logic [3:0] seen_x_q;
   logic [3:0] seen_y_q;
@@ -8501,7 +8507,7 @@ module horopter_agreement (
   logic at_cell_end_q;
   logic was_next_row_q;
   logic [12:0] seen_base_q;
-  // hls/stages/agreement.hpp:460
+  // hls/stages/agreement.hpp:461
   logic whole_10;
   assign whole_10 = census_columns_values_1_cell_2_mask_q & whole_9_s17_q;
   logic whole_11;
@@ -8519,7 +8525,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:284
   logic [10:0] sum_726;
   assign sum_726 = sum_722_s17_q + {1'b0, sum_725_s17_q};
-  // hls/stages/agreement.hpp:460
+  // hls/stages/agreement.hpp:461
   logic and_740;
   assign and_740 = census_columns_values_0_cell_2_mask_s17_q & census_columns_values_1_cell_2_mask_q;
   logic and_741;
@@ -8565,350 +8571,344 @@ module horopter_agreement (
   // hls/stages/patches.hpp:494
   logic [1:0] sum_1958;
   assign sum_1958 = patches_code_row_s17_q[3:2] + 2'h3;
-  // hls/stages/agreement.hpp:440
+  // hls/stages/agreement.hpp:441
   logic next_row;
-  assign next_row = select_2041_s17_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1299
-  logic [6:0] select_2044;
-  assign select_2044 = next_row ? cfg_width_i[10:4] : 7'h0;
-  // hls/stages/agreement.hpp:1310
-  logic equal_2047;
-  assign equal_2047 = seen_x_q == 4'hf;
-  // hls/stages/agreement.hpp:1283
-  logic select_2052;
-  assign select_2052 = marks_first_s17_q ? (done_s17_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1101
-  logic [2:0] select_2076;
-  assign select_2076 = age_s17_q ? box_textured_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:1108
-  logic [2:0] region_row;
-  assign region_row = draws_late_s17_q ? 3'h5 : region_row_s17_q;
-  // hls/stages/agreement.hpp:1109
-  logic not_2093;
-  assign not_2093 = ~region_row[2];
-  logic [2:0] select_2094;
-  assign select_2094 = region_row[1] ? {1'b0, not_2093, 1'b0} : {region_row[2], 1'b0, not_2093};
-  logic [5:0] select_2095;
-  assign select_2095 = region_row[0] ? {select_2094[2], 1'b0, select_2094[1], 1'b0, select_2094[0], 1'b0} : {1'b0, select_2094[2], 1'b0, select_2094[1], 1'b0, select_2094[0]};
-  logic [11:0] select_2096;
-  assign select_2096 = or_2091_s17_q ? {select_2095[5], 1'b0, select_2095[4], 1'b0, select_2095[3], 1'b0, select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0], 1'b0} : {1'b0, select_2095[5], 1'b0, select_2095[4], 1'b0, select_2095[3], 1'b0, select_2095[2], 1'b0, select_2095[1], 1'b0, select_2095[0]};
-  logic [23:0] select_2097;
-  assign select_2097 = or_2088_s17_q ? {select_2096[11], 1'b0, select_2096[10], 1'b0, select_2096[9], 1'b0, select_2096[8], 1'b0, select_2096[7], 1'b0, select_2096[6], 1'b0, select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0], 1'b0} : {1'b0, select_2096[11], 1'b0, select_2096[10], 1'b0, select_2096[9], 1'b0, select_2096[8], 1'b0, select_2096[7], 1'b0, select_2096[6], 1'b0, select_2096[5], 1'b0, select_2096[4], 1'b0, select_2096[3], 1'b0, select_2096[2], 1'b0, select_2096[1], 1'b0, select_2096[0]};
-  // hls/stages/agreement.hpp:1103
+  assign next_row = select_2045_s17_q & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1303
+  logic [6:0] select_2048;
+  assign select_2048 = next_row ? cfg_width_i[10:4] : 7'h0;
+  // hls/stages/agreement.hpp:1314
+  logic equal_2051;
+  assign equal_2051 = seen_x_q == 4'hf;
+  // hls/stages/agreement.hpp:1105
+  logic [2:0] select_2080;
+  assign select_2080 = age_s17_q ? box_textured_columns_values_4_q : 3'h0;
+  // hls/stages/agreement.hpp:1112
+  logic not_2096;
+  assign not_2096 = ~region_row_s17_q[2];
+  logic [2:0] select_2097;
+  assign select_2097 = region_row_s17_q[1] ? {1'b0, not_2096, 1'b0} : {region_row_s17_q[2], 1'b0, not_2096};
+  logic [5:0] select_2098;
+  assign select_2098 = region_row_s17_q[0] ? {select_2097[2], 1'b0, select_2097[1], 1'b0, select_2097[0], 1'b0} : {1'b0, select_2097[2], 1'b0, select_2097[1], 1'b0, select_2097[0]};
+  logic [11:0] select_2099;
+  assign select_2099 = or_2095_s17_q ? {select_2098[5], 1'b0, select_2098[4], 1'b0, select_2098[3], 1'b0, select_2098[2], 1'b0, select_2098[1], 1'b0, select_2098[0], 1'b0} : {1'b0, select_2098[5], 1'b0, select_2098[4], 1'b0, select_2098[3], 1'b0, select_2098[2], 1'b0, select_2098[1], 1'b0, select_2098[0]};
+  logic [23:0] select_2100;
+  assign select_2100 = or_2092_s17_q ? {select_2099[11], 1'b0, select_2099[10], 1'b0, select_2099[9], 1'b0, select_2099[8], 1'b0, select_2099[7], 1'b0, select_2099[6], 1'b0, select_2099[5], 1'b0, select_2099[4], 1'b0, select_2099[3], 1'b0, select_2099[2], 1'b0, select_2099[1], 1'b0, select_2099[0], 1'b0} : {1'b0, select_2099[11], 1'b0, select_2099[10], 1'b0, select_2099[9], 1'b0, select_2099[8], 1'b0, select_2099[7], 1'b0, select_2099[6], 1'b0, select_2099[5], 1'b0, select_2099[4], 1'b0, select_2099[3], 1'b0, select_2099[2], 1'b0, select_2099[1], 1'b0, select_2099[0]};
+  // hls/stages/agreement.hpp:1107
   logic [4:0] around;
-  assign around = {difference_2112_s17_q[3], difference_2112_s17_q} + (equal_572_s17_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1104
+  assign around = {difference_2115_s17_q[3], difference_2115_s17_q} + (equal_572_s17_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1108
   logic [4:0] n;
-  assign n = {difference_2128_s17_q[3], difference_2128_s17_q} + (equal_572_s17_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  assign n = {difference_2131_s17_q[3], difference_2131_s17_q} + (equal_572_s17_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/census.hpp:222
   logic [13:0] detail;
   assign detail = {3'h0, size_s17_q} + (equal_555_s17_q ? 14'h0 : averager_detail_0_q);
-  // hls/stages/agreement.hpp:276
-  logic [13:0] select_2187;
-  assign select_2187 = sample_pair_whole_s17_q ? (and_550_s17_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  // hls/stages/agreement.hpp:277
+  logic [13:0] select_2191;
+  assign select_2191 = sample_pair_whole_s17_q ? (and_550_s17_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:222
   logic [13:0] detail_2;
   assign detail_2 = {3'h0, size_2_s17_q} + (equal_555_s17_q ? 14'h0 : averager_detail_1_q);
-  // hls/stages/agreement.hpp:276
-  logic [13:0] select_2195;
-  assign select_2195 = sample_pair_whole_s17_q ? (and_550_s17_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/agreement.hpp:527
-  logic select_2228;
-  assign select_2228 = and_552_s17_q ? census_columns_values_0_cell_2_mask_s17_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2244;
-  assign select_2244 = and_552_s17_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
-  logic select_2247;
-  assign select_2247 = and_552_s17_q ? census_columns_values_1_cell_3_mask_s17_q : census_columns_values_2_cell_3_mask_q;
-  logic select_2250;
-  assign select_2250 = and_552_s17_q ? census_columns_values_1_cell_4_mask_s17_q : census_columns_values_2_cell_4_mask_q;
+  // hls/stages/agreement.hpp:277
+  logic [13:0] select_2199;
+  assign select_2199 = sample_pair_whole_s17_q ? (and_550_s17_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  // hls/stages/agreement.hpp:530
+  logic select_2232;
+  assign select_2232 = and_552_s17_q ? census_columns_values_0_cell_2_mask_s17_q : census_columns_values_1_cell_2_mask_q;
+  logic select_2248;
+  assign select_2248 = and_552_s17_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
   logic select_2251;
-  assign select_2251 = and_552_s17_q ? census_columns_values_2_cell_0_mask_s17_q : census_columns_values_3_cell_0_mask_q;
+  assign select_2251 = and_552_s17_q ? census_columns_values_1_cell_3_mask_s17_q : census_columns_values_2_cell_3_mask_q;
   logic select_2254;
-  assign select_2254 = and_552_s17_q ? census_columns_values_2_cell_1_mask_s17_q : census_columns_values_3_cell_1_mask_q;
+  assign select_2254 = and_552_s17_q ? census_columns_values_1_cell_4_mask_s17_q : census_columns_values_2_cell_4_mask_q;
   logic select_2255;
-  assign select_2255 = and_552_s17_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  assign select_2255 = and_552_s17_q ? census_columns_values_2_cell_0_mask_s17_q : census_columns_values_3_cell_0_mask_q;
   logic select_2258;
-  assign select_2258 = and_552_s17_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  assign select_2258 = and_552_s17_q ? census_columns_values_2_cell_1_mask_s17_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2259;
+  assign select_2259 = and_552_s17_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic select_2262;
+  assign select_2262 = and_552_s17_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
   // hls/stages/census.hpp:286
-  logic [10:0] sum_2271;
-  assign sum_2271 = sum_2267_s17_q + {1'b0, sum_2270_s17_q};
+  logic [10:0] sum_2275;
+  assign sum_2275 = sum_2271_s17_q + {1'b0, sum_2274_s17_q};
   // hls/stages/moments.hpp:117
-  logic [13:0] select_2302;
-  assign select_2302 = equal_2301_s17_q ? moments_turned_0_q : moments_before_0_q;
-  logic [13:0] select_2304;
-  assign select_2304 = equal_2301_s17_q ? moments_turned_1_q : moments_before_1_q;
-  logic [14:0] sum_2315;
-  assign sum_2315 = {1'b0, moments_turned_1_q} + 15'h3;
-  logic [14:0] sum_2325;
-  assign sum_2325 = {1'b0, moments_turned_0_q} + 15'h3;
-  // hls/stages/agreement.hpp:527
-  logic select_2368;
-  assign select_2368 = and_552_s17_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic [13:0] select_2306;
+  assign select_2306 = equal_2305_s17_q ? moments_turned_0_q : moments_before_0_q;
+  logic [13:0] select_2308;
+  assign select_2308 = equal_2305_s17_q ? moments_turned_1_q : moments_before_1_q;
+  logic [14:0] sum_2319;
+  assign sum_2319 = {1'b0, moments_turned_1_q} + 15'h3;
+  logic [14:0] sum_2329;
+  assign sum_2329 = {1'b0, moments_turned_0_q} + 15'h3;
+  // hls/stages/agreement.hpp:530
+  logic select_2372;
+  assign select_2372 = and_552_s17_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:373
-  logic and_2371;
-  assign and_2371 = whole_2_s17_q & (~(last_s17_q[6:1] == 6'h0));
-  // hls/stages/agreement.hpp:461
-  logic and_2377;
-  assign and_2377 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s17_q[8:2]));
-  logic and_2378;
-  assign and_2378 = and_2371 & and_2377;
-  logic and_2389;
-  assign and_2389 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s17_q[8:2]));
-  logic and_2390;
-  assign and_2390 = and_2371 & and_2389;
+  logic and_2375;
+  assign and_2375 = whole_2_s17_q & (~(last_s17_q[6:1] == 6'h0));
+  // hls/stages/agreement.hpp:462
+  logic and_2381;
+  assign and_2381 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s17_q[8:2]));
+  logic and_2382;
+  assign and_2382 = and_2375 & and_2381;
+  logic and_2393;
+  assign and_2393 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s17_q[8:2]));
+  logic and_2394;
+  assign and_2394 = and_2375 & and_2393;
   // hls/stages/census.hpp:427
-  logic not_2407;
-  assign not_2407 = ~x_s17_q[1];
-  logic [2:0] select_2408;
-  assign select_2408 = x_s17_q[0] ? {1'b0, not_2407, 1'b0} : {x_s17_q[1], 1'b0, not_2407};
-  logic [5:0] select_2409;
-  assign select_2409 = slot_s17_q[2] ? {select_2408[2], 1'b0, select_2408[1], 1'b0, select_2408[0], 1'b0} : {1'b0, select_2408[2], 1'b0, select_2408[1], 1'b0, select_2408[0]};
-  logic [11:0] select_2410;
-  assign select_2410 = slot_s17_q[1] ? {select_2409[5], 1'b0, select_2409[4], 1'b0, select_2409[3], 1'b0, select_2409[2], 1'b0, select_2409[1], 1'b0, select_2409[0], 1'b0} : {1'b0, select_2409[5], 1'b0, select_2409[4], 1'b0, select_2409[3], 1'b0, select_2409[2], 1'b0, select_2409[1], 1'b0, select_2409[0]};
-  // hls/stages/agreement.hpp:933
-  logic [13:0] select_2618;
-  assign select_2618 = and_2610_s17_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2616_s17_q});
-  logic [13:0] select_2633;
-  assign select_2633 = and_2610_s17_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2631_s17_q});
-  // hls/stages/agreement.hpp:1102
+  logic not_2411;
+  assign not_2411 = ~x_s17_q[1];
+  logic [2:0] select_2412;
+  assign select_2412 = x_s17_q[0] ? {1'b0, not_2411, 1'b0} : {x_s17_q[1], 1'b0, not_2411};
+  logic [5:0] select_2413;
+  assign select_2413 = slot_s17_q[2] ? {select_2412[2], 1'b0, select_2412[1], 1'b0, select_2412[0], 1'b0} : {1'b0, select_2412[2], 1'b0, select_2412[1], 1'b0, select_2412[0]};
+  logic [11:0] select_2414;
+  assign select_2414 = slot_s17_q[1] ? {select_2413[5], 1'b0, select_2413[4], 1'b0, select_2413[3], 1'b0, select_2413[2], 1'b0, select_2413[1], 1'b0, select_2413[0], 1'b0} : {1'b0, select_2413[5], 1'b0, select_2413[4], 1'b0, select_2413[3], 1'b0, select_2413[2], 1'b0, select_2413[1], 1'b0, select_2413[0]};
+  // hls/stages/agreement.hpp:936
+  logic [13:0] select_2623;
+  assign select_2623 = and_2614_s17_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2621_s17_q});
+  logic [13:0] select_2638;
+  assign select_2638 = and_2614_s17_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2636_s17_q});
+  // hls/stages/agreement.hpp:1106
   logic [4:0] e;
-  assign e = {difference_2645_s17_q[3], difference_2645_s17_q} + (equal_572_s17_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:933
-  logic [13:0] select_2732;
-  assign select_2732 = and_2610_s17_q ? 14'h0 : (counts_turned_left_q + {13'h0, and_2730_s17_q});
-  logic [13:0] select_2739;
-  assign select_2739 = and_2610_s17_q ? 14'h0 : (counts_turned_right_q + {13'h0, and_2737_s17_q});
+  assign e = {difference_2652_s17_q[3], difference_2652_s17_q} + (equal_572_s17_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:936
+  logic [13:0] select_2741;
+  assign select_2741 = and_2614_s17_q ? 14'h0 : (counts_turned_left_q + {13'h0, and_2739_s17_q});
+  logic [13:0] select_2749;
+  assign select_2749 = and_2614_s17_q ? 14'h0 : (counts_turned_right_q + {13'h0, and_2747_s17_q});
   // hls/stages/registration.hpp:107
-  logic [7:0] select_2789;
-  assign select_2789 = equal_1707_s17_q ? (and_2772_s17_q ? residual_s17_q : 8'h0) : 8'h0;
-  // hls/stages/agreement.hpp:795
-  logic and_2796;
-  assign and_2796 = not_578_s17_q & (so_s17_q & (and_2772_s17_q & equal_1707_s17_q));
+  logic [7:0] select_2799;
+  assign select_2799 = equal_1707_s17_q ? (and_2782_s17_q ? residual_s17_q : 8'h0) : 8'h0;
+  // hls/stages/agreement.hpp:798
+  logic and_2806;
+  assign and_2806 = not_578_s17_q & (so_s17_q & (and_2782_s17_q & equal_1707_s17_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_2798;
-  assign select_2798 = and_2771_s17_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2796});
+  logic [5:0] select_2808;
+  assign select_2808 = and_2781_s17_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2806});
   // hls/stages/registration.hpp:107
-  logic and_2800;
-  assign and_2800 = and_2772_s17_q & ($signed(residual_s17_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/agreement.hpp:795
-  logic [1:0] select_2810;
-  assign select_2810 = so_s17_q ? (equal_1707_s17_q ? {and_2808_s17_q, and_2772_s17_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2811;
-  assign select_2811 = equal_577_s17_q ? 2'h0 : select_2810;
+  logic and_2810;
+  assign and_2810 = and_2782_s17_q & ($signed(residual_s17_q) < $signed({2'h0, cfg_moved_limit_i}));
+  // hls/stages/agreement.hpp:798
+  logic [1:0] select_2820;
+  assign select_2820 = so_s17_q ? (equal_1707_s17_q ? {and_2818_s17_q, and_2782_s17_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2821;
+  assign select_2821 = equal_577_s17_q ? 2'h0 : select_2820;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2812;
-  assign sum_2812 = registration_half_votes_up_q + {{5{select_2811[1]}}, select_2811};
+  logic [6:0] sum_2822;
+  assign sum_2822 = registration_half_votes_up_q + {{5{select_2821[1]}}, select_2821};
   // hls/stages/registration.hpp:205
-  logic less_2814;
-  assign less_2814 = $signed(residual_s17_q) < $signed({2'h0, cfg_moved_half_limit_i});
+  logic less_2824;
+  assign less_2824 = $signed(residual_s17_q) < $signed({2'h0, cfg_moved_half_limit_i});
   // hls/stages/registration.hpp:107
-  logic and_2815;
-  assign and_2815 = and_2772_s17_q & less_2814;
-  // hls/stages/agreement.hpp:795
-  logic [1:0] select_2824;
-  assign select_2824 = so_s17_q ? (equal_1707_s17_q ? {and_2822_s17_q, and_2772_s17_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2825;
-  assign select_2825 = equal_577_s17_q ? 2'h0 : select_2824;
+  logic and_2825;
+  assign and_2825 = and_2782_s17_q & less_2824;
+  // hls/stages/agreement.hpp:798
+  logic [1:0] select_2834;
+  assign select_2834 = so_s17_q ? (equal_1707_s17_q ? {and_2832_s17_q, and_2782_s17_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2835;
+  assign select_2835 = equal_577_s17_q ? 2'h0 : select_2834;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2826;
-  assign sum_2826 = registration_half_half_votes_up_q + {{5{select_2825[1]}}, select_2825};
-  // hls/stages/agreement.hpp:1138
-  logic [11:0] select_2866;
-  assign select_2866 = or_1649_s17_q ? 12'h0 : (equal_2864_s17_q ? registration_sums_rdata_s17_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1150
-  logic [11:0] select_2868;
-  assign select_2868 = equal_1614_s17_q ? 12'h0 : (less_1645_s17_q ? select_2866 : 12'h0);
+  logic [6:0] sum_2836;
+  assign sum_2836 = registration_half_half_votes_up_q + {{5{select_2835[1]}}, select_2835};
+  // hls/stages/agreement.hpp:1142
+  logic [11:0] select_2876;
+  assign select_2876 = or_1649_s17_q ? 12'h0 : (equal_2874_s17_q ? registration_sums_rdata_s17_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:1154
+  logic [11:0] select_2878;
+  assign select_2878 = equal_1614_s17_q ? 12'h0 : (less_1645_s17_q ? select_2876 : 12'h0);
   // hls/stages/registration.hpp:153
-  logic and_2871;
-  assign and_2871 = x_s17_q[1] & all_s17_q;
-  // hls/stages/agreement.hpp:1150
-  logic and_2874;
-  assign and_2874 = not_1994_s17_q & (less_1645_s17_q & ({and_2871, x_s17_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:1138
-  logic [11:0] select_2881;
-  assign select_2881 = or_1649_s17_q ? 12'h0 : (equal_2864_s17_q ? registration_sums_rdata_s17_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1150
-  logic [11:0] select_2883;
-  assign select_2883 = equal_1614_s17_q ? 12'h0 : (less_1645_s17_q ? select_2881 : 12'h0);
+  logic and_2881;
+  assign and_2881 = x_s17_q[1] & all_s17_q;
+  // hls/stages/agreement.hpp:1154
+  logic and_2884;
+  assign and_2884 = not_1994_s17_q & (less_1645_s17_q & ({and_2881, x_s17_q[0]} == 2'h0));
+  // hls/stages/agreement.hpp:1142
+  logic [11:0] select_2891;
+  assign select_2891 = or_1649_s17_q ? 12'h0 : (equal_2874_s17_q ? registration_sums_rdata_s17_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:1154
+  logic [11:0] select_2893;
+  assign select_2893 = equal_1614_s17_q ? 12'h0 : (less_1645_s17_q ? select_2891 : 12'h0);
   // hls/stages/registration.hpp:150
-  logic not_2889;
-  assign not_2889 = ~all_s17_q;
-  // hls/stages/agreement.hpp:1150
-  logic and_2892;
-  assign and_2892 = not_1994_s17_q & (less_1645_s17_q & (x_s17_q[2:0] == {all_s17_q, not_2889, 1'b0}));
-  // hls/stages/agreement.hpp:795
-  logic and_2898;
-  assign and_2898 = equal_577_s17_q & (x_s17_q[6] & (not_1994_s17_q & (less_1645_s17_q & all_s17_q)));
+  logic not_2899;
+  assign not_2899 = ~all_s17_q;
+  // hls/stages/agreement.hpp:1154
+  logic and_2902;
+  assign and_2902 = not_1994_s17_q & (less_1645_s17_q & (x_s17_q[2:0] == {all_s17_q, not_2899, 1'b0}));
+  // hls/stages/agreement.hpp:798
+  logic and_2908;
+  assign and_2908 = equal_577_s17_q & (x_s17_q[6] & (not_1994_s17_q & (less_1645_s17_q & all_s17_q)));
   // hls/stages/registration.hpp:157
-  logic equal_2925;
-  assign equal_2925 = x_s17_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1150
-  logic and_2928;
-  assign and_2928 = not_1994_s17_q & (less_1645_s17_q & (x_s17_q[5] ? x_s17_q[3] : equal_2925));
-  logic and_2937;
-  assign and_2937 = not_1994_s17_q & (less_1645_s17_q & ((~x_s17_q[5]) & (x_s17_q[3] & equal_2925)));
-  // hls/stages/agreement.hpp:276
-  logic [7:0] select_3031;
-  assign select_3031 = sample_pair_whole_s17_q ? (equal_1697_s17_q ? patches_place_0_slope_q : select_1811[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3036;
-  assign select_3036 = sample_pair_whole_s17_q ? (equal_1697_s17_q ? patches_place_1_slope_q : select_1839[21:14]) : patches_place_1_slope_q;
+  logic equal_2935;
+  assign equal_2935 = x_s17_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:1154
+  logic and_2938;
+  assign and_2938 = not_1994_s17_q & (less_1645_s17_q & (x_s17_q[5] ? x_s17_q[3] : equal_2935));
+  logic and_2947;
+  assign and_2947 = not_1994_s17_q & (less_1645_s17_q & ((~x_s17_q[5]) & (x_s17_q[3] & equal_2935)));
+  // hls/stages/agreement.hpp:277
+  logic [7:0] select_3041;
+  assign select_3041 = sample_pair_whole_s17_q ? (equal_1697_s17_q ? patches_place_0_slope_q : select_1811[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3046;
+  assign select_3046 = sample_pair_whole_s17_q ? (equal_1697_s17_q ? patches_place_1_slope_q : select_1839[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:526
   logic [55:0] other;
   assign other = new_row_s17_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
-  // hls/stages/agreement.hpp:275
-  logic [51:0] select_3125;
-  assign select_3125 = or_1797_s17_q ? {and_1940_s17_q, and_1937_s17_q, and_1921_s17_q, and_1918, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_3127;
-  assign select_3127 = equal_1791_s17_q ? patches_codes_at_q : (equal_1793_s17_q ? other[55:4] : select_3125);
+  // hls/stages/agreement.hpp:276
+  logic [51:0] select_3135;
+  assign select_3135 = or_1797_s17_q ? {and_1940_s17_q, and_1937_s17_q, and_1921_s17_q, and_1918, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3137;
+  assign select_3137 = equal_1791_s17_q ? patches_codes_at_q : (equal_1793_s17_q ? other[55:4] : select_3135);
   // hls/stages/patches.hpp:525
-  logic [27:0] select_3130;
-  assign select_3130 = equal_3129_s17_q ? word_s17_q : {4'h0, patches_codes_further_q[27:4]};
-  // hls/stages/agreement.hpp:275
-  logic [27:0] select_3132;
-  assign select_3132 = equal_1793_s17_q ? (new_row_s17_q ? word_s17_q : select_3130) : patches_codes_further_q;
+  logic [27:0] select_3140;
+  assign select_3140 = equal_3139_s17_q ? word_s17_q : {4'h0, patches_codes_further_q[27:4]};
+  // hls/stages/agreement.hpp:276
+  logic [27:0] select_3142;
+  assign select_3142 = equal_1793_s17_q ? (new_row_s17_q ? word_s17_q : select_3140) : patches_codes_further_q;
   // hls/stages/patches.hpp:527
-  logic [55:0] select_3134;
-  assign select_3134 = less_1881_s17_q ? {word_s17_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3144;
+  assign select_3144 = less_1881_s17_q ? {word_s17_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/patches.hpp:497
-  logic [55:0] select_3136;
-  assign select_3136 = less_3135_s17_q ? {word_s17_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
-  // hls/stages/agreement.hpp:275
-  logic [55:0] select_3138;
-  assign select_3138 = or_1797_s17_q ? (equal_1796_s17_q ? patches_next_codes_q : select_3136) : patches_next_codes_q;
-  logic [55:0] select_3140;
-  assign select_3140 = equal_1791_s17_q ? patches_next_codes_q : (equal_1793_s17_q ? select_3134 : select_3138);
+  logic [55:0] select_3146;
+  assign select_3146 = less_3145_s17_q ? {word_s17_q, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  // hls/stages/agreement.hpp:276
+  logic [55:0] select_3148;
+  assign select_3148 = or_1797_s17_q ? (equal_1796_s17_q ? patches_next_codes_q : select_3146) : patches_next_codes_q;
+  logic [55:0] select_3150;
+  assign select_3150 = equal_1791_s17_q ? patches_next_codes_q : (equal_1793_s17_q ? select_3144 : select_3148);
   // hls/stages/count_bits.hpp:24
-  logic parity_3145;
-  assign parity_3145 = ^{and_1940_s17_q, and_1937_s17_q, and_1921_s17_q, and_1918};
+  logic parity_3155;
+  assign parity_3155 = ^{and_1940_s17_q, and_1937_s17_q, and_1921_s17_q, and_1918};
   // hls/stages/count_bits.hpp:25
-  logic or_3149;
-  assign or_3149 = ({and_1921_s17_q, and_1918} == 2'h3) | (and_1937_s17_q & (and_1921_s17_q | and_1918));
-  logic and_3150;
-  assign and_3150 = and_1940_s17_q & (^{and_1937_s17_q, and_1921_s17_q, and_1918});
+  logic or_3159;
+  assign or_3159 = ({and_1921_s17_q, and_1918} == 2'h3) | (and_1937_s17_q & (and_1921_s17_q | and_1918));
+  logic and_3160;
+  assign and_3160 = and_1940_s17_q & (^{and_1937_s17_q, and_1921_s17_q, and_1918});
   // hls/stages/count_bits.hpp:24
-  logic xor_3151;
-  assign xor_3151 = or_3149 ^ and_3150;
+  logic xor_3161;
+  assign xor_3161 = or_3159 ^ and_3160;
   // hls/stages/count_bits.hpp:27
-  logic and_3152;
-  assign and_3152 = or_3149 & and_3150;
+  logic and_3162;
+  assign and_3162 = or_3159 & and_3160;
   // hls/stages/patches.hpp:528
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3168_s17_q;
+  assign bits = other[47:0] ^ select_3178_s17_q;
   // hls/stages/count_bits.hpp:24
-  logic xor_3174;
-  assign xor_3174 = bits[17] ^ (^{select_3168_s17_q[16:15], other[16:15]});
-  logic xor_3177;
-  assign xor_3177 = bits[11] ^ (^{select_3168_s17_q[10:9], other[10:9]});
-  logic xor_3180;
-  assign xor_3180 = bits[14] ^ (^{select_3168_s17_q[13:12], other[13:12]});
-  logic xor_3183;
-  assign xor_3183 = xor_3174 ^ (^{select_3168_s17_q[14:9], other[14:9]});
-  logic xor_3186;
-  assign xor_3186 = bits[47] ^ (^{select_3168_s17_q[46:45], other[46:45]});
-  logic xor_3189;
-  assign xor_3189 = bits[8] ^ (^{select_3168_s17_q[7:6], other[7:6]});
-  logic xor_3192;
-  assign xor_3192 = bits[2] ^ (^{select_3168_s17_q[1:0], other[1:0]});
-  logic xor_3195;
-  assign xor_3195 = bits[5] ^ (^{select_3168_s17_q[4:3], other[4:3]});
-  logic xor_3198;
-  assign xor_3198 = xor_3189 ^ (^{select_3168_s17_q[5:0], other[5:0]});
-  logic parity_3200;
-  assign parity_3200 = ^{select_3168_s17_q[47:45], select_3168_s17_q[8:0], other[47:45], other[8:0]};
-  logic xor_3204;
-  assign xor_3204 = bits[44] ^ (^{select_3168_s17_q[43:42], other[43:42]});
-  logic xor_3207;
-  assign xor_3207 = bits[38] ^ (^{select_3168_s17_q[37:36], other[37:36]});
-  logic xor_3210;
-  assign xor_3210 = bits[41] ^ (^{select_3168_s17_q[40:39], other[40:39]});
-  logic xor_3216;
-  assign xor_3216 = bits[26] ^ (^{select_3168_s17_q[25:24], other[25:24]});
-  logic xor_3219;
-  assign xor_3219 = bits[20] ^ (^{select_3168_s17_q[19:18], other[19:18]});
-  logic xor_3222;
-  assign xor_3222 = bits[23] ^ (^{select_3168_s17_q[22:21], other[22:21]});
-  logic xor_3228;
-  assign xor_3228 = bits[35] ^ (^{select_3168_s17_q[34:33], other[34:33]});
-  logic xor_3231;
-  assign xor_3231 = bits[29] ^ (^{select_3168_s17_q[28:27], other[28:27]});
-  logic xor_3234;
-  assign xor_3234 = bits[32] ^ (^{select_3168_s17_q[31:30], other[31:30]});
-  // hls/stages/agreement.hpp:275
-  logic select_3518;
-  assign select_3518 = equal_1791_s17_q ? patches_summed_first_q : (equal_1793_s17_q ? new_row_s17_q : patches_summed_first_q);
+  logic xor_3184;
+  assign xor_3184 = bits[17] ^ (^{select_3178_s17_q[16:15], other[16:15]});
+  logic xor_3187;
+  assign xor_3187 = bits[11] ^ (^{select_3178_s17_q[10:9], other[10:9]});
+  logic xor_3190;
+  assign xor_3190 = bits[14] ^ (^{select_3178_s17_q[13:12], other[13:12]});
+  logic xor_3193;
+  assign xor_3193 = xor_3184 ^ (^{select_3178_s17_q[14:9], other[14:9]});
+  logic xor_3196;
+  assign xor_3196 = bits[47] ^ (^{select_3178_s17_q[46:45], other[46:45]});
+  logic xor_3199;
+  assign xor_3199 = bits[8] ^ (^{select_3178_s17_q[7:6], other[7:6]});
+  logic xor_3202;
+  assign xor_3202 = bits[2] ^ (^{select_3178_s17_q[1:0], other[1:0]});
+  logic xor_3205;
+  assign xor_3205 = bits[5] ^ (^{select_3178_s17_q[4:3], other[4:3]});
+  logic xor_3208;
+  assign xor_3208 = xor_3199 ^ (^{select_3178_s17_q[5:0], other[5:0]});
+  logic parity_3210;
+  assign parity_3210 = ^{select_3178_s17_q[47:45], select_3178_s17_q[8:0], other[47:45], other[8:0]};
+  logic xor_3214;
+  assign xor_3214 = bits[44] ^ (^{select_3178_s17_q[43:42], other[43:42]});
+  logic xor_3217;
+  assign xor_3217 = bits[38] ^ (^{select_3178_s17_q[37:36], other[37:36]});
+  logic xor_3220;
+  assign xor_3220 = bits[41] ^ (^{select_3178_s17_q[40:39], other[40:39]});
+  logic xor_3226;
+  assign xor_3226 = bits[26] ^ (^{select_3178_s17_q[25:24], other[25:24]});
+  logic xor_3229;
+  assign xor_3229 = bits[20] ^ (^{select_3178_s17_q[19:18], other[19:18]});
+  logic xor_3232;
+  assign xor_3232 = bits[23] ^ (^{select_3178_s17_q[22:21], other[22:21]});
+  logic xor_3238;
+  assign xor_3238 = bits[35] ^ (^{select_3178_s17_q[34:33], other[34:33]});
+  logic xor_3241;
+  assign xor_3241 = bits[29] ^ (^{select_3178_s17_q[28:27], other[28:27]});
+  logic xor_3244;
+  assign xor_3244 = bits[32] ^ (^{select_3178_s17_q[31:30], other[31:30]});
+  // hls/stages/agreement.hpp:276
+  logic select_3528;
+  assign select_3528 = equal_1791_s17_q ? patches_summed_first_q : (equal_1793_s17_q ? new_row_s17_q : patches_summed_first_q);
   // hls/stages/patches.hpp:584
-  logic [1:0] sum_3615;
-  assign sum_3615 = {1'b0, not_3611_s17_q} + {1'b0, not_3614_s17_q};
+  logic [1:0] sum_3625;
+  assign sum_3625 = {1'b0, not_3621_s17_q} + {1'b0, not_3624_s17_q};
   // hls/stages/patches.hpp:585
-  logic [1:0] sum_3622;
-  assign sum_3622 = {1'b0, not_3618_s17_q} + {1'b0, not_3621_s17_q};
+  logic [1:0] sum_3632;
+  assign sum_3632 = {1'b0, not_3628_s17_q} + {1'b0, not_3631_s17_q};
   // hls/stages/patches.hpp:584
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3615} + {1'b0, sum_3622};
+  assign fraction = {1'b0, sum_3625} + {1'b0, sum_3632};
   // hls/stages/patches.hpp:604
-  logic [7:0] select_3626;
-  assign select_3626 = patches_second_s17_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  logic [7:0] select_3636;
+  assign select_3636 = patches_second_s17_q ? patches_place_1_slope_q : patches_place_0_slope_q;
   // hls/stages/patches.hpp:603
-  logic [3:0] sum_3627;
-  assign sum_3627 = {2'h0, select_3565_s17_q[4:3]} + 4'hf;
-  logic [5:0] select_3628;
-  assign select_3628 = patches_second_s17_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [6:0] sum_3629;
-  assign sum_3629 = {select_3628[5], select_3628} + {{4{sum_3627[3]}}, sum_3627[3:1]};
-  // hls/stages/agreement.hpp:1196
-  logic or_3883;
-  assign or_3883 = ({counts_textured_s17_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s17_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1234
+  logic [3:0] sum_3637;
+  assign sum_3637 = {2'h0, select_3575_s17_q[4:3]} + 4'hf;
+  logic [5:0] select_3638;
+  assign select_3638 = patches_second_s17_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [6:0] sum_3639;
+  assign sum_3639 = {select_3638[5], select_3638} + {{4{sum_3637[3]}}, sum_3637[3:1]};
+  // hls/stages/agreement.hpp:1200
+  logic or_3894;
+  assign or_3894 = ({counts_textured_s17_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s17_q[13:3] < 11'h5);
+  // hls/stages/agreement.hpp:1238
   logic too_little;
-  assign too_little = less_3887_s17_q | (product_rest_q & equal_3888_s17_q);
-  // hls/stages/agreement.hpp:1235
-  logic select_3891;
-  assign select_3891 = and_3886_s17_q ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1143
-  logic [10:0] sum_3894;
-  assign sum_3894 = {1'b0, select_2664_s17_q} + {2'h0, select_2664_s17_q[9:1]};
-  // hls/stages/agreement.hpp:795
-  logic select_3947;
-  assign select_3947 = equal_577_s17_q ? (equal_3671_s17_q ? sum_4_s17_q : (product_rest_q | sum_4_s17_q)) : product_rest_q;
-  logic [2:0] select_3965;
-  assign select_3965 = ends_cell_s17_q ? textured_2_s17_q : box_textured_columns_values_0_q;
-  logic [2:0] select_3967;
-  assign select_3967 = equal_577_s17_q ? box_textured_columns_values_0_q : (so_s17_q ? select_3965 : box_textured_columns_values_0_q);
-  logic [2:0] select_3968;
-  assign select_3968 = ends_cell_s17_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_3970;
-  assign select_3970 = equal_577_s17_q ? box_textured_columns_values_1_q : (so_s17_q ? select_3968 : box_textured_columns_values_1_q);
-  logic [2:0] select_3971;
-  assign select_3971 = ends_cell_s17_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [2:0] select_3973;
-  assign select_3973 = equal_577_s17_q ? box_textured_columns_values_2_q : (so_s17_q ? select_3971 : box_textured_columns_values_2_q);
-  logic [2:0] select_3974;
-  assign select_3974 = ends_cell_s17_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  assign too_little = less_3898_s17_q | (product_rest_q & equal_3899_s17_q);
+  // hls/stages/agreement.hpp:1239
+  logic select_3902;
+  assign select_3902 = and_3897_s17_q ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:1147
+  logic [10:0] sum_3905;
+  assign sum_3905 = {1'b0, select_2671_s17_q} + {2'h0, select_2671_s17_q[9:1]};
+  // hls/stages/agreement.hpp:798
+  logic select_3958;
+  assign select_3958 = equal_577_s17_q ? (equal_3681_s17_q ? sum_4_s17_q : (product_rest_q | sum_4_s17_q)) : product_rest_q;
   logic [2:0] select_3976;
-  assign select_3976 = equal_577_s17_q ? box_textured_columns_values_3_q : (so_s17_q ? select_3974 : box_textured_columns_values_3_q);
-  logic [2:0] select_3977;
-  assign select_3977 = ends_cell_s17_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  assign select_3976 = ends_cell_s17_q ? textured_2_s17_q : box_textured_columns_values_0_q;
+  logic [2:0] select_3978;
+  assign select_3978 = equal_577_s17_q ? box_textured_columns_values_0_q : (so_s17_q ? select_3976 : box_textured_columns_values_0_q);
   logic [2:0] select_3979;
-  assign select_3979 = equal_577_s17_q ? box_textured_columns_values_4_q : (so_s17_q ? select_3977 : box_textured_columns_values_4_q);
-  logic [4:0] select_3999;
-  assign select_3999 = so_s17_q ? (ends_cell_s17_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
-  logic [4:0] select_4000;
-  assign select_4000 = equal_577_s17_q ? box_explained_sum_sums_values_0_q : select_3999;
-  logic [4:0] select_4017;
-  assign select_4017 = so_s17_q ? (ends_cell_s17_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [4:0] select_4035;
-  assign select_4035 = so_s17_q ? (ends_cell_s17_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:1309
-  logic [3:0] select_4069;
-  assign select_4069 = select_2041_s17_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
-  // hls/stages/agreement.hpp:440
-  logic [7:0] select_4075;
-  assign select_4075 = marks_first_s17_q ? select_4073 : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:1148
-  logic [31:0] select_4150;
-  assign select_4150 = equal_1636_s17_q ? {2'h0, counts_explained_s17_q, 2'h0, counts_textured_s17_q} : (equal_4148_s17_q ? registration_sums_rdata_s17_q : 32'h0);
-  logic [31:0] select_4151;
-  assign select_4151 = equal_1634_s17_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4150;
+  assign select_3979 = ends_cell_s17_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
+  logic [2:0] select_3981;
+  assign select_3981 = equal_577_s17_q ? box_textured_columns_values_1_q : (so_s17_q ? select_3979 : box_textured_columns_values_1_q);
+  logic [2:0] select_3982;
+  assign select_3982 = ends_cell_s17_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
+  logic [2:0] select_3984;
+  assign select_3984 = equal_577_s17_q ? box_textured_columns_values_2_q : (so_s17_q ? select_3982 : box_textured_columns_values_2_q);
+  logic [2:0] select_3985;
+  assign select_3985 = ends_cell_s17_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
+  logic [2:0] select_3987;
+  assign select_3987 = equal_577_s17_q ? box_textured_columns_values_3_q : (so_s17_q ? select_3985 : box_textured_columns_values_3_q);
+  logic [2:0] select_3988;
+  assign select_3988 = ends_cell_s17_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_3990;
+  assign select_3990 = equal_577_s17_q ? box_textured_columns_values_4_q : (so_s17_q ? select_3988 : box_textured_columns_values_4_q);
+  logic [4:0] select_4010;
+  assign select_4010 = so_s17_q ? (ends_cell_s17_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [4:0] select_4011;
+  assign select_4011 = equal_577_s17_q ? box_explained_sum_sums_values_0_q : select_4010;
+  logic [4:0] select_4028;
+  assign select_4028 = so_s17_q ? (ends_cell_s17_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [4:0] select_4046;
+  assign select_4046 = so_s17_q ? (ends_cell_s17_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:1313
+  logic [3:0] select_4080;
+  assign select_4080 = select_2045_s17_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
+  // hls/stages/agreement.hpp:441
+  logic [7:0] select_4086;
+  assign select_4086 = marks_first_s17_q ? select_4084 : (seen_rows_left_q - {7'h0, was_next_row_q});
+  // hls/stages/agreement.hpp:1152
+  logic [31:0] select_4161;
+  assign select_4161 = equal_1636_s17_q ? {2'h0, counts_explained_s17_q, 2'h0, counts_textured_s17_q} : (equal_4159_s17_q ? registration_sums_rdata_s17_q : 32'h0);
+  logic [31:0] select_4162;
+  assign select_4162 = equal_1634_s17_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4161;
 
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
@@ -8996,9 +8996,9 @@ module horopter_agreement (
   logic [5:0] regions_waddr;
   assign regions_waddr = {region_row_s17_q, or_1992_s17_q, or_1989_s17_q, or_1986_s17_q};
   logic regions_we;
-  assign regions_we = s17_en & and_2026_s17_q;
+  assign regions_we = s17_en & and_2028_s17_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_2025_s17_q, sum_2015_s17_q, sum_2010_s17_q};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_2027_s17_q, sum_2016_s17_q, sum_2011_s17_q};
   end
 `ifndef SYNTHESIS
   logic [5:0] regions_raddr_s15_sim;
@@ -9055,8 +9055,6 @@ module horopter_agreement (
       patches_summed_first_q <= 1'b0;
       product_rest_q <= 1'b0;
       disagree_q <= 1'b0;
-      write_half_q <= 1'b0;
-      read_half_q <= 1'b1;
       began_q <= 1'b0;
       seen_x_q <= 4'h0;
       seen_y_q <= 4'h0;
@@ -9066,38 +9064,36 @@ module horopter_agreement (
       was_next_row_q <= 1'b0;
       seen_base_q <= 13'h0;
     end else if (s17_en) begin
-      moments_before_0_q <= equal_577_s17_q ? select_2302 : moments_before_0_q;
-      moments_before_1_q <= equal_577_s17_q ? select_2304 : moments_before_1_q;
-      sharpness_before_last_mask_q <= select_2368;
-      counts_supervised_q <= select_2618;
-      counts_nearer_q <= select_2633;
-      counts_turned_left_q <= select_2732;
-      counts_turned_right_q <= select_2739;
-      registration_half_measured_q <= select_2798;
-      registration_half_votes_up_q <= and_2771_s17_q ? 7'h0 : sum_2812;
-      registration_half_half_votes_up_q <= and_2771_s17_q ? 7'h0 : sum_2826;
+      moments_before_0_q <= equal_577_s17_q ? select_2306 : moments_before_0_q;
+      moments_before_1_q <= equal_577_s17_q ? select_2308 : moments_before_1_q;
+      sharpness_before_last_mask_q <= select_2372;
+      counts_supervised_q <= select_2623;
+      counts_nearer_q <= select_2638;
+      counts_turned_left_q <= select_2741;
+      counts_turned_right_q <= select_2749;
+      registration_half_measured_q <= select_2808;
+      registration_half_votes_up_q <= and_2781_s17_q ? 7'h0 : sum_2822;
+      registration_half_half_votes_up_q <= and_2781_s17_q ? 7'h0 : sum_2836;
       patches_place_0_column_q <= sample_pair_whole_s17_q ? select_1812 : patches_place_0_column_q;
       patches_place_0_shift_q <= sample_pair_whole_s17_q ? select_1813 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3031;
+      patches_place_0_slope_q <= select_3041;
       patches_place_1_column_q <= sample_pair_whole_s17_q ? select_1840 : patches_place_1_column_q;
       patches_place_1_shift_q <= sample_pair_whole_s17_q ? select_1841 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3036;
-      patches_codes_at_q <= select_3127;
-      patches_codes_further_q <= equal_1791_s17_q ? patches_codes_further_q : select_3132;
-      patches_next_codes_q <= select_3140;
-      patches_summed_first_q <= select_3518;
-      product_rest_q <= select_3947;
-      disagree_q <= equal_577_s17_q ? select_3891 : disagree_q;
-      write_half_q <= marks_first_s17_q ? (write_half_q ^ done_s17_q) : write_half_q;
-      read_half_q <= select_2052;
-      began_q <= not_2054_s17_q & (began_q | select_2041_s17_q);
-      seen_x_q <= select_2041_s17_q ? 4'h0 : (seen_x_q + 4'h1);
-      seen_y_q <= marks_first_s17_q ? 4'h0 : select_4069;
-      seen_column_q <= select_2041_s17_q ? 8'h0 : (seen_column_q + {7'h0, equal_2047});
-      seen_rows_left_q <= select_4075;
+      patches_place_1_slope_q <= select_3046;
+      patches_codes_at_q <= select_3137;
+      patches_codes_further_q <= equal_1791_s17_q ? patches_codes_further_q : select_3142;
+      patches_next_codes_q <= select_3150;
+      patches_summed_first_q <= select_3528;
+      product_rest_q <= select_3958;
+      disagree_q <= equal_577_s17_q ? select_3902 : disagree_q;
+      began_q <= not_2058_s17_q & (began_q | select_2045_s17_q);
+      seen_x_q <= select_2045_s17_q ? 4'h0 : (seen_x_q + 4'h1);
+      seen_y_q <= marks_first_s17_q ? 4'h0 : select_4080;
+      seen_column_q <= select_2045_s17_q ? 8'h0 : (seen_column_q + {7'h0, equal_2051});
+      seen_rows_left_q <= select_4086;
       at_cell_end_q <= (seen_y_q == 4'hf) & (~(seen_rows_left_q == 8'h0));
       was_next_row_q <= next_row;
-      seen_base_q <= marks_first_s17_q ? 13'h0 : (seen_base_q + {6'h0, select_2044});
+      seen_base_q <= marks_first_s17_q ? 13'h0 : (seen_base_q + {6'h0, select_2048});
     end
   end
 
@@ -9127,25 +9123,25 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s17_en) begin
-      averager_detail_0_q <= select_2187;
-      averager_detail_1_q <= select_2195;
-      census_columns_values_1_cell_2_mask_q <= select_2228;
-      census_columns_values_2_cell_2_mask_q <= select_2244;
-      census_columns_values_2_cell_3_mask_q <= select_2247;
-      census_columns_values_2_cell_4_mask_q <= select_2250;
-      census_columns_values_3_cell_0_mask_q <= select_2251;
-      census_columns_values_3_cell_1_mask_q <= select_2254;
-      census_columns_values_3_cell_2_mask_q <= select_2255;
-      census_columns_values_3_cell_3_mask_q <= select_2258;
+      averager_detail_0_q <= select_2191;
+      averager_detail_1_q <= select_2199;
+      census_columns_values_1_cell_2_mask_q <= select_2232;
+      census_columns_values_2_cell_2_mask_q <= select_2248;
+      census_columns_values_2_cell_3_mask_q <= select_2251;
+      census_columns_values_2_cell_4_mask_q <= select_2254;
+      census_columns_values_3_cell_0_mask_q <= select_2255;
+      census_columns_values_3_cell_1_mask_q <= select_2258;
+      census_columns_values_3_cell_2_mask_q <= select_2259;
+      census_columns_values_3_cell_3_mask_q <= select_2262;
       sharpness_last_mask_q <= and_552_s17_q ? whole_2_s17_q : sharpness_last_mask_q;
-      box_textured_columns_values_0_q <= select_3967;
-      box_textured_columns_values_1_q <= select_3970;
-      box_textured_columns_values_2_q <= select_3973;
-      box_textured_columns_values_3_q <= select_3976;
-      box_textured_columns_values_4_q <= select_3979;
-      box_explained_sum_sums_values_0_q <= select_4000;
-      box_shown_sum_sums_values_0_q <= equal_577_s17_q ? box_shown_sum_sums_values_0_q : select_4017;
-      box_nearer_sum_sums_values_0_q <= equal_577_s17_q ? box_nearer_sum_sums_values_0_q : select_4035;
+      box_textured_columns_values_0_q <= select_3978;
+      box_textured_columns_values_1_q <= select_3981;
+      box_textured_columns_values_2_q <= select_3984;
+      box_textured_columns_values_3_q <= select_3987;
+      box_textured_columns_values_4_q <= select_3990;
+      box_explained_sum_sums_values_0_q <= select_4011;
+      box_shown_sum_sums_values_0_q <= equal_577_s17_q ? box_shown_sum_sums_values_0_q : select_4028;
+      box_nearer_sum_sums_values_0_q <= equal_577_s17_q ? box_nearer_sum_sums_values_0_q : select_4046;
     end
   end
 
@@ -9254,109 +9250,110 @@ module horopter_agreement (
   logic equal_1860_s18_q;
   logic [3:0] select_1865_s18_q;
   logic not_1994_s18_q;
-  logic [7:0] sum_2064_s18_q;
-  logic select_2066_s18_q;
-  logic [3:0] difference_2077_s18_q;
-  logic or_2085_s18_q;
-  logic [23:0] select_2097_s18_q;
+  logic select_2056_s18_q;
+  logic [7:0] sum_2068_s18_q;
+  logic select_2070_s18_q;
+  logic [3:0] difference_2081_s18_q;
+  logic or_2089_s18_q;
+  logic [23:0] select_2100_s18_q;
   logic [4:0] around_s18_q;
-  logic less_2131_s18_q;
-  logic and_2143_s18_q;
-  logic [11:0] sum_2275_s18_q;
-  logic [9:0] sum_2278_s18_q;
-  logic equal_2286_s18_q;
-  logic equal_2301_s18_q;
-  logic [13:0] select_2309_s18_q;
-  logic not_2317_s18_q;
-  logic not_2320_s18_q;
-  logic not_2327_s18_q;
-  logic not_2330_s18_q;
-  logic [27:0] select_2365_s18_q;
-  logic and_2378_s18_q;
-  logic and_2390_s18_q;
-  logic [8:0] select_2397_s18_q;
+  logic less_2134_s18_q;
+  logic and_2147_s18_q;
+  logic [11:0] sum_2279_s18_q;
+  logic [9:0] sum_2282_s18_q;
+  logic equal_2290_s18_q;
+  logic equal_2305_s18_q;
+  logic [13:0] select_2313_s18_q;
+  logic not_2321_s18_q;
+  logic not_2324_s18_q;
+  logic not_2331_s18_q;
+  logic not_2334_s18_q;
+  logic [27:0] select_2369_s18_q;
+  logic and_2382_s18_q;
+  logic and_2394_s18_q;
   logic [8:0] select_2401_s18_q;
-  logic equal_2404_s18_q;
-  logic less_2405_s18_q;
-  logic [11:0] select_2410_s18_q;
-  logic equal_2448_s18_q;
-  logic equal_2475_s18_q;
-  logic and_2610_s18_q;
-  logic not_2635_s18_q;
+  logic [8:0] select_2405_s18_q;
+  logic equal_2408_s18_q;
+  logic less_2409_s18_q;
+  logic [11:0] select_2414_s18_q;
+  logic equal_2452_s18_q;
+  logic equal_2479_s18_q;
+  logic and_2614_s18_q;
+  logic not_2642_s18_q;
   logic [4:0] e_s18_q;
-  logic [9:0] select_2661_s18_q;
-  logic [9:0] select_2664_s18_q;
-  logic and_2712_s18_q;
-  logic and_2771_s18_q;
-  logic [7:0] select_2791_s18_q;
-  logic [1:0] select_2801_s18_q;
-  logic [1:0] select_2816_s18_q;
-  logic [11:0] select_2868_s18_q;
-  logic and_2876_s18_q;
-  logic [11:0] select_2883_s18_q;
-  logic and_2894_s18_q;
-  logic and_2898_s18_q;
-  logic and_2930_s18_q;
-  logic and_2938_s18_q;
+  logic [9:0] select_2668_s18_q;
+  logic [9:0] select_2671_s18_q;
+  logic and_2721_s18_q;
+  logic and_2781_s18_q;
+  logic [7:0] select_2801_s18_q;
+  logic [1:0] select_2811_s18_q;
+  logic [1:0] select_2826_s18_q;
+  logic [11:0] select_2878_s18_q;
+  logic and_2886_s18_q;
+  logic [11:0] select_2893_s18_q;
+  logic and_2904_s18_q;
+  logic and_2908_s18_q;
+  logic and_2940_s18_q;
+  logic and_2948_s18_q;
   logic [8:0] other_s18_q;
-  logic [2:0] select_3153_s18_q;
-  logic [8:0] select_3168_s18_q;
-  logic xor_3183_s18_q;
-  logic xor_3201_s18_q;
-  logic xor_3213_s18_q;
-  logic xor_3225_s18_q;
-  logic xor_3237_s18_q;
-  logic or_3246_s18_q;
-  logic or_3250_s18_q;
-  logic or_3254_s18_q;
-  logic or_3261_s18_q;
-  logic or_3265_s18_q;
-  logic or_3269_s18_q;
-  logic or_3276_s18_q;
-  logic or_3280_s18_q;
-  logic or_3284_s18_q;
+  logic [2:0] select_3163_s18_q;
+  logic [8:0] select_3178_s18_q;
+  logic xor_3193_s18_q;
+  logic xor_3211_s18_q;
+  logic xor_3223_s18_q;
+  logic xor_3235_s18_q;
+  logic xor_3247_s18_q;
+  logic or_3256_s18_q;
+  logic or_3260_s18_q;
+  logic or_3264_s18_q;
+  logic or_3271_s18_q;
+  logic or_3275_s18_q;
+  logic or_3279_s18_q;
+  logic or_3286_s18_q;
+  logic or_3290_s18_q;
   logic or_3294_s18_q;
-  logic or_3298_s18_q;
-  logic or_3302_s18_q;
-  logic or_3310_s18_q;
-  logic or_3314_s18_q;
-  logic or_3318_s18_q;
-  logic or_3325_s18_q;
-  logic or_3329_s18_q;
-  logic or_3333_s18_q;
+  logic or_3304_s18_q;
+  logic or_3308_s18_q;
+  logic or_3312_s18_q;
+  logic or_3320_s18_q;
+  logic or_3324_s18_q;
+  logic or_3328_s18_q;
+  logic or_3335_s18_q;
+  logic or_3339_s18_q;
   logic or_3343_s18_q;
-  logic or_3347_s18_q;
-  logic or_3351_s18_q;
-  logic and_3356_s18_q;
+  logic or_3353_s18_q;
   logic or_3357_s18_q;
-  logic equal_3478_s18_q;
-  logic [9:0] select_3564_s18_q;
-  logic [2:0] select_3565_s18_q;
-  logic [4:0] select_3566_s18_q;
+  logic or_3361_s18_q;
+  logic and_3366_s18_q;
+  logic or_3367_s18_q;
+  logic equal_3488_s18_q;
   logic [9:0] select_3574_s18_q;
-  logic equal_3575_s18_q;
-  logic less_3603_s18_q;
+  logic [2:0] select_3575_s18_q;
+  logic [4:0] select_3576_s18_q;
+  logic [9:0] select_3584_s18_q;
+  logic equal_3585_s18_q;
+  logic less_3613_s18_q;
   logic [2:0] fraction_s18_q;
-  logic [7:0] select_3626_s18_q;
-  logic sum_3627_s18_q;
-  logic [6:0] sum_3629_s18_q;
-  logic equal_3671_s18_q;
-  logic equal_3880_s18_q;
-  logic or_3883_s18_q;
-  logic select_3891_s18_q;
-  logic not_3896_s18_q;
-  logic equal_3902_s18_q;
-  logic equal_3905_s18_q;
-  logic equal_3907_s18_q;
-  logic equal_3908_s18_q;
-  logic equal_3909_s18_q;
-  logic equal_3910_s18_q;
-  logic or_4052_s18_q;
-  logic and_4066_s18_q;
-  logic and_4083_s18_q;
-  logic not_4095_s18_q;
-  logic [31:0] select_4151_s18_q;
-  logic [9:0] select_4158_s18_q;
+  logic [7:0] select_3636_s18_q;
+  logic sum_3637_s18_q;
+  logic [6:0] sum_3639_s18_q;
+  logic equal_3681_s18_q;
+  logic equal_3891_s18_q;
+  logic or_3894_s18_q;
+  logic select_3902_s18_q;
+  logic not_3907_s18_q;
+  logic equal_3913_s18_q;
+  logic equal_3916_s18_q;
+  logic equal_3918_s18_q;
+  logic equal_3919_s18_q;
+  logic equal_3920_s18_q;
+  logic equal_3921_s18_q;
+  logic or_4063_s18_q;
+  logic and_4077_s18_q;
+  logic and_4094_s18_q;
+  logic not_4106_s18_q;
+  logic [31:0] select_4162_s18_q;
+  logic [9:0] select_4169_s18_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s18_q <= pixel_0_s17_q;
@@ -9464,109 +9461,110 @@ module horopter_agreement (
       equal_1860_s18_q <= equal_1860;
       select_1865_s18_q <= select_1865_s17_q;
       not_1994_s18_q <= not_1994_s17_q;
-      sum_2064_s18_q <= {2'h0, x_s17_q[7:2]} + 8'hff;
-      select_2066_s18_q <= draws_late_s17_q ? read_half_q : write_half_q;
-      difference_2077_s18_q <= {1'b0, textured_2_s17_q} - {1'b0, select_2076};
-      or_2085_s18_q <= or_2085_s17_q;
-      select_2097_s18_q <= select_2097;
+      select_2056_s18_q <= select_2056_s17_q;
+      sum_2068_s18_q <= {2'h0, x_s17_q[7:2]} + 8'hff;
+      select_2070_s18_q <= select_2070_s17_q;
+      difference_2081_s18_q <= {1'b0, textured_2_s17_q} - {1'b0, select_2080};
+      or_2089_s18_q <= or_2089_s17_q;
+      select_2100_s18_q <= select_2100;
       around_s18_q <= around;
-      less_2131_s18_q <= {1'b0, around[4:1]} < n;
-      and_2143_s18_q <= and_2143_s17_q;
-      sum_2275_s18_q <= {1'b0, sum_2271} + {2'h0, sum_2274_s17_q};
-      sum_2278_s18_q <= sum_2278_s17_q;
-      equal_2286_s18_q <= equal_2286_s17_q;
-      equal_2301_s18_q <= equal_2301_s17_q;
-      select_2309_s18_q <= (select_2304 < select_2302) ? select_2302 : select_2304;
-      not_2317_s18_q <= ~({3'h0, counts_turned_left_q[13:2]} < sum_2315);
-      not_2320_s18_q <= ~({3'h0, select_2304[13:2]} < sum_2315);
-      not_2327_s18_q <= ~({3'h0, counts_turned_right_q[13:2]} < sum_2325);
-      not_2330_s18_q <= ~({3'h0, select_2302[13:2]} < sum_2325);
-      select_2365_s18_q <= sample_pair_whole_s17_q ? {detail_2, detail} : 28'h0;
-      and_2378_s18_q <= and_2378;
-      and_2390_s18_q <= and_2390;
-      select_2397_s18_q <= and_2378 ? contrast_s17_q : 9'h0;
-      select_2401_s18_q <= and_2390 ? contrast_2_s17_q : 9'h0;
-      equal_2404_s18_q <= x_s17_q[7:3] == 5'h0;
-      less_2405_s18_q <= 7'h2 < {x_s17_q[4:0], slot_s17_q[2:1]};
-      select_2410_s18_q <= select_2410;
-      equal_2448_s18_q <= {x_s17_q[4:0], slot_s17_q} == 8'h0;
-      equal_2475_s18_q <= equal_2475_s17_q;
-      and_2610_s18_q <= and_2610_s17_q;
-      not_2635_s18_q <= not_2635_s17_q;
+      less_2134_s18_q <= {1'b0, around[4:1]} < n;
+      and_2147_s18_q <= and_2147_s17_q;
+      sum_2279_s18_q <= {1'b0, sum_2275} + {2'h0, sum_2278_s17_q};
+      sum_2282_s18_q <= sum_2282_s17_q;
+      equal_2290_s18_q <= equal_2290_s17_q;
+      equal_2305_s18_q <= equal_2305_s17_q;
+      select_2313_s18_q <= (select_2308 < select_2306) ? select_2306 : select_2308;
+      not_2321_s18_q <= ~({3'h0, counts_turned_left_q[13:2]} < sum_2319);
+      not_2324_s18_q <= ~({3'h0, select_2308[13:2]} < sum_2319);
+      not_2331_s18_q <= ~({3'h0, counts_turned_right_q[13:2]} < sum_2329);
+      not_2334_s18_q <= ~({3'h0, select_2306[13:2]} < sum_2329);
+      select_2369_s18_q <= sample_pair_whole_s17_q ? {detail_2, detail} : 28'h0;
+      and_2382_s18_q <= and_2382;
+      and_2394_s18_q <= and_2394;
+      select_2401_s18_q <= and_2382 ? contrast_s17_q : 9'h0;
+      select_2405_s18_q <= and_2394 ? contrast_2_s17_q : 9'h0;
+      equal_2408_s18_q <= x_s17_q[7:3] == 5'h0;
+      less_2409_s18_q <= 7'h2 < {x_s17_q[4:0], slot_s17_q[2:1]};
+      select_2414_s18_q <= select_2414;
+      equal_2452_s18_q <= {x_s17_q[4:0], slot_s17_q} == 8'h0;
+      equal_2479_s18_q <= equal_2479_s17_q;
+      and_2614_s18_q <= and_2614_s17_q;
+      not_2642_s18_q <= not_2642_s17_q;
       e_s18_q <= e;
-      select_2661_s18_q <= select_2661_s17_q;
-      select_2664_s18_q <= select_2664_s17_q;
-      and_2712_s18_q <= and_2712_s17_q;
-      and_2771_s18_q <= and_2771_s17_q;
-      select_2791_s18_q <= equal_577_s17_q ? 8'h0 : (so_s17_q ? select_2789 : 8'h0);
-      select_2801_s18_q <= equal_1707_s17_q ? {and_2800, and_2772_s17_q} : 2'h0;
-      select_2816_s18_q <= equal_1707_s17_q ? {and_2815, and_2772_s17_q} : 2'h0;
-      select_2868_s18_q <= select_2868;
-      and_2876_s18_q <= equal_577_s17_q & (x_s17_q[6] & and_2874);
-      select_2883_s18_q <= select_2883;
-      and_2894_s18_q <= equal_577_s17_q & (x_s17_q[6] & and_2892);
-      and_2898_s18_q <= and_2898;
-      and_2930_s18_q <= equal_577_s17_q & (x_s17_q[6] & and_2928);
-      and_2938_s18_q <= x_s17_q[6] & and_2937;
+      select_2668_s18_q <= select_2668_s17_q;
+      select_2671_s18_q <= select_2671_s17_q;
+      and_2721_s18_q <= and_2721_s17_q;
+      and_2781_s18_q <= and_2781_s17_q;
+      select_2801_s18_q <= equal_577_s17_q ? 8'h0 : (so_s17_q ? select_2799 : 8'h0);
+      select_2811_s18_q <= equal_1707_s17_q ? {and_2810, and_2782_s17_q} : 2'h0;
+      select_2826_s18_q <= equal_1707_s17_q ? {and_2825, and_2782_s17_q} : 2'h0;
+      select_2878_s18_q <= select_2878;
+      and_2886_s18_q <= equal_577_s17_q & (x_s17_q[6] & and_2884);
+      select_2893_s18_q <= select_2893;
+      and_2904_s18_q <= equal_577_s17_q & (x_s17_q[6] & and_2902);
+      and_2908_s18_q <= and_2908;
+      and_2940_s18_q <= equal_577_s17_q & (x_s17_q[6] & and_2938);
+      and_2948_s18_q <= x_s17_q[6] & and_2947;
       other_s18_q <= other[44:36];
-      select_3153_s18_q <= and_1963_s17_q ? {and_3152, xor_3151, parity_3145} : 3'h0;
-      select_3168_s18_q <= select_3168_s17_q[44:36];
-      xor_3183_s18_q <= xor_3183;
-      xor_3201_s18_q <= xor_3183 ^ parity_3200;
-      xor_3213_s18_q <= xor_3204 ^ (^{select_3168_s17_q[41:36], other[41:36]});
-      xor_3225_s18_q <= xor_3216 ^ (^{select_3168_s17_q[23:18], other[23:18]});
-      xor_3237_s18_q <= xor_3228 ^ (^{select_3168_s17_q[32:27], other[32:27]});
-      or_3246_s18_q <= (xor_3177 & xor_3180) | (xor_3174 & (xor_3177 | xor_3180));
-      or_3250_s18_q <= (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-      or_3254_s18_q <= (xor_3192 & xor_3195) | (xor_3189 & (xor_3192 | xor_3195));
-      or_3261_s18_q <= (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
-      or_3265_s18_q <= (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-      or_3269_s18_q <= (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
-      or_3276_s18_q <= (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
-      or_3280_s18_q <= (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-      or_3284_s18_q <= (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
-      or_3294_s18_q <= (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
-      or_3298_s18_q <= (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-      or_3302_s18_q <= (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
-      or_3310_s18_q <= (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
-      or_3314_s18_q <= (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
-      or_3318_s18_q <= (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
-      or_3325_s18_q <= (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
-      or_3329_s18_q <= (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-      or_3333_s18_q <= (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
-      or_3343_s18_q <= (xor_3207 & xor_3210) | (xor_3204 & (xor_3207 | xor_3210));
-      or_3347_s18_q <= (xor_3219 & xor_3222) | (xor_3216 & (xor_3219 | xor_3222));
-      or_3351_s18_q <= (xor_3231 & xor_3234) | (xor_3228 & (xor_3231 | xor_3234));
-      and_3356_s18_q <= xor_3186 & xor_3198;
-      or_3357_s18_q <= xor_3186 | xor_3198;
-      equal_3478_s18_q <= equal_3478_s17_q;
-      select_3564_s18_q <= select_3564_s17_q;
-      select_3565_s18_q <= select_3565_s17_q[2:0];
-      select_3566_s18_q <= select_3566_s17_q;
-      select_3574_s18_q <= patches_peak_far_q;
-      equal_3575_s18_q <= equal_3575_s17_q;
-      less_3603_s18_q <= less_3603_s17_q;
+      select_3163_s18_q <= and_1963_s17_q ? {and_3162, xor_3161, parity_3155} : 3'h0;
+      select_3178_s18_q <= select_3178_s17_q[44:36];
+      xor_3193_s18_q <= xor_3193;
+      xor_3211_s18_q <= xor_3193 ^ parity_3210;
+      xor_3223_s18_q <= xor_3214 ^ (^{select_3178_s17_q[41:36], other[41:36]});
+      xor_3235_s18_q <= xor_3226 ^ (^{select_3178_s17_q[23:18], other[23:18]});
+      xor_3247_s18_q <= xor_3238 ^ (^{select_3178_s17_q[32:27], other[32:27]});
+      or_3256_s18_q <= (xor_3187 & xor_3190) | (xor_3184 & (xor_3187 | xor_3190));
+      or_3260_s18_q <= (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+      or_3264_s18_q <= (xor_3202 & xor_3205) | (xor_3199 & (xor_3202 | xor_3205));
+      or_3271_s18_q <= (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+      or_3275_s18_q <= (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+      or_3279_s18_q <= (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+      or_3286_s18_q <= (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+      or_3290_s18_q <= (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+      or_3294_s18_q <= (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+      or_3304_s18_q <= (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+      or_3308_s18_q <= (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+      or_3312_s18_q <= (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
+      or_3320_s18_q <= (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
+      or_3324_s18_q <= (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+      or_3328_s18_q <= (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
+      or_3335_s18_q <= (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+      or_3339_s18_q <= (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+      or_3343_s18_q <= (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+      or_3353_s18_q <= (xor_3217 & xor_3220) | (xor_3214 & (xor_3217 | xor_3220));
+      or_3357_s18_q <= (xor_3229 & xor_3232) | (xor_3226 & (xor_3229 | xor_3232));
+      or_3361_s18_q <= (xor_3241 & xor_3244) | (xor_3238 & (xor_3241 | xor_3244));
+      and_3366_s18_q <= xor_3196 & xor_3208;
+      or_3367_s18_q <= xor_3196 | xor_3208;
+      equal_3488_s18_q <= equal_3488_s17_q;
+      select_3574_s18_q <= select_3574_s17_q;
+      select_3575_s18_q <= select_3575_s17_q[2:0];
+      select_3576_s18_q <= select_3576_s17_q;
+      select_3584_s18_q <= patches_peak_far_q;
+      equal_3585_s18_q <= equal_3585_s17_q;
+      less_3613_s18_q <= less_3613_s17_q;
       fraction_s18_q <= fraction;
-      select_3626_s18_q <= select_3626;
-      sum_3627_s18_q <= sum_3627[0];
-      sum_3629_s18_q <= sum_3629;
-      equal_3671_s18_q <= equal_3671_s17_q;
-      equal_3880_s18_q <= select_2661_s17_q[9:3] == 7'h0;
-      or_3883_s18_q <= or_3883;
-      select_3891_s18_q <= select_3891;
-      not_3896_s18_q <= ~({sum_3894, select_2664_s17_q[0]} < {2'h0, select_2661_s17_q});
-      equal_3902_s18_q <= equal_3902_s17_q;
-      equal_3905_s18_q <= equal_3905_s17_q;
-      equal_3907_s18_q <= equal_3907_s17_q;
-      equal_3908_s18_q <= equal_3908_s17_q;
-      equal_3909_s18_q <= equal_3909_s17_q;
-      equal_3910_s18_q <= equal_3910_s17_q;
-      or_4052_s18_q <= or_4052_s17_q;
-      and_4066_s18_q <= and_4066_s17_q;
-      and_4083_s18_q <= and_4083_s17_q;
-      not_4095_s18_q <= not_4095_s17_q;
-      select_4151_s18_q <= select_4151;
-      select_4158_s18_q <= select_4158_s17_q;
+      select_3636_s18_q <= select_3636;
+      sum_3637_s18_q <= sum_3637[0];
+      sum_3639_s18_q <= sum_3639;
+      equal_3681_s18_q <= equal_3681_s17_q;
+      equal_3891_s18_q <= select_2668_s17_q[9:3] == 7'h0;
+      or_3894_s18_q <= or_3894;
+      select_3902_s18_q <= select_3902;
+      not_3907_s18_q <= ~({sum_3905, select_2671_s17_q[0]} < {2'h0, select_2668_s17_q});
+      equal_3913_s18_q <= equal_3913_s17_q;
+      equal_3916_s18_q <= equal_3916_s17_q;
+      equal_3918_s18_q <= equal_3918_s17_q;
+      equal_3919_s18_q <= equal_3919_s17_q;
+      equal_3920_s18_q <= equal_3920_s17_q;
+      equal_3921_s18_q <= equal_3921_s17_q;
+      or_4063_s18_q <= or_4063_s17_q;
+      and_4077_s18_q <= and_4077_s17_q;
+      and_4094_s18_q <= and_4094_s17_q;
+      not_4106_s18_q <= not_4106_s17_q;
+      select_4162_s18_q <= select_4162;
+      select_4169_s18_q <= select_4169_s17_q;
     end
   end
 
@@ -9605,7 +9603,7 @@ module horopter_agreement (
   logic [4:0] box_textured_sum_sums_values_0_q;
   logic [12:0] map_row_q;
   logic [6:0] map_width_q;
-  // hls/stages/agreement.hpp:460
+  // hls/stages/agreement.hpp:461
   logic whole_17;
   assign whole_17 = census_columns_values_2_cell_4_mask_s18_q & whole_16_s18_q;
   logic whole_18;
@@ -9639,182 +9637,182 @@ module horopter_agreement (
   // hls/stages/patches.hpp:132
   logic equal_1843;
   assign equal_1843 = {sum_1842_s18_q[8], sum_1810_s18_q, select_511_s18_q} == {1'b0, sum_1842_s18_q[7:0], 4'h0};
-  // hls/stages/agreement.hpp:1317
+  // hls/stages/agreement.hpp:1321
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:1269
-  logic [10:0] sum_2053;
-  assign sum_2053 = {1'b0, {5{read_half_q}}, 1'b0, {2{read_half_q}}, 1'b0, read_half_q} + {1'b0, index[12:3]};
-  // hls/stages/agreement.hpp:1119
+  // hls/stages/agreement.hpp:1273
+  logic [10:0] sum_2057;
+  assign sum_2057 = {1'b0, {5{select_2056_s18_q}}, 1'b0, {2{select_2056_s18_q}}, 1'b0, select_2056_s18_q} + {1'b0, index[12:3]};
+  // hls/stages/agreement.hpp:1123
   logic [12:0] index_2;
-  assign index_2 = {{3{sum_2064_s18_q[7]}}, sum_2064_s18_q, x_s18_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1269
-  logic [10:0] sum_2067;
-  assign sum_2067 = {1'b0, {5{select_2066_s18_q}}, 1'b0, {2{select_2066_s18_q}}, 1'b0, select_2066_s18_q} + {1'b0, index_2[12:3]};
-  // hls/stages/agreement.hpp:1101
+  assign index_2 = {{3{sum_2068_s18_q[7]}}, sum_2068_s18_q, x_s18_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:1273
+  logic [10:0] sum_2071;
+  assign sum_2071 = {1'b0, {5{select_2070_s18_q}}, 1'b0, {2{select_2070_s18_q}}, 1'b0, select_2070_s18_q} + {1'b0, index_2[12:3]};
+  // hls/stages/agreement.hpp:1105
   logic [4:0] t;
-  assign t = {difference_2077_s18_q[3], difference_2077_s18_q} + (equal_572_s18_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1109
-  logic [47:0] select_2098;
-  assign select_2098 = or_2085_s18_q ? {select_2097_s18_q[23], 1'b0, select_2097_s18_q[22], 1'b0, select_2097_s18_q[21], 1'b0, select_2097_s18_q[20], 1'b0, select_2097_s18_q[19], 1'b0, select_2097_s18_q[18], 1'b0, select_2097_s18_q[17], 1'b0, select_2097_s18_q[16], 1'b0, select_2097_s18_q[15], 1'b0, select_2097_s18_q[14], 1'b0, select_2097_s18_q[13], 1'b0, select_2097_s18_q[12], 1'b0, select_2097_s18_q[11], 1'b0, select_2097_s18_q[10], 1'b0, select_2097_s18_q[9], 1'b0, select_2097_s18_q[8], 1'b0, select_2097_s18_q[7], 1'b0, select_2097_s18_q[6], 1'b0, select_2097_s18_q[5], 1'b0, select_2097_s18_q[4], 1'b0, select_2097_s18_q[3], 1'b0, select_2097_s18_q[2], 1'b0, select_2097_s18_q[1], 1'b0, select_2097_s18_q[0], 1'b0} : {1'b0, select_2097_s18_q[23], 1'b0, select_2097_s18_q[22], 1'b0, select_2097_s18_q[21], 1'b0, select_2097_s18_q[20], 1'b0, select_2097_s18_q[19], 1'b0, select_2097_s18_q[18], 1'b0, select_2097_s18_q[17], 1'b0, select_2097_s18_q[16], 1'b0, select_2097_s18_q[15], 1'b0, select_2097_s18_q[14], 1'b0, select_2097_s18_q[13], 1'b0, select_2097_s18_q[12], 1'b0, select_2097_s18_q[11], 1'b0, select_2097_s18_q[10], 1'b0, select_2097_s18_q[9], 1'b0, select_2097_s18_q[8], 1'b0, select_2097_s18_q[7], 1'b0, select_2097_s18_q[6], 1'b0, select_2097_s18_q[5], 1'b0, select_2097_s18_q[4], 1'b0, select_2097_s18_q[3], 1'b0, select_2097_s18_q[2], 1'b0, select_2097_s18_q[1], 1'b0, select_2097_s18_q[0]};
-  // hls/stages/agreement.hpp:1111
-  logic [5:0] sum_2115;
-  assign sum_2115 = {1'b0, around_s18_q} + {2'h0, around_s18_q[4:1]};
-  // hls/stages/agreement.hpp:527
-  logic select_2259;
-  assign select_2259 = and_552_s18_q ? census_columns_values_2_cell_4_mask_s18_q : census_columns_values_3_cell_4_mask_q;
+  assign t = {difference_2081_s18_q[3], difference_2081_s18_q} + (equal_572_s18_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1112
+  logic [47:0] select_2101;
+  assign select_2101 = or_2089_s18_q ? {select_2100_s18_q[23], 1'b0, select_2100_s18_q[22], 1'b0, select_2100_s18_q[21], 1'b0, select_2100_s18_q[20], 1'b0, select_2100_s18_q[19], 1'b0, select_2100_s18_q[18], 1'b0, select_2100_s18_q[17], 1'b0, select_2100_s18_q[16], 1'b0, select_2100_s18_q[15], 1'b0, select_2100_s18_q[14], 1'b0, select_2100_s18_q[13], 1'b0, select_2100_s18_q[12], 1'b0, select_2100_s18_q[11], 1'b0, select_2100_s18_q[10], 1'b0, select_2100_s18_q[9], 1'b0, select_2100_s18_q[8], 1'b0, select_2100_s18_q[7], 1'b0, select_2100_s18_q[6], 1'b0, select_2100_s18_q[5], 1'b0, select_2100_s18_q[4], 1'b0, select_2100_s18_q[3], 1'b0, select_2100_s18_q[2], 1'b0, select_2100_s18_q[1], 1'b0, select_2100_s18_q[0], 1'b0} : {1'b0, select_2100_s18_q[23], 1'b0, select_2100_s18_q[22], 1'b0, select_2100_s18_q[21], 1'b0, select_2100_s18_q[20], 1'b0, select_2100_s18_q[19], 1'b0, select_2100_s18_q[18], 1'b0, select_2100_s18_q[17], 1'b0, select_2100_s18_q[16], 1'b0, select_2100_s18_q[15], 1'b0, select_2100_s18_q[14], 1'b0, select_2100_s18_q[13], 1'b0, select_2100_s18_q[12], 1'b0, select_2100_s18_q[11], 1'b0, select_2100_s18_q[10], 1'b0, select_2100_s18_q[9], 1'b0, select_2100_s18_q[8], 1'b0, select_2100_s18_q[7], 1'b0, select_2100_s18_q[6], 1'b0, select_2100_s18_q[5], 1'b0, select_2100_s18_q[4], 1'b0, select_2100_s18_q[3], 1'b0, select_2100_s18_q[2], 1'b0, select_2100_s18_q[1], 1'b0, select_2100_s18_q[0]};
+  // hls/stages/agreement.hpp:1114
+  logic [5:0] sum_2118;
+  assign sum_2118 = {1'b0, around_s18_q} + {2'h0, around_s18_q[4:1]};
+  // hls/stages/agreement.hpp:530
+  logic select_2263;
+  assign select_2263 = and_552_s18_q ? census_columns_values_2_cell_4_mask_s18_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:286
-  logic [11:0] sum_2279;
-  assign sum_2279 = sum_2275_s18_q + {2'h0, sum_2278_s18_q};
-  // hls/stages/agreement.hpp:527
-  logic [11:0] select_2281;
-  assign select_2281 = and_552_s18_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2282;
-  assign select_2282 = and_552_s18_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] sum_2283;
+  assign sum_2283 = sum_2279_s18_q + {2'h0, sum_2282_s18_q};
+  // hls/stages/agreement.hpp:530
+  logic [11:0] select_2285;
+  assign select_2285 = and_552_s18_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2286;
+  assign select_2286 = and_552_s18_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
   // hls/stages/moments.hpp:117
-  logic [14:0] sum_2311;
-  assign sum_2311 = {1'b0, moments_most_before_q} + 15'h3;
-  // hls/stages/agreement.hpp:527
-  logic [13:0] select_2366;
-  assign select_2366 = and_552_s18_q ? select_2365_s18_q[13:0] : sharpness_last_detail_0_q;
-  logic [13:0] select_2367;
-  assign select_2367 = and_552_s18_q ? select_2365_s18_q[27:14] : sharpness_last_detail_1_q;
+  logic [14:0] sum_2315;
+  assign sum_2315 = {1'b0, moments_most_before_q} + 15'h3;
+  // hls/stages/agreement.hpp:530
+  logic [13:0] select_2370;
+  assign select_2370 = and_552_s18_q ? select_2369_s18_q[13:0] : sharpness_last_detail_0_q;
+  logic [13:0] select_2371;
+  assign select_2371 = and_552_s18_q ? select_2369_s18_q[27:14] : sharpness_last_detail_1_q;
   // hls/stages/census.hpp:372
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2365_s18_q[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2369_s18_q[13:0]};
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2365_s18_q[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2369_s18_q[27:14]};
   // hls/stages/census.hpp:375
-  logic [23:0] sum_2398;
-  assign sum_2398 = (equal_2286_s18_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2397_s18_q};
   logic [23:0] sum_2402;
-  assign sum_2402 = (equal_2286_s18_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2401_s18_q};
+  assign sum_2402 = (equal_2290_s18_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2401_s18_q};
+  logic [23:0] sum_2406;
+  assign sum_2406 = (equal_2290_s18_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2405_s18_q};
   // hls/stages/census.hpp:427
-  logic less_2406;
-  assign less_2406 = x_s18_q[4:0] < 5'h3;
-  logic [23:0] select_2411;
-  assign select_2411 = slot_s18_q ? {select_2410_s18_q[11], 1'b0, select_2410_s18_q[10], 1'b0, select_2410_s18_q[9], 1'b0, select_2410_s18_q[8], 1'b0, select_2410_s18_q[7], 1'b0, select_2410_s18_q[6], 1'b0, select_2410_s18_q[5], 1'b0, select_2410_s18_q[4], 1'b0, select_2410_s18_q[3], 1'b0, select_2410_s18_q[2], 1'b0, select_2410_s18_q[1], 1'b0, select_2410_s18_q[0], 1'b0} : {1'b0, select_2410_s18_q[11], 1'b0, select_2410_s18_q[10], 1'b0, select_2410_s18_q[9], 1'b0, select_2410_s18_q[8], 1'b0, select_2410_s18_q[7], 1'b0, select_2410_s18_q[6], 1'b0, select_2410_s18_q[5], 1'b0, select_2410_s18_q[4], 1'b0, select_2410_s18_q[3], 1'b0, select_2410_s18_q[2], 1'b0, select_2410_s18_q[1], 1'b0, select_2410_s18_q[0]};
+  logic less_2410;
+  assign less_2410 = x_s18_q[4:0] < 5'h3;
+  logic [23:0] select_2415;
+  assign select_2415 = slot_s18_q ? {select_2414_s18_q[11], 1'b0, select_2414_s18_q[10], 1'b0, select_2414_s18_q[9], 1'b0, select_2414_s18_q[8], 1'b0, select_2414_s18_q[7], 1'b0, select_2414_s18_q[6], 1'b0, select_2414_s18_q[5], 1'b0, select_2414_s18_q[4], 1'b0, select_2414_s18_q[3], 1'b0, select_2414_s18_q[2], 1'b0, select_2414_s18_q[1], 1'b0, select_2414_s18_q[0], 1'b0} : {1'b0, select_2414_s18_q[11], 1'b0, select_2414_s18_q[10], 1'b0, select_2414_s18_q[9], 1'b0, select_2414_s18_q[8], 1'b0, select_2414_s18_q[7], 1'b0, select_2414_s18_q[6], 1'b0, select_2414_s18_q[5], 1'b0, select_2414_s18_q[4], 1'b0, select_2414_s18_q[3], 1'b0, select_2414_s18_q[2], 1'b0, select_2414_s18_q[1], 1'b0, select_2414_s18_q[0]};
   // hls/stages/census.hpp:390
-  logic and_2415;
-  assign and_2415 = less_2406 & (~((sharpness_sums_contrast_1_q & select_2411) == 24'h0));
-  logic and_2425;
-  assign and_2425 = less_2406 & (~((sharpness_sums_contrast_0_q & select_2411) == 24'h0));
-  // hls/stages/agreement.hpp:1110
-  logic [5:0] sum_2648;
-  assign sum_2648 = {1'b0, e_s18_q} + {2'h0, e_s18_q[4:1]};
-  // hls/stages/agreement.hpp:1141
-  logic [10:0] sum_2665;
-  assign sum_2665 = {1'b0, select_2664_s18_q} + {3'h0, select_2664_s18_q[9:2]};
+  logic and_2419;
+  assign and_2419 = less_2410 & (~((sharpness_sums_contrast_1_q & select_2415) == 24'h0));
+  logic and_2429;
+  assign and_2429 = less_2410 & (~((sharpness_sums_contrast_0_q & select_2415) == 24'h0));
+  // hls/stages/agreement.hpp:1113
+  logic [5:0] sum_2655;
+  assign sum_2655 = {1'b0, e_s18_q} + {2'h0, e_s18_q[4:1]};
+  // hls/stages/agreement.hpp:1145
+  logic [10:0] sum_2672;
+  assign sum_2672 = {1'b0, select_2671_s18_q} + {3'h0, select_2671_s18_q[9:2]};
   // hls/stages/registration.hpp:133
-  logic [13:0] sum_2792;
-  assign sum_2792 = registration_half_across_q + {{6{select_2791_s18_q[7]}}, select_2791_s18_q};
-  // hls/stages/agreement.hpp:795
-  logic [1:0] select_2803;
-  assign select_2803 = equal_577_s18_q ? 2'h0 : (so_s18_q ? select_2801_s18_q : 2'h0);
+  logic [13:0] sum_2802;
+  assign sum_2802 = registration_half_across_q + {{6{select_2801_s18_q[7]}}, select_2801_s18_q};
+  // hls/stages/agreement.hpp:798
+  logic [1:0] select_2813;
+  assign select_2813 = equal_577_s18_q ? 2'h0 : (so_s18_q ? select_2811_s18_q : 2'h0);
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2804;
-  assign sum_2804 = registration_half_votes_down_q + {{5{select_2803[1]}}, select_2803};
-  // hls/stages/agreement.hpp:795
-  logic [1:0] select_2818;
-  assign select_2818 = equal_577_s18_q ? 2'h0 : (so_s18_q ? select_2816_s18_q : 2'h0);
+  logic [6:0] sum_2814;
+  assign sum_2814 = registration_half_votes_down_q + {{5{select_2813[1]}}, select_2813};
+  // hls/stages/agreement.hpp:798
+  logic [1:0] select_2828;
+  assign select_2828 = equal_577_s18_q ? 2'h0 : (so_s18_q ? select_2826_s18_q : 2'h0);
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2819;
-  assign sum_2819 = registration_half_half_votes_down_q + {{5{select_2818[1]}}, select_2818};
-  // hls/stages/agreement.hpp:795
-  logic and_2859;
-  assign and_2859 = equal_577_s18_q & (x_s18_q[6] & (not_1994_s18_q & less_1645_s18_q));
-  logic [11:0] select_2870;
-  assign select_2870 = equal_577_s18_q ? (x_s18_q[6] ? select_2868_s18_q : 12'h0) : 12'h0;
+  logic [6:0] sum_2829;
+  assign sum_2829 = registration_half_half_votes_down_q + {{5{select_2828[1]}}, select_2828};
+  // hls/stages/agreement.hpp:798
+  logic and_2869;
+  assign and_2869 = equal_577_s18_q & (x_s18_q[6] & (not_1994_s18_q & less_1645_s18_q));
+  logic [11:0] select_2880;
+  assign select_2880 = equal_577_s18_q ? (x_s18_q[6] ? select_2878_s18_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_2878;
-  assign sum_2878 = {{2{select_2870[11]}}, select_2870} + (and_2876_s18_q ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:795
-  logic [11:0] select_2885;
-  assign select_2885 = equal_577_s18_q ? (x_s18_q[6] ? select_2883_s18_q : 12'h0) : 12'h0;
+  logic [13:0] sum_2888;
+  assign sum_2888 = {{2{select_2880[11]}}, select_2880} + (and_2886_s18_q ? 14'h0 : registration_down_q);
+  // hls/stages/agreement.hpp:798
+  logic [11:0] select_2895;
+  assign select_2895 = equal_577_s18_q ? (x_s18_q[6] ? select_2893_s18_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_2887;
-  assign sum_2887 = {{2{select_2885[11]}}, select_2885} + (and_2876_s18_q ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2897;
+  assign sum_2897 = {{2{select_2895[11]}}, select_2895} + (and_2886_s18_q ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:246
-  logic not_2899;
-  assign not_2899 = ~and_2898_s18_q;
-  logic less_2900;
-  assign less_2900 = $signed({9'h1, {2{not_2899}}, and_2898_s18_q}) < $signed(registration_up_q[13:2]);
-  logic select_2901;
-  assign select_2901 = and_2894_s18_q ? less_2900 : registration_enough_q;
-  // hls/stages/agreement.hpp:1150
-  logic and_2905;
-  assign and_2905 = x_s18_q[6] & (not_1994_s18_q & (less_1645_s18_q & (x_s18_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:795
-  logic and_2906;
-  assign and_2906 = equal_577_s18_q & and_2905;
-  // hls/stages/registration.hpp:242
-  logic less_2907;
-  assign less_2907 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_2909;
-  assign less_2909 = $signed(14'h0) < $signed(registration_up_q);
-  // hls/stages/registration.hpp:159
-  logic equal_2911;
-  assign equal_2911 = x_s18_q[2:0] == 3'h7;
-  // hls/stages/agreement.hpp:795
+  logic not_2909;
+  assign not_2909 = ~and_2908_s18_q;
+  logic less_2910;
+  assign less_2910 = $signed({9'h1, {2{not_2909}}, and_2908_s18_q}) < $signed(registration_up_q[13:2]);
+  logic select_2911;
+  assign select_2911 = and_2904_s18_q ? less_2910 : registration_enough_q;
+  // hls/stages/agreement.hpp:1154
   logic and_2915;
-  assign and_2915 = equal_577_s18_q & (x_s18_q[6] & (not_1994_s18_q & (less_1645_s18_q & equal_2911)));
-  // hls/stages/agreement.hpp:1150
-  logic and_2922;
-  assign and_2922 = x_s18_q[6] & (not_1994_s18_q & (less_1645_s18_q & (x_s18_q[5:0] == 6'h0)));
+  assign and_2915 = x_s18_q[6] & (not_1994_s18_q & (less_1645_s18_q & (x_s18_q[2:0] == 3'h4)));
+  // hls/stages/agreement.hpp:798
+  logic and_2916;
+  assign and_2916 = equal_577_s18_q & and_2915;
+  // hls/stages/registration.hpp:242
+  logic less_2917;
+  assign less_2917 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2919;
+  assign less_2919 = $signed(14'h0) < $signed(registration_up_q);
+  // hls/stages/registration.hpp:159
+  logic equal_2921;
+  assign equal_2921 = x_s18_q[2:0] == 3'h7;
+  // hls/stages/agreement.hpp:798
+  logic and_2925;
+  assign and_2925 = equal_577_s18_q & (x_s18_q[6] & (not_1994_s18_q & (less_1645_s18_q & equal_2921)));
+  // hls/stages/agreement.hpp:1154
+  logic and_2932;
+  assign and_2932 = x_s18_q[6] & (not_1994_s18_q & (less_1645_s18_q & (x_s18_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:244
-  logic and_2940;
-  assign and_2940 = registration_votes_up_q & registration_other_down_q;
-  logic select_2942;
-  assign select_2942 = registration_votes_down_q ? (registration_other_up_q | and_2940) : and_2940;
+  logic and_2950;
+  assign and_2950 = registration_votes_up_q & registration_other_down_q;
+  logic select_2952;
+  assign select_2952 = registration_votes_down_q ? (registration_other_up_q | and_2950) : and_2950;
   // hls/stages/registration.hpp:138
-  logic and_2944;
-  assign and_2944 = (equal_577_s18_q & and_2938_s18_q) & (registration_other_enough_q & select_2942);
-  logic and_2946;
-  assign and_2946 = registration_enough_q & ((and_2930_s18_q & (less_2909 | less_2907)) | and_2944);
-  // hls/stages/agreement.hpp:275
-  logic [2:0] select_3155;
-  assign select_3155 = equal_1793_s18_q ? 3'h0 : (or_1797_s18_q ? select_3153_s18_q : 3'h0);
+  logic and_2954;
+  assign and_2954 = (equal_577_s18_q & and_2948_s18_q) & (registration_other_enough_q & select_2952);
+  logic and_2956;
+  assign and_2956 = registration_enough_q & ((and_2940_s18_q & (less_2919 | less_2917)) | and_2954);
+  // hls/stages/agreement.hpp:276
+  logic [2:0] select_3165;
+  assign select_3165 = equal_1793_s18_q ? 3'h0 : (or_1797_s18_q ? select_3163_s18_q : 3'h0);
   // hls/stages/patches.hpp:168
-  logic [9:0] sum_3158;
-  assign sum_3158 = {7'h0, patches_set_q} + (equal_1796_s18_q ? 10'h0 : patches_size_q);
+  logic [9:0] sum_3168;
+  assign sum_3168 = {7'h0, patches_set_q} + (equal_1796_s18_q ? 10'h0 : patches_size_q);
   // hls/stages/count_bits.hpp:24
-  logic xor_3238;
-  assign xor_3238 = xor_3225_s18_q ^ xor_3237_s18_q;
+  logic xor_3248;
+  assign xor_3248 = xor_3235_s18_q ^ xor_3247_s18_q;
   // hls/stages/count_bits.hpp:25
-  logic or_3363;
-  assign or_3363 = (xor_3225_s18_q & xor_3237_s18_q) | (xor_3213_s18_q & (xor_3225_s18_q | xor_3237_s18_q));
-  // hls/stages/agreement.hpp:275
-  logic [9:0] select_3577;
-  assign select_3577 = equal_1791_s18_q ? (equal_3575_s18_q ? sum_3158 : patches_peak_size_q) : patches_peak_size_q;
+  logic or_3373;
+  assign or_3373 = (xor_3235_s18_q & xor_3247_s18_q) | (xor_3223_s18_q & (xor_3235_s18_q | xor_3247_s18_q));
+  // hls/stages/agreement.hpp:276
+  logic [9:0] select_3587;
+  assign select_3587 = equal_1791_s18_q ? (equal_3585_s18_q ? sum_3168 : patches_peak_size_q) : patches_peak_size_q;
   // hls/stages/patches.hpp:586
-  logic [1:0] sum_3604;
-  assign sum_3604 = select_3566_s18_q[4:3] + 2'h3;
+  logic [1:0] sum_3614;
+  assign sum_3614 = select_3576_s18_q[4:3] + 2'h3;
   // hls/stages/patches.hpp:587
-  logic [7:0] difference_3624;
-  assign difference_3624 = {sum_3604, select_3566_s18_q[2:0], 3'h0} - {5'h0, fraction_s18_q};
-  logic [7:0] select_3625;
-  assign select_3625 = less_3603_s18_q ? difference_3624 : {sum_3604, select_3566_s18_q[2:0], fraction_s18_q};
+  logic [7:0] difference_3634;
+  assign difference_3634 = {sum_3614, select_3576_s18_q[2:0], 3'h0} - {5'h0, fraction_s18_q};
+  logic [7:0] select_3635;
+  assign select_3635 = less_3613_s18_q ? difference_3634 : {sum_3614, select_3576_s18_q[2:0], fraction_s18_q};
   // hls/stages/patches.hpp:604
-  logic [18:0] product_3630;
-  assign product_3630 = $signed({{11{select_3626_s18_q[7]}}, select_3626_s18_q}) * $signed({{8{sum_3629_s18_q[6]}}, sum_3629_s18_q, sum_3627_s18_q, select_3565_s18_q});
+  logic [18:0] product_3640;
+  assign product_3640 = $signed({{11{select_3636_s18_q[7]}}, select_3636_s18_q}) * $signed({{8{sum_3639_s18_q[6]}}, sum_3639_s18_q, sum_3637_s18_q, select_3575_s18_q});
   // hls/stages/patches.hpp:612
-  logic [11:0] sum_3790;
-  assign sum_3790 = {sum_3629_s18_q[6], sum_3629_s18_q, sum_3627_s18_q, select_3565_s18_q} + 12'h1;
-  // hls/stages/agreement.hpp:1143
-  logic select_3897;
-  assign select_3897 = equal_3880_s18_q ? ((~or_3883_s18_q) & (~select_3891_s18_q)) : not_3896_s18_q;
-  // hls/stages/agreement.hpp:1150
-  logic [47:0] select_3899;
-  assign select_3899 = x_s18_q[6] ? (equal_1614_s18_q ? good_q : {select_3897, good_q[47:1]}) : good_q;
-  // hls/stages/agreement.hpp:795
-  logic [4:0] select_3981;
-  assign select_3981 = so_s18_q ? (ends_cell_s18_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:464
-  logic [12:0] select_4055;
-  assign select_4055 = equal_2475_s18_q ? (or_4052_s18_q ? (map_row_q + {6'h0, map_width_q}) : 13'h0) : map_row_q;
-  // hls/stages/agreement.hpp:527
-  logic [6:0] select_4058;
-  assign select_4058 = and_552_s18_q ? (equal_2475_s18_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
+  logic [11:0] sum_3800;
+  assign sum_3800 = {sum_3639_s18_q[6], sum_3639_s18_q, sum_3637_s18_q, select_3575_s18_q} + 12'h1;
+  // hls/stages/agreement.hpp:1147
+  logic select_3908;
+  assign select_3908 = equal_3891_s18_q ? ((~or_3894_s18_q) & (~select_3902_s18_q)) : not_3907_s18_q;
+  // hls/stages/agreement.hpp:1154
+  logic [47:0] select_3910;
+  assign select_3910 = x_s18_q[6] ? (equal_1614_s18_q ? good_q : {select_3908, good_q[47:1]}) : good_q;
+  // hls/stages/agreement.hpp:798
+  logic [4:0] select_3992;
+  assign select_3992 = so_s18_q ? (ends_cell_s18_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:465
+  logic [12:0] select_4066;
+  assign select_4066 = equal_2479_s18_q ? (or_4063_s18_q ? (map_row_q + {6'h0, map_width_q}) : 13'h0) : map_row_q;
+  // hls/stages/agreement.hpp:530
+  logic [6:0] select_4069;
+  assign select_4069 = and_552_s18_q ? (equal_2479_s18_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -9845,32 +9843,32 @@ module horopter_agreement (
       map_row_q <= 13'h0;
       map_width_q <= 7'h0;
     end else if (s18_en) begin
-      moments_most_before_q <= equal_577_s18_q ? select_2309_s18_q : moments_most_before_q;
-      moments_left_alone_q <= equal_577_s18_q ? not_2317_s18_q : moments_left_alone_q;
-      moments_left_other_stops_q <= equal_577_s18_q ? not_2320_s18_q : moments_left_other_stops_q;
-      moments_right_alone_q <= equal_577_s18_q ? not_2327_s18_q : moments_right_alone_q;
-      moments_right_other_stops_q <= equal_577_s18_q ? not_2330_s18_q : moments_right_other_stops_q;
-      sharpness_sums_contrast_0_q <= and_552_s18_q ? sum_2398 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_552_s18_q ? sum_2402 : sharpness_sums_contrast_1_q;
-      registration_half_across_q <= and_2771_s18_q ? 14'h0 : sum_2792;
-      registration_half_votes_down_q <= and_2771_s18_q ? 7'h0 : sum_2804;
-      registration_half_half_votes_down_q <= and_2771_s18_q ? 7'h0 : sum_2819;
-      registration_down_q <= and_2859 ? sum_2878 : registration_down_q;
-      registration_up_q <= and_2859 ? sum_2887 : registration_up_q;
-      registration_enough_q <= select_2901;
-      registration_votes_down_q <= and_2906 ? less_2907 : registration_votes_down_q;
-      registration_votes_up_q <= and_2906 ? less_2909 : registration_votes_up_q;
-      registration_other_enough_q <= and_2915 ? select_2901 : registration_other_enough_q;
-      registration_other_down_q <= and_2915 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2915 ? registration_votes_up_q : registration_other_up_q;
+      moments_most_before_q <= equal_577_s18_q ? select_2313_s18_q : moments_most_before_q;
+      moments_left_alone_q <= equal_577_s18_q ? not_2321_s18_q : moments_left_alone_q;
+      moments_left_other_stops_q <= equal_577_s18_q ? not_2324_s18_q : moments_left_other_stops_q;
+      moments_right_alone_q <= equal_577_s18_q ? not_2331_s18_q : moments_right_alone_q;
+      moments_right_other_stops_q <= equal_577_s18_q ? not_2334_s18_q : moments_right_other_stops_q;
+      sharpness_sums_contrast_0_q <= and_552_s18_q ? sum_2402 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_552_s18_q ? sum_2406 : sharpness_sums_contrast_1_q;
+      registration_half_across_q <= and_2781_s18_q ? 14'h0 : sum_2802;
+      registration_half_votes_down_q <= and_2781_s18_q ? 7'h0 : sum_2814;
+      registration_half_half_votes_down_q <= and_2781_s18_q ? 7'h0 : sum_2829;
+      registration_down_q <= and_2869 ? sum_2888 : registration_down_q;
+      registration_up_q <= and_2869 ? sum_2897 : registration_up_q;
+      registration_enough_q <= select_2911;
+      registration_votes_down_q <= and_2916 ? less_2917 : registration_votes_down_q;
+      registration_votes_up_q <= and_2916 ? less_2919 : registration_votes_up_q;
+      registration_other_enough_q <= and_2925 ? select_2911 : registration_other_enough_q;
+      registration_other_down_q <= and_2925 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2925 ? registration_votes_up_q : registration_other_up_q;
       patches_place_0_valid_q <= sample_pair_whole_s18_q ? select_1809 : patches_place_0_valid_q;
       patches_place_1_valid_q <= sample_pair_whole_s18_q ? select_1838 : patches_place_1_valid_q;
-      patches_set_q <= equal_1791_s18_q ? 3'h0 : select_3155;
-      patches_size_q <= sum_3158;
-      patches_peak_size_q <= select_3577;
-      good_q <= equal_577_s18_q ? select_3899 : good_q;
-      map_row_q <= and_552_s18_q ? select_4055 : map_row_q;
-      map_width_q <= select_4058;
+      patches_set_q <= equal_1791_s18_q ? 3'h0 : select_3165;
+      patches_size_q <= sum_3168;
+      patches_peak_size_q <= select_3587;
+      good_q <= equal_577_s18_q ? select_3910 : good_q;
+      map_row_q <= and_552_s18_q ? select_4066 : map_row_q;
+      map_width_q <= select_4069;
     end
   end
 
@@ -9889,14 +9887,14 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s18_en) begin
-      census_columns_values_3_cell_4_mask_q <= select_2259;
+      census_columns_values_3_cell_4_mask_q <= select_2263;
       census_changes_values_0_left_q <= and_552_s18_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_552_s18_q ? sum_2279 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2281;
-      census_changes_values_1_right_q <= select_2282;
-      sharpness_last_detail_0_q <= select_2366;
-      sharpness_last_detail_1_q <= select_2367;
-      box_textured_sum_sums_values_0_q <= equal_577_s18_q ? box_textured_sum_sums_values_0_q : select_3981;
+      census_changes_values_0_right_q <= and_552_s18_q ? sum_2283 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2285;
+      census_changes_values_1_right_q <= select_2286;
+      sharpness_last_detail_0_q <= select_2370;
+      sharpness_last_detail_1_q <= select_2371;
+      box_textured_sum_sums_values_0_q <= equal_577_s18_q ? box_textured_sum_sums_values_0_q : select_3992;
     end
   end
 
@@ -9998,86 +9996,86 @@ module horopter_agreement (
   logic [3:0] select_1865_s19_q;
   logic not_1994_s19_q;
   logic [2:0] index_s19_q;
-  logic [10:0] sum_2053_s19_q;
-  logic and_2060_s19_q;
-  logic less_2061_s19_q;
+  logic [10:0] sum_2057_s19_q;
+  logic and_2064_s19_q;
+  logic less_2065_s19_q;
   logic [2:0] index_2_s19_q;
-  logic [10:0] sum_2067_s19_q;
-  logic equal_2080_s19_q;
-  logic not_2101_s19_q;
-  logic not_2117_s19_q;
-  logic less_2131_s19_q;
-  logic and_2143_s19_q;
-  logic equal_2286_s19_q;
-  logic [12:0] sum_2287_s19_q;
-  logic equal_2301_s19_q;
-  logic not_2313_s19_q;
-  logic not_2323_s19_q;
-  logic [12:0] select_2380_s19_q;
-  logic [12:0] select_2392_s19_q;
-  logic equal_2404_s19_q;
-  logic less_2405_s19_q;
-  logic and_2415_s19_q;
-  logic and_2425_s19_q;
-  logic equal_2448_s19_q;
-  logic and_2610_s19_q;
-  logic not_2635_s19_q;
-  logic not_2650_s19_q;
-  logic [9:0] select_2661_s19_q;
-  logic [9:0] select_2664_s19_q;
-  logic less_2666_s19_q;
-  logic and_2712_s19_q;
-  logic equal_2911_s19_q;
-  logic not_2924_s19_q;
-  logic and_2946_s19_q;
-  logic parity_3242_s19_q;
-  logic or_3246_s19_q;
-  logic or_3250_s19_q;
-  logic or_3254_s19_q;
-  logic or_3261_s19_q;
-  logic or_3265_s19_q;
-  logic or_3269_s19_q;
-  logic or_3276_s19_q;
-  logic or_3280_s19_q;
-  logic or_3284_s19_q;
+  logic [10:0] sum_2071_s19_q;
+  logic equal_2084_s19_q;
+  logic not_2104_s19_q;
+  logic not_2120_s19_q;
+  logic less_2134_s19_q;
+  logic and_2147_s19_q;
+  logic equal_2290_s19_q;
+  logic [12:0] sum_2291_s19_q;
+  logic equal_2305_s19_q;
+  logic not_2317_s19_q;
+  logic not_2327_s19_q;
+  logic [12:0] select_2384_s19_q;
+  logic [12:0] select_2396_s19_q;
+  logic equal_2408_s19_q;
+  logic less_2409_s19_q;
+  logic and_2419_s19_q;
+  logic and_2429_s19_q;
+  logic equal_2452_s19_q;
+  logic and_2614_s19_q;
+  logic not_2642_s19_q;
+  logic not_2657_s19_q;
+  logic [9:0] select_2668_s19_q;
+  logic [9:0] select_2671_s19_q;
+  logic less_2673_s19_q;
+  logic and_2721_s19_q;
+  logic equal_2921_s19_q;
+  logic not_2934_s19_q;
+  logic and_2956_s19_q;
+  logic parity_3252_s19_q;
+  logic or_3256_s19_q;
+  logic or_3260_s19_q;
+  logic or_3264_s19_q;
+  logic or_3271_s19_q;
+  logic or_3275_s19_q;
+  logic or_3279_s19_q;
+  logic or_3286_s19_q;
+  logic or_3290_s19_q;
   logic or_3294_s19_q;
-  logic or_3298_s19_q;
-  logic or_3302_s19_q;
-  logic or_3310_s19_q;
-  logic or_3314_s19_q;
-  logic or_3318_s19_q;
-  logic or_3325_s19_q;
-  logic or_3329_s19_q;
-  logic or_3333_s19_q;
+  logic or_3304_s19_q;
+  logic or_3308_s19_q;
+  logic or_3312_s19_q;
+  logic or_3320_s19_q;
+  logic or_3324_s19_q;
+  logic or_3328_s19_q;
+  logic or_3335_s19_q;
+  logic or_3339_s19_q;
   logic or_3343_s19_q;
-  logic or_3347_s19_q;
-  logic or_3351_s19_q;
-  logic and_3355_s19_q;
-  logic or_3359_s19_q;
-  logic or_3363_s19_q;
-  logic equal_3478_s19_q;
-  logic [9:0] select_3564_s19_q;
-  logic and_3578_s19_q;
-  logic not_3580_s19_q;
-  logic not_3583_s19_q;
-  logic [9:0] difference_3584_s19_q;
-  logic [7:0] select_3625_s19_q;
-  logic [13:0] product_3630_s19_q;
-  logic equal_3671_s19_q;
-  logic less_3791_s19_q;
-  logic or_3883_s19_q;
-  logic select_3891_s19_q;
-  logic equal_3902_s19_q;
-  logic equal_3905_s19_q;
-  logic equal_3907_s19_q;
-  logic equal_3908_s19_q;
-  logic equal_3909_s19_q;
-  logic equal_3910_s19_q;
-  logic and_4066_s19_q;
-  logic and_4083_s19_q;
-  logic not_4095_s19_q;
-  logic [31:0] select_4151_s19_q;
-  logic [9:0] select_4158_s19_q;
+  logic or_3353_s19_q;
+  logic or_3357_s19_q;
+  logic or_3361_s19_q;
+  logic and_3365_s19_q;
+  logic or_3369_s19_q;
+  logic or_3373_s19_q;
+  logic equal_3488_s19_q;
+  logic [9:0] select_3574_s19_q;
+  logic and_3588_s19_q;
+  logic not_3590_s19_q;
+  logic not_3593_s19_q;
+  logic [9:0] difference_3594_s19_q;
+  logic [7:0] select_3635_s19_q;
+  logic [13:0] product_3640_s19_q;
+  logic equal_3681_s19_q;
+  logic less_3801_s19_q;
+  logic or_3894_s19_q;
+  logic select_3902_s19_q;
+  logic equal_3913_s19_q;
+  logic equal_3916_s19_q;
+  logic equal_3918_s19_q;
+  logic equal_3919_s19_q;
+  logic equal_3920_s19_q;
+  logic equal_3921_s19_q;
+  logic and_4077_s19_q;
+  logic and_4094_s19_q;
+  logic not_4106_s19_q;
+  logic [31:0] select_4162_s19_q;
+  logic [9:0] select_4169_s19_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s19_q <= pixel_0_s18_q;
@@ -10178,86 +10176,86 @@ module horopter_agreement (
       select_1865_s19_q <= select_1865_s18_q;
       not_1994_s19_q <= not_1994_s18_q;
       index_s19_q <= index[2:0];
-      sum_2053_s19_q <= sum_2053;
-      and_2060_s19_q <= began_q & (seen_x_q == 4'h0);
-      less_2061_s19_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
+      sum_2057_s19_q <= sum_2057;
+      and_2064_s19_q <= began_q & (seen_x_q == 4'h0);
+      less_2065_s19_q <= seen_column_q < {1'b0, cfg_width_i[10:4]};
       index_2_s19_q <= index_2[2:0];
-      sum_2067_s19_q <= sum_2067;
-      equal_2080_s19_q <= t[4:1] == 4'h0;
-      not_2101_s19_q <= ~((good_q & select_2098) == 48'h0);
-      not_2117_s19_q <= ~({sum_2115, around_s18_q[0]} < {2'h0, t});
-      less_2131_s19_q <= less_2131_s18_q;
-      and_2143_s19_q <= and_2143_s18_q;
-      equal_2286_s19_q <= equal_2286_s18_q;
-      sum_2287_s19_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2279};
-      equal_2301_s19_q <= equal_2301_s18_q;
-      not_2313_s19_q <= ~({3'h0, counts_turned_left_s18_q} < sum_2311);
-      not_2323_s19_q <= ~({3'h0, counts_turned_right_s18_q} < sum_2311);
-      select_2380_s19_q <= and_2378_s18_q ? detail_3[14:2] : 13'h0;
-      select_2392_s19_q <= and_2390_s18_q ? detail_4[14:2] : 13'h0;
-      equal_2404_s19_q <= equal_2404_s18_q;
-      less_2405_s19_q <= less_2405_s18_q;
-      and_2415_s19_q <= and_2415;
-      and_2425_s19_q <= and_2425;
-      equal_2448_s19_q <= equal_2448_s18_q;
-      and_2610_s19_q <= and_2610_s18_q;
-      not_2635_s19_q <= not_2635_s18_q;
-      not_2650_s19_q <= ~({sum_2648, e_s18_q[0]} < {2'h0, t});
-      select_2661_s19_q <= select_2661_s18_q;
-      select_2664_s19_q <= select_2664_s18_q;
-      less_2666_s19_q <= {sum_2665, select_2664_s18_q[1:0]} < {3'h0, select_2661_s18_q};
-      and_2712_s19_q <= and_2712_s18_q;
-      equal_2911_s19_q <= equal_2911;
-      not_2924_s19_q <= ~(equal_577_s18_q & and_2922);
-      and_2946_s19_q <= and_2946;
-      parity_3242_s19_q <= ^{xor_3238, xor_3201_s18_q, select_3168_s18_q, other_s18_q};
-      or_3246_s19_q <= or_3246_s18_q;
-      or_3250_s19_q <= or_3250_s18_q;
-      or_3254_s19_q <= or_3254_s18_q;
-      or_3261_s19_q <= or_3261_s18_q;
-      or_3265_s19_q <= or_3265_s18_q;
-      or_3269_s19_q <= or_3269_s18_q;
-      or_3276_s19_q <= or_3276_s18_q;
-      or_3280_s19_q <= or_3280_s18_q;
-      or_3284_s19_q <= or_3284_s18_q;
+      sum_2071_s19_q <= sum_2071;
+      equal_2084_s19_q <= t[4:1] == 4'h0;
+      not_2104_s19_q <= ~((good_q & select_2101) == 48'h0);
+      not_2120_s19_q <= ~({sum_2118, around_s18_q[0]} < {2'h0, t});
+      less_2134_s19_q <= less_2134_s18_q;
+      and_2147_s19_q <= and_2147_s18_q;
+      equal_2290_s19_q <= equal_2290_s18_q;
+      sum_2291_s19_q <= {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2283};
+      equal_2305_s19_q <= equal_2305_s18_q;
+      not_2317_s19_q <= ~({3'h0, counts_turned_left_s18_q} < sum_2315);
+      not_2327_s19_q <= ~({3'h0, counts_turned_right_s18_q} < sum_2315);
+      select_2384_s19_q <= and_2382_s18_q ? detail_3[14:2] : 13'h0;
+      select_2396_s19_q <= and_2394_s18_q ? detail_4[14:2] : 13'h0;
+      equal_2408_s19_q <= equal_2408_s18_q;
+      less_2409_s19_q <= less_2409_s18_q;
+      and_2419_s19_q <= and_2419;
+      and_2429_s19_q <= and_2429;
+      equal_2452_s19_q <= equal_2452_s18_q;
+      and_2614_s19_q <= and_2614_s18_q;
+      not_2642_s19_q <= not_2642_s18_q;
+      not_2657_s19_q <= ~({sum_2655, e_s18_q[0]} < {2'h0, t});
+      select_2668_s19_q <= select_2668_s18_q;
+      select_2671_s19_q <= select_2671_s18_q;
+      less_2673_s19_q <= {sum_2672, select_2671_s18_q[1:0]} < {3'h0, select_2668_s18_q};
+      and_2721_s19_q <= and_2721_s18_q;
+      equal_2921_s19_q <= equal_2921;
+      not_2934_s19_q <= ~(equal_577_s18_q & and_2932);
+      and_2956_s19_q <= and_2956;
+      parity_3252_s19_q <= ^{xor_3248, xor_3211_s18_q, select_3178_s18_q, other_s18_q};
+      or_3256_s19_q <= or_3256_s18_q;
+      or_3260_s19_q <= or_3260_s18_q;
+      or_3264_s19_q <= or_3264_s18_q;
+      or_3271_s19_q <= or_3271_s18_q;
+      or_3275_s19_q <= or_3275_s18_q;
+      or_3279_s19_q <= or_3279_s18_q;
+      or_3286_s19_q <= or_3286_s18_q;
+      or_3290_s19_q <= or_3290_s18_q;
       or_3294_s19_q <= or_3294_s18_q;
-      or_3298_s19_q <= or_3298_s18_q;
-      or_3302_s19_q <= or_3302_s18_q;
-      or_3310_s19_q <= or_3310_s18_q;
-      or_3314_s19_q <= or_3314_s18_q;
-      or_3318_s19_q <= or_3318_s18_q;
-      or_3325_s19_q <= or_3325_s18_q;
-      or_3329_s19_q <= or_3329_s18_q;
-      or_3333_s19_q <= or_3333_s18_q;
+      or_3304_s19_q <= or_3304_s18_q;
+      or_3308_s19_q <= or_3308_s18_q;
+      or_3312_s19_q <= or_3312_s18_q;
+      or_3320_s19_q <= or_3320_s18_q;
+      or_3324_s19_q <= or_3324_s18_q;
+      or_3328_s19_q <= or_3328_s18_q;
+      or_3335_s19_q <= or_3335_s18_q;
+      or_3339_s19_q <= or_3339_s18_q;
       or_3343_s19_q <= or_3343_s18_q;
-      or_3347_s19_q <= or_3347_s18_q;
-      or_3351_s19_q <= or_3351_s18_q;
-      and_3355_s19_q <= xor_3201_s18_q & (^{xor_3238, select_3168_s18_q, other_s18_q});
-      or_3359_s19_q <= and_3356_s18_q | (xor_3183_s18_q & or_3357_s18_q);
-      or_3363_s19_q <= or_3363;
-      equal_3478_s19_q <= equal_3478_s18_q;
-      select_3564_s19_q <= select_3564_s18_q;
-      and_3578_s19_q <= equal_1791_s18_q & equal_3575_s18_q;
-      not_3580_s19_q <= ~(select_3566_s18_q[3:0] == 4'h0);
-      not_3583_s19_q <= ~(select_3574_s18_q < select_3564_s18_q);
-      difference_3584_s19_q <= select_3574_s18_q - select_3564_s18_q;
-      select_3625_s19_q <= select_3625;
-      product_3630_s19_q <= product_3630[18:5];
-      equal_3671_s19_q <= equal_3671_s18_q;
-      less_3791_s19_q <= {{4{sum_3790[11]}}, sum_3790} < 16'h3;
-      or_3883_s19_q <= or_3883_s18_q;
-      select_3891_s19_q <= select_3891_s18_q;
-      equal_3902_s19_q <= equal_3902_s18_q;
-      equal_3905_s19_q <= equal_3905_s18_q;
-      equal_3907_s19_q <= equal_3907_s18_q;
-      equal_3908_s19_q <= equal_3908_s18_q;
-      equal_3909_s19_q <= equal_3909_s18_q;
-      equal_3910_s19_q <= equal_3910_s18_q;
-      and_4066_s19_q <= and_4066_s18_q;
-      and_4083_s19_q <= and_4083_s18_q;
-      not_4095_s19_q <= not_4095_s18_q;
-      select_4151_s19_q <= select_4151_s18_q;
-      select_4158_s19_q <= select_4158_s18_q;
+      or_3353_s19_q <= or_3353_s18_q;
+      or_3357_s19_q <= or_3357_s18_q;
+      or_3361_s19_q <= or_3361_s18_q;
+      and_3365_s19_q <= xor_3211_s18_q & (^{xor_3248, select_3178_s18_q, other_s18_q});
+      or_3369_s19_q <= and_3366_s18_q | (xor_3193_s18_q & or_3367_s18_q);
+      or_3373_s19_q <= or_3373;
+      equal_3488_s19_q <= equal_3488_s18_q;
+      select_3574_s19_q <= select_3574_s18_q;
+      and_3588_s19_q <= equal_1791_s18_q & equal_3585_s18_q;
+      not_3590_s19_q <= ~(select_3576_s18_q[3:0] == 4'h0);
+      not_3593_s19_q <= ~(select_3584_s18_q < select_3574_s18_q);
+      difference_3594_s19_q <= select_3584_s18_q - select_3574_s18_q;
+      select_3635_s19_q <= select_3635;
+      product_3640_s19_q <= product_3640[18:5];
+      equal_3681_s19_q <= equal_3681_s18_q;
+      less_3801_s19_q <= {{4{sum_3800[11]}}, sum_3800} < 16'h3;
+      or_3894_s19_q <= or_3894_s18_q;
+      select_3902_s19_q <= select_3902_s18_q;
+      equal_3913_s19_q <= equal_3913_s18_q;
+      equal_3916_s19_q <= equal_3916_s18_q;
+      equal_3918_s19_q <= equal_3918_s18_q;
+      equal_3919_s19_q <= equal_3919_s18_q;
+      equal_3920_s19_q <= equal_3920_s18_q;
+      equal_3921_s19_q <= equal_3921_s18_q;
+      and_4077_s19_q <= and_4077_s18_q;
+      and_4094_s19_q <= and_4094_s18_q;
+      not_4106_s19_q <= not_4106_s18_q;
+      select_4162_s19_q <= select_4162_s18_q;
+      select_4169_s19_q <= select_4169_s18_q;
     end
   end
 
@@ -10310,179 +10308,179 @@ module horopter_agreement (
   assign and_1868 = select_1827_s19_q & (select_1821_s19_q[3] ^ select_1821_s19_q[4]);
   logic and_1873;
   assign and_1873 = sample_pair_whole_s19_q & (and_1868 & ((~select_1859[4]) | (~select_1863[4])));
-  // hls/stages/agreement.hpp:1037
-  logic and_2102;
-  assign and_2102 = good_known_q & not_2101_s19_q;
-  // hls/stages/agreement.hpp:1111
-  logic is_seen;
-  assign is_seen = equal_2080_s19_q ? and_2102 : not_2117_s19_q;
-  // hls/stages/agreement.hpp:527
-  logic [11:0] select_2283;
-  assign select_2283 = and_552_s19_q ? census_changes_values_1_left_s19_q : census_changes_values_2_left_q;
-  logic [11:0] select_2284;
-  assign select_2284 = and_552_s19_q ? census_changes_values_1_right_s19_q : census_changes_values_2_right_q;
-  // hls/stages/census.hpp:296
-  logic [13:0] sum_2288;
-  assign sum_2288 = {2'h0, census_changes_values_1_right_s19_q} + {1'b0, sum_2287_s19_q};
-  logic [13:0] sum_2289;
-  assign sum_2289 = {2'h0, census_changes_values_2_right_q} + sum_2288;
-  // hls/stages/moments.hpp:94
-  logic and_2348;
-  assign and_2348 = moments_right_alone_s19_q & (moments_right_begins_q | moments_right_other_stops_s19_q);
-  logic or_2350;
-  assign or_2350 = moments_left_begins_q | (moments_left_other_stops_s19_q | and_2348);
-  logic and_2352;
-  assign and_2352 = cfg_same_table_i & (moments_left_alone_s19_q ? or_2350 : and_2348);
-  // hls/stages/moments.hpp:95
-  logic and_2358;
-  assign and_2358 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
-  // hls/stages/census.hpp:375
-  logic [23:0] select_2382;
-  assign select_2382 = equal_2286_s19_q ? {11'h0, select_2380_s19_q} : (sharpness_sums_detail_0_q + {11'h0, select_2380_s19_q});
-  logic [23:0] select_2394;
-  assign select_2394 = equal_2286_s19_q ? {11'h0, select_2392_s19_q} : (sharpness_sums_detail_1_q + {11'h0, select_2392_s19_q});
-  // hls/stages/census.hpp:395
-  logic [17:0] select_2417;
-  assign select_2417 = (less_2405_s19_q & and_2415_s19_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
-  logic [17:0] select_2427;
-  assign select_2427 = (less_2405_s19_q & and_2425_s19_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
-  // hls/stages/agreement.hpp:216
-  logic [1:0] select_2436;
-  assign select_2436 = equal_2404_s19_q ? {sharpness_comparing_contrast_0_q[0], and_2425_s19_q} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2438;
-  assign select_2438 = equal_2404_s19_q ? {sharpness_comparing_contrast_1_q[0], and_2415_s19_q} : sharpness_comparing_contrast_1_q;
-  // hls/stages/census.hpp:404
-  logic xor_2461;
-  assign xor_2461 = sharpness_comparing_contrast_0_q[1] ^ and_2415_s19_q;
-  logic select_2464;
-  assign select_2464 = (equal_2448_s19_q | xor_2461) ? (and_2415_s19_q & xor_2461) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/agreement.hpp:216
-  logic select_2465;
-  assign select_2465 = equal_2404_s19_q ? select_2464 : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:404
-  logic xor_2467;
-  assign xor_2467 = sharpness_comparing_contrast_1_q[1] ^ and_2425_s19_q;
-  logic select_2470;
-  assign select_2470 = (equal_2448_s19_q | xor_2467) ? (and_2425_s19_q & xor_2467) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:216
-  logic select_2471;
-  assign select_2471 = equal_2404_s19_q ? select_2470 : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:1040
+  logic and_2105;
+  assign and_2105 = good_known_q & not_2104_s19_q;
   // hls/stages/agreement.hpp:1114
-  logic not_2652;
-  assign not_2652 = ~(equal_2080_s19_q ? and_2102 : not_2650_s19_q);
-  // hls/stages/agreement.hpp:795
-  logic and_2655;
-  assign and_2655 = ends_cell_s19_q & (not_2635_s19_q & (centres_values_1_textured_s19_q & not_2652));
-  // hls/stages/agreement.hpp:1146
-  logic [9:0] select_2668;
-  assign select_2668 = ((~(select_2661_s19_q[9:4] == 6'h0)) & less_2666_s19_q) ? select_2661_s19_q : 10'h0;
-  // hls/stages/agreement.hpp:795
-  logic [9:0] select_2671;
-  assign select_2671 = equal_577_s19_q ? (x_s19_q[6] ? (equal_1614_s19_q ? 10'h0 : select_2668) : 10'h0) : 10'h0;
+  logic is_seen;
+  assign is_seen = equal_2084_s19_q ? and_2105 : not_2120_s19_q;
+  // hls/stages/agreement.hpp:530
+  logic [11:0] select_2287;
+  assign select_2287 = and_552_s19_q ? census_changes_values_1_left_s19_q : census_changes_values_2_left_q;
+  logic [11:0] select_2288;
+  assign select_2288 = and_552_s19_q ? census_changes_values_1_right_s19_q : census_changes_values_2_right_q;
+  // hls/stages/census.hpp:296
+  logic [13:0] sum_2292;
+  assign sum_2292 = {2'h0, census_changes_values_1_right_s19_q} + {1'b0, sum_2291_s19_q};
+  logic [13:0] sum_2293;
+  assign sum_2293 = {2'h0, census_changes_values_2_right_q} + sum_2292;
+  // hls/stages/moments.hpp:94
+  logic and_2352;
+  assign and_2352 = moments_right_alone_s19_q & (moments_right_begins_q | moments_right_other_stops_s19_q);
+  logic or_2354;
+  assign or_2354 = moments_left_begins_q | (moments_left_other_stops_s19_q | and_2352);
+  logic and_2356;
+  assign and_2356 = cfg_same_table_i & (moments_left_alone_s19_q ? or_2354 : and_2352);
+  // hls/stages/moments.hpp:95
+  logic and_2362;
+  assign and_2362 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  // hls/stages/census.hpp:375
+  logic [23:0] select_2386;
+  assign select_2386 = equal_2290_s19_q ? {11'h0, select_2384_s19_q} : (sharpness_sums_detail_0_q + {11'h0, select_2384_s19_q});
+  logic [23:0] select_2398;
+  assign select_2398 = equal_2290_s19_q ? {11'h0, select_2396_s19_q} : (sharpness_sums_detail_1_q + {11'h0, select_2396_s19_q});
+  // hls/stages/census.hpp:395
+  logic [17:0] select_2421;
+  assign select_2421 = (less_2409_s19_q & and_2419_s19_q) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2431;
+  assign select_2431 = (less_2409_s19_q & and_2429_s19_q) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  // hls/stages/agreement.hpp:217
+  logic [1:0] select_2440;
+  assign select_2440 = equal_2408_s19_q ? {sharpness_comparing_contrast_0_q[0], and_2429_s19_q} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2442;
+  assign select_2442 = equal_2408_s19_q ? {sharpness_comparing_contrast_1_q[0], and_2419_s19_q} : sharpness_comparing_contrast_1_q;
+  // hls/stages/census.hpp:404
+  logic xor_2465;
+  assign xor_2465 = sharpness_comparing_contrast_0_q[1] ^ and_2419_s19_q;
+  logic select_2468;
+  assign select_2468 = (equal_2452_s19_q | xor_2465) ? (and_2419_s19_q & xor_2465) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/agreement.hpp:217
+  logic select_2469;
+  assign select_2469 = equal_2408_s19_q ? select_2468 : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:404
+  logic xor_2471;
+  assign xor_2471 = sharpness_comparing_contrast_1_q[1] ^ and_2429_s19_q;
+  logic select_2474;
+  assign select_2474 = (equal_2452_s19_q | xor_2471) ? (and_2429_s19_q & xor_2471) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:217
+  logic select_2475;
+  assign select_2475 = equal_2408_s19_q ? select_2474 : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:1118
-  logic and_2689;
-  assign and_2689 = centres_values_1_textured_s19_q & (centres_values_1_of_skin_s19_q & not_2652);
+  logic not_2659;
+  assign not_2659 = ~(equal_2084_s19_q ? and_2105 : not_2657_s19_q);
+  // hls/stages/agreement.hpp:798
+  logic and_2662;
+  assign and_2662 = ends_cell_s19_q & (not_2642_s19_q & (centres_values_1_textured_s19_q & not_2659));
+  // hls/stages/agreement.hpp:1150
+  logic [9:0] select_2675;
+  assign select_2675 = ((~(select_2668_s19_q[9:4] == 6'h0)) & less_2673_s19_q) ? select_2668_s19_q : 10'h0;
+  // hls/stages/agreement.hpp:798
+  logic [9:0] select_2678;
+  assign select_2678 = equal_577_s19_q ? (x_s19_q[6] ? (equal_1614_s19_q ? 10'h0 : select_2675) : 10'h0) : 10'h0;
+  // hls/stages/agreement.hpp:1122
+  logic and_2697;
+  assign and_2697 = centres_values_1_textured_s19_q & (centres_values_1_of_skin_s19_q & not_2659);
   // hls/stages/patches.hpp:127
-  logic select_3038;
-  assign select_3038 = equal_1697_s19_q ? patches_valid_0_q : (select_1696_s19_q ? patches_valid_0_q : select_1807_s19_q);
-  // hls/stages/agreement.hpp:276
-  logic select_3041;
-  assign select_3041 = sample_pair_whole_s19_q ? (and_1830 ? (sample_present_s19_q & select_3038) : select_3038) : patches_valid_0_q;
+  logic select_3048;
+  assign select_3048 = equal_1697_s19_q ? patches_valid_0_q : (select_1696_s19_q ? patches_valid_0_q : select_1807_s19_q);
+  // hls/stages/agreement.hpp:277
+  logic select_3051;
+  assign select_3051 = sample_pair_whole_s19_q ? (and_1830 ? (sample_present_s19_q & select_3048) : select_3048) : patches_valid_0_q;
   // hls/stages/patches.hpp:127
-  logic select_3043;
-  assign select_3043 = equal_1697_s19_q ? patches_valid_1_q : (select_1696_s19_q ? select_1807_s19_q : patches_valid_1_q);
-  // hls/stages/agreement.hpp:276
-  logic select_3046;
-  assign select_3046 = sample_pair_whole_s19_q ? (and_1849 ? (sample_present_s19_q & select_3043) : select_3043) : patches_valid_1_q;
-  logic [5:0] select_3049;
-  assign select_3049 = sample_pair_whole_s19_q ? (select_1828[5] ? {1'b1, select_1828[4:0]} : (select_1828 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3052;
-  assign select_3052 = sample_pair_whole_s19_q ? (select_1847[5] ? {1'b1, select_1847[4:0]} : (select_1847 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3055;
-  assign select_3055 = sample_pair_whole_s19_q ? (select_1859[4] ? {1'b1, select_1859[3:0]} : (select_1859 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3058;
-  assign select_3058 = sample_pair_whole_s19_q ? (select_1863[4] ? {1'b1, select_1863[3:0]} : (select_1863 + 5'h1)) : patches_left_next_1_q;
+  logic select_3053;
+  assign select_3053 = equal_1697_s19_q ? patches_valid_1_q : (select_1696_s19_q ? select_1807_s19_q : patches_valid_1_q);
+  // hls/stages/agreement.hpp:277
+  logic select_3056;
+  assign select_3056 = sample_pair_whole_s19_q ? (and_1849 ? (sample_present_s19_q & select_3053) : select_3053) : patches_valid_1_q;
+  logic [5:0] select_3059;
+  assign select_3059 = sample_pair_whole_s19_q ? (select_1828[5] ? {1'b1, select_1828[4:0]} : (select_1828 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3062;
+  assign select_3062 = sample_pair_whole_s19_q ? (select_1847[5] ? {1'b1, select_1847[4:0]} : (select_1847 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3065;
+  assign select_3065 = sample_pair_whole_s19_q ? (select_1859[4] ? {1'b1, select_1859[3:0]} : (select_1859 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3068;
+  assign select_3068 = sample_pair_whole_s19_q ? (select_1863[4] ? {1'b1, select_1863[3:0]} : (select_1863 + 5'h1)) : patches_left_next_1_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_3272;
-  assign parity_3272 = ^{or_3269_s19_q, or_3265_s19_q, or_3261_s19_q};
-  logic parity_3287;
-  assign parity_3287 = ^{or_3284_s19_q, or_3280_s19_q, or_3276_s19_q};
-  logic parity_3290;
-  assign parity_3290 = ^{or_3284_s19_q, or_3280_s19_q, or_3276_s19_q, or_3269_s19_q, or_3265_s19_q, or_3261_s19_q, or_3254_s19_q, or_3250_s19_q, or_3246_s19_q};
-  logic parity_3321;
-  assign parity_3321 = ^{or_3318_s19_q, or_3314_s19_q, or_3310_s19_q};
-  logic parity_3336;
-  assign parity_3336 = ^{or_3333_s19_q, or_3329_s19_q, or_3325_s19_q};
-  logic parity_3339;
-  assign parity_3339 = ^{or_3333_s19_q, or_3329_s19_q, or_3325_s19_q, or_3318_s19_q, or_3314_s19_q, or_3310_s19_q, or_3302_s19_q, or_3298_s19_q, or_3294_s19_q};
-  logic parity_3354;
-  assign parity_3354 = ^{or_3351_s19_q, or_3347_s19_q, or_3343_s19_q};
-  logic parity_3366;
-  assign parity_3366 = ^{or_3363_s19_q, or_3359_s19_q, and_3355_s19_q};
-  logic parity_3369;
-  assign parity_3369 = ^{or_3363_s19_q, or_3359_s19_q, and_3355_s19_q, or_3351_s19_q, or_3347_s19_q, or_3343_s19_q, or_3333_s19_q, or_3329_s19_q, or_3325_s19_q, or_3318_s19_q, or_3314_s19_q, or_3310_s19_q, or_3302_s19_q, or_3298_s19_q, or_3294_s19_q};
-  logic parity_3371;
-  assign parity_3371 = ^{or_3363_s19_q, or_3359_s19_q, and_3355_s19_q, or_3351_s19_q, or_3347_s19_q, or_3343_s19_q, or_3333_s19_q, or_3329_s19_q, or_3325_s19_q, or_3318_s19_q, or_3314_s19_q, or_3310_s19_q, or_3302_s19_q, or_3298_s19_q, or_3294_s19_q, or_3284_s19_q, or_3280_s19_q, or_3276_s19_q, or_3269_s19_q, or_3265_s19_q, or_3261_s19_q, or_3254_s19_q, or_3250_s19_q, or_3246_s19_q};
+  logic parity_3282;
+  assign parity_3282 = ^{or_3279_s19_q, or_3275_s19_q, or_3271_s19_q};
+  logic parity_3297;
+  assign parity_3297 = ^{or_3294_s19_q, or_3290_s19_q, or_3286_s19_q};
+  logic parity_3300;
+  assign parity_3300 = ^{or_3294_s19_q, or_3290_s19_q, or_3286_s19_q, or_3279_s19_q, or_3275_s19_q, or_3271_s19_q, or_3264_s19_q, or_3260_s19_q, or_3256_s19_q};
+  logic parity_3331;
+  assign parity_3331 = ^{or_3328_s19_q, or_3324_s19_q, or_3320_s19_q};
+  logic parity_3346;
+  assign parity_3346 = ^{or_3343_s19_q, or_3339_s19_q, or_3335_s19_q};
+  logic parity_3349;
+  assign parity_3349 = ^{or_3343_s19_q, or_3339_s19_q, or_3335_s19_q, or_3328_s19_q, or_3324_s19_q, or_3320_s19_q, or_3312_s19_q, or_3308_s19_q, or_3304_s19_q};
+  logic parity_3364;
+  assign parity_3364 = ^{or_3361_s19_q, or_3357_s19_q, or_3353_s19_q};
+  logic parity_3376;
+  assign parity_3376 = ^{or_3373_s19_q, or_3369_s19_q, and_3365_s19_q};
+  logic parity_3379;
+  assign parity_3379 = ^{or_3373_s19_q, or_3369_s19_q, and_3365_s19_q, or_3361_s19_q, or_3357_s19_q, or_3353_s19_q, or_3343_s19_q, or_3339_s19_q, or_3335_s19_q, or_3328_s19_q, or_3324_s19_q, or_3320_s19_q, or_3312_s19_q, or_3308_s19_q, or_3304_s19_q};
+  logic parity_3381;
+  assign parity_3381 = ^{or_3373_s19_q, or_3369_s19_q, and_3365_s19_q, or_3361_s19_q, or_3357_s19_q, or_3353_s19_q, or_3343_s19_q, or_3339_s19_q, or_3335_s19_q, or_3328_s19_q, or_3324_s19_q, or_3320_s19_q, or_3312_s19_q, or_3308_s19_q, or_3304_s19_q, or_3294_s19_q, or_3290_s19_q, or_3286_s19_q, or_3279_s19_q, or_3275_s19_q, or_3271_s19_q, or_3264_s19_q, or_3260_s19_q, or_3256_s19_q};
   // hls/stages/count_bits.hpp:25
-  logic and_3372;
-  assign and_3372 = parity_3290 & parity_3369;
-  logic and_3375;
-  assign and_3375 = (^{or_3254_s19_q, or_3250_s19_q, or_3246_s19_q}) & (parity_3272 | parity_3287);
-  logic or_3376;
-  assign or_3376 = (parity_3272 & parity_3287) | and_3375;
-  logic or_3380;
-  assign or_3380 = (parity_3354 & parity_3366) | (parity_3339 & (parity_3354 | parity_3366));
-  logic and_3386;
-  assign and_3386 = (^{or_3302_s19_q, or_3298_s19_q, or_3294_s19_q}) & (parity_3321 | parity_3336);
-  logic or_3387;
-  assign or_3387 = (parity_3321 & parity_3336) | and_3386;
-  logic or_3391;
-  assign or_3391 = (or_3347_s19_q & or_3351_s19_q) | (or_3343_s19_q & (or_3347_s19_q | or_3351_s19_q));
-  logic or_3395;
-  assign or_3395 = (or_3359_s19_q & or_3363_s19_q) | (and_3355_s19_q & (or_3359_s19_q | or_3363_s19_q));
+  logic and_3382;
+  assign and_3382 = parity_3300 & parity_3379;
+  logic and_3385;
+  assign and_3385 = (^{or_3264_s19_q, or_3260_s19_q, or_3256_s19_q}) & (parity_3282 | parity_3297);
+  logic or_3386;
+  assign or_3386 = (parity_3282 & parity_3297) | and_3385;
+  logic or_3390;
+  assign or_3390 = (parity_3364 & parity_3376) | (parity_3349 & (parity_3364 | parity_3376));
+  logic and_3396;
+  assign and_3396 = (^{or_3312_s19_q, or_3308_s19_q, or_3304_s19_q}) & (parity_3331 | parity_3346);
+  logic or_3397;
+  assign or_3397 = (parity_3331 & parity_3346) | and_3396;
+  logic or_3401;
+  assign or_3401 = (or_3357_s19_q & or_3361_s19_q) | (or_3353_s19_q & (or_3357_s19_q | or_3361_s19_q));
+  logic or_3405;
+  assign or_3405 = (or_3369_s19_q & or_3373_s19_q) | (and_3365_s19_q & (or_3369_s19_q | or_3373_s19_q));
   // hls/stages/count_bits.hpp:23
-  logic or_3402;
-  assign or_3402 = (or_3298_s19_q & or_3302_s19_q) | (or_3294_s19_q & (or_3298_s19_q | or_3302_s19_q));
+  logic or_3412;
+  assign or_3412 = (or_3308_s19_q & or_3312_s19_q) | (or_3304_s19_q & (or_3308_s19_q | or_3312_s19_q));
   // hls/stages/count_bits.hpp:25
-  logic or_3406;
-  assign or_3406 = (or_3314_s19_q & or_3318_s19_q) | (or_3310_s19_q & (or_3314_s19_q | or_3318_s19_q));
-  logic or_3410;
-  assign or_3410 = (or_3329_s19_q & or_3333_s19_q) | (or_3325_s19_q & (or_3329_s19_q | or_3333_s19_q));
+  logic or_3416;
+  assign or_3416 = (or_3324_s19_q & or_3328_s19_q) | (or_3320_s19_q & (or_3324_s19_q | or_3328_s19_q));
+  logic or_3420;
+  assign or_3420 = (or_3339_s19_q & or_3343_s19_q) | (or_3335_s19_q & (or_3339_s19_q | or_3343_s19_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_3413;
-  assign parity_3413 = ^{or_3410, or_3406, or_3402};
+  logic parity_3423;
+  assign parity_3423 = ^{or_3420, or_3416, or_3412};
   // hls/stages/count_bits.hpp:23
-  logic or_3417;
-  assign or_3417 = (or_3250_s19_q & or_3254_s19_q) | (or_3246_s19_q & (or_3250_s19_q | or_3254_s19_q));
+  logic or_3427;
+  assign or_3427 = (or_3260_s19_q & or_3264_s19_q) | (or_3256_s19_q & (or_3260_s19_q | or_3264_s19_q));
   // hls/stages/count_bits.hpp:25
-  logic or_3421;
-  assign or_3421 = (or_3265_s19_q & or_3269_s19_q) | (or_3261_s19_q & (or_3265_s19_q | or_3269_s19_q));
-  logic or_3425;
-  assign or_3425 = (or_3280_s19_q & or_3284_s19_q) | (or_3276_s19_q & (or_3280_s19_q | or_3284_s19_q));
+  logic or_3431;
+  assign or_3431 = (or_3275_s19_q & or_3279_s19_q) | (or_3271_s19_q & (or_3275_s19_q | or_3279_s19_q));
+  logic or_3435;
+  assign or_3435 = (or_3290_s19_q & or_3294_s19_q) | (or_3286_s19_q & (or_3290_s19_q | or_3294_s19_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_3428;
-  assign parity_3428 = ^{or_3425, or_3421, or_3417};
-  logic parity_3431;
-  assign parity_3431 = ^{or_3425, or_3421, or_3417, or_3410, or_3406, or_3402, or_3395, or_3391, or_3387};
+  logic parity_3438;
+  assign parity_3438 = ^{or_3435, or_3431, or_3427};
+  logic parity_3441;
+  assign parity_3441 = ^{or_3435, or_3431, or_3427, or_3420, or_3416, or_3412, or_3405, or_3401, or_3397};
   // hls/stages/patches.hpp:601
-  logic and_3587;
-  assign and_3587 = not_3583_s19_q & (~({difference_3584_s19_q, 3'h0} < {3'h0, patches_peak_size_q}));
+  logic and_3597;
+  assign and_3597 = not_3593_s19_q & (~({difference_3594_s19_q, 3'h0} < {3'h0, patches_peak_size_q}));
   // hls/stages/patches.hpp:608
-  logic and_3591;
-  assign and_3591 = (10'h38 < patches_peak_size_q) & (~({1'b0, patches_peak_size_q[9:1]} < select_3564_s19_q));
-  logic and_3593;
-  assign and_3593 = (patches_second_s19_q ? patches_valid_1_q : patches_valid_0_q) & (and_3587 & and_3591);
+  logic and_3601;
+  assign and_3601 = (10'h38 < patches_peak_size_q) & (~({1'b0, patches_peak_size_q[9:1]} < select_3574_s19_q));
+  logic and_3603;
+  assign and_3603 = (patches_second_s19_q ? patches_valid_1_q : patches_valid_0_q) & (and_3597 & and_3601);
   // hls/stages/patches.hpp:605
-  logic [14:0] difference_3631;
-  assign difference_3631 = {{7{select_3625_s19_q[7]}}, select_3625_s19_q} - {product_3630_s19_q[13], product_3630_s19_q};
-  // hls/stages/agreement.hpp:795
-  logic select_3904;
-  assign select_3904 = equal_577_s19_q ? ((x_s19_q[6] & good_known_q) | equal_3902_s19_q) : good_known_q;
-  // hls/stages/agreement.hpp:1317
-  logic and_4081;
-  assign and_4081 = and_2143_s19_q & ({sum_2067_s19_q, index_2_s19_q} == {sum_2053_s19_q, index_s19_q});
+  logic [14:0] difference_3641;
+  assign difference_3641 = {{7{select_3635_s19_q[7]}}, select_3635_s19_q} - {product_3640_s19_q[13], product_3640_s19_q};
+  // hls/stages/agreement.hpp:798
+  logic select_3915;
+  assign select_3915 = equal_577_s19_q ? ((x_s19_q[6] & good_known_q) | equal_3913_s19_q) : good_known_q;
+  // hls/stages/agreement.hpp:1321
+  logic and_4092;
+  assign and_4092 = and_2147_s19_q & ({sum_2071_s19_q, index_2_s19_q} == {sum_2057_s19_q, index_s19_q});
 
-  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1419; read in stage 19, written in stage 20: 19 < 20 < 19 + DISTANCE.
+  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1423; read in stage 19, written in stage 20: 19 < 20 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:16079];
@@ -10490,10 +10488,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 16080; i++) map_mem[i] = 2'h0;
 `endif
   logic [13:0] map_raddr;
-  assign map_raddr = {sum_2053_s19_q, index_s19_q};
+  assign map_raddr = {sum_2057_s19_q, index_s19_q};
 `ifndef SYNTHESIS
   logic map_re;
-  assign map_re = s19_en & (and_2060_s19_q & less_2061_s19_q);
+  assign map_re = s19_en & (and_2064_s19_q & less_2065_s19_q);
 `endif
   logic [1:0] map_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -10569,23 +10567,23 @@ module horopter_agreement (
       patches_left_next_1_q <= 5'h0;
       good_known_q <= 1'b0;
     end else if (s19_en) begin
-      moments_left_begins_q <= equal_577_s19_q ? not_2313_s19_q : moments_left_begins_q;
-      moments_right_begins_q <= equal_577_s19_q ? not_2323_s19_q : moments_right_begins_q;
-      moments_ends_q <= equal_577_s19_q & (equal_2301_s19_q & (not_2356 | and_2358));
-      sharpness_sums_detail_0_q <= and_552_s19_q ? select_2382 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_552_s19_q ? select_2394 : sharpness_sums_detail_1_q;
-      sharpness_comparing_contrast_0_q <= so_s19_q ? select_2436 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= so_s19_q ? select_2438 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_less_contrast_0_q <= so_s19_q ? select_2465 : sharpness_comparing_less_contrast_0_q;
-      sharpness_comparing_less_contrast_1_q <= so_s19_q ? select_2471 : sharpness_comparing_less_contrast_1_q;
-      registration_moved_q <= not_2924_s19_q & (registration_moved_q | and_2946_s19_q);
-      patches_valid_0_q <= select_3041;
-      patches_valid_1_q <= select_3046;
-      patches_right_next_0_q <= select_3049;
-      patches_right_next_1_q <= select_3052;
-      patches_left_next_0_q <= select_3055;
-      patches_left_next_1_q <= select_3058;
-      good_known_q <= select_3904;
+      moments_left_begins_q <= equal_577_s19_q ? not_2317_s19_q : moments_left_begins_q;
+      moments_right_begins_q <= equal_577_s19_q ? not_2327_s19_q : moments_right_begins_q;
+      moments_ends_q <= equal_577_s19_q & (equal_2305_s19_q & (not_2360 | and_2362));
+      sharpness_sums_detail_0_q <= and_552_s19_q ? select_2386 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_552_s19_q ? select_2398 : sharpness_sums_detail_1_q;
+      sharpness_comparing_contrast_0_q <= so_s19_q ? select_2440 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= so_s19_q ? select_2442 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_less_contrast_0_q <= so_s19_q ? select_2469 : sharpness_comparing_less_contrast_0_q;
+      sharpness_comparing_less_contrast_1_q <= so_s19_q ? select_2475 : sharpness_comparing_less_contrast_1_q;
+      registration_moved_q <= not_2934_s19_q & (registration_moved_q | and_2956_s19_q);
+      patches_valid_0_q <= select_3051;
+      patches_valid_1_q <= select_3056;
+      patches_right_next_0_q <= select_3059;
+      patches_right_next_1_q <= select_3062;
+      patches_left_next_0_q <= select_3065;
+      patches_left_next_1_q <= select_3068;
+      good_known_q <= select_3915;
     end
   end
 
@@ -10598,8 +10596,8 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s19_en) begin
-      census_changes_values_2_left_q <= select_2283;
-      census_changes_values_2_right_q <= select_2284;
+      census_changes_values_2_left_q <= select_2287;
+      census_changes_values_2_right_q <= select_2288;
     end
   end
 
@@ -10683,71 +10681,71 @@ module horopter_agreement (
   logic select_1866_s20_q;
   logic and_1873_s20_q;
   logic not_1994_s20_q;
-  logic and_2060_s20_q;
-  logic less_2061_s20_q;
+  logic and_2064_s20_q;
+  logic less_2065_s20_q;
   logic [2:0] index_2_s20_q;
-  logic [10:0] sum_2067_s20_q;
+  logic [10:0] sum_2071_s20_q;
   logic is_seen_s20_q;
-  logic and_2132_s20_q;
-  logic and_2143_s20_q;
-  logic equal_2286_s20_q;
-  logic [8:0] sum_2289_s20_q;
-  logic equal_2301_s20_q;
-  logic not_2332_s20_q;
-  logic and_2353_s20_q;
-  logic equal_2404_s20_q;
-  logic less_2405_s20_q;
-  logic [17:0] select_2417_s20_q;
-  logic [17:0] select_2427_s20_q;
-  logic equal_2448_s20_q;
-  logic and_2610_s20_q;
-  logic and_2657_s20_q;
-  logic [9:0] select_2661_s20_q;
-  logic [9:0] select_2664_s20_q;
+  logic and_2135_s20_q;
+  logic and_2147_s20_q;
+  logic equal_2290_s20_q;
+  logic [8:0] sum_2293_s20_q;
+  logic equal_2305_s20_q;
+  logic not_2336_s20_q;
+  logic and_2357_s20_q;
+  logic equal_2408_s20_q;
+  logic less_2409_s20_q;
+  logic [17:0] select_2421_s20_q;
+  logic [17:0] select_2431_s20_q;
+  logic equal_2452_s20_q;
+  logic and_2614_s20_q;
+  logic and_2664_s20_q;
+  logic [9:0] select_2668_s20_q;
   logic [9:0] select_2671_s20_q;
-  logic and_2692_s20_q;
-  logic and_2712_s20_q;
-  logic equal_2911_s20_q;
-  logic parity_3242_s20_q;
-  logic parity_3371_s20_q;
-  logic and_3372_s20_q;
-  logic or_3376_s20_q;
-  logic or_3380_s20_q;
-  logic or_3387_s20_q;
-  logic or_3391_s20_q;
-  logic or_3395_s20_q;
-  logic or_3402_s20_q;
-  logic or_3406_s20_q;
-  logic or_3410_s20_q;
-  logic or_3417_s20_q;
-  logic or_3421_s20_q;
-  logic or_3425_s20_q;
-  logic parity_3431_s20_q;
-  logic or_3441_s20_q;
-  logic or_3445_s20_q;
-  logic and_3452_s20_q;
-  logic and_3454_s20_q;
-  logic and_3456_s20_q;
-  logic equal_3478_s20_q;
-  logic and_3578_s20_q;
-  logic and_3594_s20_q;
-  logic [14:0] difference_3631_s20_q;
-  logic equal_3671_s20_q;
-  logic less_3791_s20_q;
-  logic or_3883_s20_q;
-  logic select_3891_s20_q;
-  logic equal_3902_s20_q;
-  logic equal_3905_s20_q;
-  logic equal_3907_s20_q;
-  logic equal_3908_s20_q;
-  logic equal_3909_s20_q;
-  logic equal_3910_s20_q;
-  logic and_4066_s20_q;
-  logic and_4081_s20_q;
-  logic and_4083_s20_q;
-  logic not_4095_s20_q;
-  logic [31:0] select_4151_s20_q;
-  logic [9:0] select_4158_s20_q;
+  logic [9:0] select_2678_s20_q;
+  logic and_2700_s20_q;
+  logic and_2721_s20_q;
+  logic equal_2921_s20_q;
+  logic parity_3252_s20_q;
+  logic parity_3381_s20_q;
+  logic and_3382_s20_q;
+  logic or_3386_s20_q;
+  logic or_3390_s20_q;
+  logic or_3397_s20_q;
+  logic or_3401_s20_q;
+  logic or_3405_s20_q;
+  logic or_3412_s20_q;
+  logic or_3416_s20_q;
+  logic or_3420_s20_q;
+  logic or_3427_s20_q;
+  logic or_3431_s20_q;
+  logic or_3435_s20_q;
+  logic parity_3441_s20_q;
+  logic or_3451_s20_q;
+  logic or_3455_s20_q;
+  logic and_3462_s20_q;
+  logic and_3464_s20_q;
+  logic and_3466_s20_q;
+  logic equal_3488_s20_q;
+  logic and_3588_s20_q;
+  logic and_3604_s20_q;
+  logic [14:0] difference_3641_s20_q;
+  logic equal_3681_s20_q;
+  logic less_3801_s20_q;
+  logic or_3894_s20_q;
+  logic select_3902_s20_q;
+  logic equal_3913_s20_q;
+  logic equal_3916_s20_q;
+  logic equal_3918_s20_q;
+  logic equal_3919_s20_q;
+  logic equal_3920_s20_q;
+  logic equal_3921_s20_q;
+  logic and_4077_s20_q;
+  logic and_4092_s20_q;
+  logic and_4094_s20_q;
+  logic not_4106_s20_q;
+  logic [31:0] select_4162_s20_q;
+  logic [9:0] select_4169_s20_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s20_q <= pixel_0_s19_q;
@@ -10830,71 +10828,71 @@ module horopter_agreement (
       select_1866_s20_q <= or_1858_s19_q ? row_starts_s19_q : patches_left_next_0_q[4];
       and_1873_s20_q <= and_1873;
       not_1994_s20_q <= not_1994_s19_q;
-      and_2060_s20_q <= and_2060_s19_q;
-      less_2061_s20_q <= less_2061_s19_q;
+      and_2064_s20_q <= and_2064_s19_q;
+      less_2065_s20_q <= less_2065_s19_q;
       index_2_s20_q <= index_2_s19_q;
-      sum_2067_s20_q <= sum_2067_s19_q;
+      sum_2071_s20_q <= sum_2071_s19_q;
       is_seen_s20_q <= is_seen;
-      and_2132_s20_q <= is_seen & less_2131_s19_q;
-      and_2143_s20_q <= and_2143_s19_q;
-      equal_2286_s20_q <= equal_2286_s19_q;
-      sum_2289_s20_q <= sum_2289[13:5];
-      equal_2301_s20_q <= equal_2301_s19_q;
-      not_2332_s20_q <= ~moments_ends_q;
-      and_2353_s20_q <= cfg_prove_i & and_2352;
-      equal_2404_s20_q <= equal_2404_s19_q;
-      less_2405_s20_q <= less_2405_s19_q;
-      select_2417_s20_q <= select_2417;
-      select_2427_s20_q <= select_2427;
-      equal_2448_s20_q <= equal_2448_s19_q;
-      and_2610_s20_q <= and_2610_s19_q;
-      and_2657_s20_q <= not_578_s19_q & (so_s19_q & and_2655);
-      select_2661_s20_q <= select_2661_s19_q;
-      select_2664_s20_q <= select_2664_s19_q;
-      select_2671_s20_q <= select_2671;
-      and_2692_s20_q <= so_s19_q & (ends_cell_s19_q & (not_2635_s19_q & and_2689));
-      and_2712_s20_q <= and_2712_s19_q;
-      equal_2911_s20_q <= equal_2911_s19_q;
-      parity_3242_s20_q <= parity_3242_s19_q;
-      parity_3371_s20_q <= parity_3371;
-      and_3372_s20_q <= and_3372;
-      or_3376_s20_q <= or_3376;
-      or_3380_s20_q <= or_3380;
-      or_3387_s20_q <= or_3387;
-      or_3391_s20_q <= or_3391;
-      or_3395_s20_q <= or_3395;
-      or_3402_s20_q <= or_3402;
-      or_3406_s20_q <= or_3406;
-      or_3410_s20_q <= or_3410;
-      or_3417_s20_q <= or_3417;
-      or_3421_s20_q <= or_3421;
-      or_3425_s20_q <= or_3425;
-      parity_3431_s20_q <= parity_3431;
-      or_3441_s20_q <= (or_3406 & or_3410) | (or_3402 & (or_3406 | or_3410));
-      or_3445_s20_q <= (or_3421 & or_3425) | (or_3417 & (or_3421 | or_3425));
-      and_3452_s20_q <= and_3372 & (or_3376 | or_3380);
-      and_3454_s20_q <= parity_3413 & parity_3428;
-      and_3456_s20_q <= (^{or_3395, or_3391, or_3387}) & (parity_3413 | parity_3428);
-      equal_3478_s20_q <= equal_3478_s19_q;
-      and_3578_s20_q <= and_3578_s19_q;
-      and_3594_s20_q <= not_3580_s19_q & and_3593;
-      difference_3631_s20_q <= difference_3631;
-      equal_3671_s20_q <= equal_3671_s19_q;
-      less_3791_s20_q <= less_3791_s19_q;
-      or_3883_s20_q <= or_3883_s19_q;
-      select_3891_s20_q <= select_3891_s19_q;
-      equal_3902_s20_q <= equal_3902_s19_q;
-      equal_3905_s20_q <= equal_3905_s19_q;
-      equal_3907_s20_q <= equal_3907_s19_q;
-      equal_3908_s20_q <= equal_3908_s19_q;
-      equal_3909_s20_q <= equal_3909_s19_q;
-      equal_3910_s20_q <= equal_3910_s19_q;
-      and_4066_s20_q <= and_4066_s19_q;
-      and_4081_s20_q <= and_4081;
-      and_4083_s20_q <= and_4083_s19_q;
-      not_4095_s20_q <= not_4095_s19_q;
-      select_4151_s20_q <= select_4151_s19_q;
-      select_4158_s20_q <= select_4158_s19_q;
+      and_2135_s20_q <= is_seen & less_2134_s19_q;
+      and_2147_s20_q <= and_2147_s19_q;
+      equal_2290_s20_q <= equal_2290_s19_q;
+      sum_2293_s20_q <= sum_2293[13:5];
+      equal_2305_s20_q <= equal_2305_s19_q;
+      not_2336_s20_q <= ~moments_ends_q;
+      and_2357_s20_q <= cfg_prove_i & and_2356;
+      equal_2408_s20_q <= equal_2408_s19_q;
+      less_2409_s20_q <= less_2409_s19_q;
+      select_2421_s20_q <= select_2421;
+      select_2431_s20_q <= select_2431;
+      equal_2452_s20_q <= equal_2452_s19_q;
+      and_2614_s20_q <= and_2614_s19_q;
+      and_2664_s20_q <= not_578_s19_q & (so_s19_q & and_2662);
+      select_2668_s20_q <= select_2668_s19_q;
+      select_2671_s20_q <= select_2671_s19_q;
+      select_2678_s20_q <= select_2678;
+      and_2700_s20_q <= so_s19_q & (ends_cell_s19_q & (not_2642_s19_q & and_2697));
+      and_2721_s20_q <= and_2721_s19_q;
+      equal_2921_s20_q <= equal_2921_s19_q;
+      parity_3252_s20_q <= parity_3252_s19_q;
+      parity_3381_s20_q <= parity_3381;
+      and_3382_s20_q <= and_3382;
+      or_3386_s20_q <= or_3386;
+      or_3390_s20_q <= or_3390;
+      or_3397_s20_q <= or_3397;
+      or_3401_s20_q <= or_3401;
+      or_3405_s20_q <= or_3405;
+      or_3412_s20_q <= or_3412;
+      or_3416_s20_q <= or_3416;
+      or_3420_s20_q <= or_3420;
+      or_3427_s20_q <= or_3427;
+      or_3431_s20_q <= or_3431;
+      or_3435_s20_q <= or_3435;
+      parity_3441_s20_q <= parity_3441;
+      or_3451_s20_q <= (or_3416 & or_3420) | (or_3412 & (or_3416 | or_3420));
+      or_3455_s20_q <= (or_3431 & or_3435) | (or_3427 & (or_3431 | or_3435));
+      and_3462_s20_q <= and_3382 & (or_3386 | or_3390);
+      and_3464_s20_q <= parity_3423 & parity_3438;
+      and_3466_s20_q <= (^{or_3405, or_3401, or_3397}) & (parity_3423 | parity_3438);
+      equal_3488_s20_q <= equal_3488_s19_q;
+      and_3588_s20_q <= and_3588_s19_q;
+      and_3604_s20_q <= not_3590_s19_q & and_3603;
+      difference_3641_s20_q <= difference_3641;
+      equal_3681_s20_q <= equal_3681_s19_q;
+      less_3801_s20_q <= less_3801_s19_q;
+      or_3894_s20_q <= or_3894_s19_q;
+      select_3902_s20_q <= select_3902_s19_q;
+      equal_3913_s20_q <= equal_3913_s19_q;
+      equal_3916_s20_q <= equal_3916_s19_q;
+      equal_3918_s20_q <= equal_3918_s19_q;
+      equal_3919_s20_q <= equal_3919_s19_q;
+      equal_3920_s20_q <= equal_3920_s19_q;
+      equal_3921_s20_q <= equal_3921_s19_q;
+      and_4077_s20_q <= and_4077_s19_q;
+      and_4092_s20_q <= and_4092;
+      and_4094_s20_q <= and_4094_s19_q;
+      not_4106_s20_q <= not_4106_s19_q;
+      select_4162_s20_q <= select_4162_s19_q;
+      select_4169_s20_q <= select_4169_s19_q;
     end
   end
 
@@ -10909,122 +10907,122 @@ module horopter_agreement (
   logic [13:0] counts_on_skin_q;
   logic patches_frame_ended_q;
   // hls/stages/moments.hpp:51
-  logic or_2334;
-  assign or_2334 = moments_begins_alone_q | (moments_out_of_step_q & not_2332_s20_q);
+  logic or_2338;
+  assign or_2338 = moments_begins_alone_q | (moments_out_of_step_q & not_2336_s20_q);
   // hls/stages/census.hpp:395
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2417_s20_q};
-  // hls/stages/agreement.hpp:216
-  logic [17:0] select_2420;
-  assign select_2420 = equal_2404_s20_q ? (less_2405_s20_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2421_s20_q};
+  // hls/stages/agreement.hpp:217
+  logic [17:0] select_2424;
+  assign select_2424 = equal_2408_s20_q ? (less_2409_s20_q ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:395
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2427_s20_q};
-  // hls/stages/agreement.hpp:216
-  logic [17:0] select_2430;
-  assign select_2430 = equal_2404_s20_q ? (less_2405_s20_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  // hls/stages/agreement.hpp:933
-  logic [13:0] select_2659;
-  assign select_2659 = and_2610_s20_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2657_s20_q});
-  logic [13:0] select_2673;
-  assign select_2673 = and_2610_s20_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2671_s20_q});
-  // hls/stages/agreement.hpp:795
-  logic and_2693;
-  assign and_2693 = not_578_s20_q & and_2692_s20_q;
-  // hls/stages/agreement.hpp:933
-  logic [13:0] select_2695;
-  assign select_2695 = and_2610_s20_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2693});
-  logic [13:0] select_2714;
-  assign select_2714 = and_2610_s20_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2712_s20_q});
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2431_s20_q};
+  // hls/stages/agreement.hpp:217
+  logic [17:0] select_2434;
+  assign select_2434 = equal_2408_s20_q ? (less_2409_s20_q ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  // hls/stages/agreement.hpp:936
+  logic [13:0] select_2666;
+  assign select_2666 = and_2614_s20_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2664_s20_q});
+  logic [13:0] select_2680;
+  assign select_2680 = and_2614_s20_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2678_s20_q});
+  // hls/stages/agreement.hpp:798
+  logic and_2701;
+  assign and_2701 = not_578_s20_q & and_2700_s20_q;
+  // hls/stages/agreement.hpp:936
+  logic [13:0] select_2703;
+  assign select_2703 = and_2614_s20_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2701});
+  logic [13:0] select_2723;
+  assign select_2723 = and_2614_s20_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2721_s20_q});
   // hls/stages/count_bits.hpp:24
-  logic parity_3433;
-  assign parity_3433 = ^{or_3425_s20_q, or_3421_s20_q, or_3417_s20_q, or_3410_s20_q, or_3406_s20_q, or_3402_s20_q, or_3395_s20_q, or_3391_s20_q, or_3387_s20_q, or_3380_s20_q, or_3376_s20_q, and_3372_s20_q};
+  logic parity_3443;
+  assign parity_3443 = ^{or_3435_s20_q, or_3431_s20_q, or_3427_s20_q, or_3420_s20_q, or_3416_s20_q, or_3412_s20_q, or_3405_s20_q, or_3401_s20_q, or_3397_s20_q, or_3390_s20_q, or_3386_s20_q, and_3382_s20_q};
   // hls/stages/count_bits.hpp:25
-  logic or_3437;
-  assign or_3437 = (or_3391_s20_q & or_3395_s20_q) | (or_3387_s20_q & (or_3391_s20_q | or_3395_s20_q));
+  logic or_3447;
+  assign or_3447 = (or_3401_s20_q & or_3405_s20_q) | (or_3397_s20_q & (or_3401_s20_q | or_3405_s20_q));
   // hls/stages/count_bits.hpp:24
-  logic parity_3448;
-  assign parity_3448 = ^{or_3445_s20_q, or_3441_s20_q, or_3437};
+  logic parity_3458;
+  assign parity_3458 = ^{or_3455_s20_q, or_3451_s20_q, or_3447};
   // hls/stages/count_bits.hpp:25
-  logic and_3449;
-  assign and_3449 = (^{or_3380_s20_q, or_3376_s20_q, and_3372_s20_q}) & parity_3431_s20_q;
-  logic or_3453;
-  assign or_3453 = (or_3376_s20_q & or_3380_s20_q) | and_3452_s20_q;
-  logic or_3457;
-  assign or_3457 = and_3454_s20_q | and_3456_s20_q;
+  logic and_3459;
+  assign and_3459 = (^{or_3390_s20_q, or_3386_s20_q, and_3382_s20_q}) & parity_3441_s20_q;
+  logic or_3463;
+  assign or_3463 = (or_3386_s20_q & or_3390_s20_q) | and_3462_s20_q;
+  logic or_3467;
+  assign or_3467 = and_3464_s20_q | and_3466_s20_q;
   // hls/stages/count_bits.hpp:24
-  logic parity_3460;
-  assign parity_3460 = ^{or_3457, or_3453, and_3449};
+  logic parity_3470;
+  assign parity_3470 = ^{or_3467, or_3463, and_3459};
   // hls/stages/count_bits.hpp:25
-  logic and_3462;
-  assign and_3462 = parity_3448 & parity_3460;
-  logic or_3466;
-  assign or_3466 = (or_3441_s20_q & or_3445_s20_q) | (or_3437 & (or_3441_s20_q | or_3445_s20_q));
-  logic or_3470;
-  assign or_3470 = (or_3453 & or_3457) | (and_3449 & (or_3453 | or_3457));
+  logic and_3472;
+  assign and_3472 = parity_3458 & parity_3470;
+  logic or_3476;
+  assign or_3476 = (or_3451_s20_q & or_3455_s20_q) | (or_3447 & (or_3451_s20_q | or_3455_s20_q));
+  logic or_3480;
+  assign or_3480 = (or_3463 & or_3467) | (and_3459 & (or_3463 | or_3467));
   // hls/stages/patches.hpp:190
-  logic and_3595;
-  assign and_3595 = and_3578_s20_q & and_3594_s20_q;
+  logic and_3605;
+  assign and_3605 = and_3588_s20_q & and_3604_s20_q;
   // hls/stages/patches.hpp:667
-  logic not_3596;
-  assign not_3596 = ~patches_lower_s20_q;
+  logic not_3606;
+  assign not_3606 = ~patches_lower_s20_q;
   // hls/stages/patches.hpp:611
-  logic less_3632;
-  assign less_3632 = $signed({{8{difference_3602[6]}}, difference_3602}) < $signed(difference_3631_s20_q);
+  logic less_3642;
+  assign less_3642 = $signed({{8{difference_3612[6]}}, difference_3612}) < $signed(difference_3641_s20_q);
   // hls/stages/patches.hpp:610
-  logic less_3637;
-  assign less_3637 = $signed(difference_3631_s20_q) < $signed({9'h0, cfg_patch_limit_i});
-  // hls/stages/agreement.hpp:1138
-  logic less_3672;
-  assign less_3672 = x_s20_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:795
-  logic and_3676;
-  assign and_3676 = equal_577_s20_q & (x_s20_q[6] & (not_1994_s20_q & (equal_3671_s20_q & less_3672)));
-  // hls/stages/agreement.hpp:1150
-  logic and_3681;
-  assign and_3681 = x_s20_q[6] & (not_1994_s20_q & (less_3672 & (x_s20_q[2:0] == 3'h1)));
-  logic and_3688;
-  assign and_3688 = x_s20_q[6] & (not_1994_s20_q & (less_3672 & (x_s20_q[2:0] == 3'h2)));
-  logic and_3695;
-  assign and_3695 = x_s20_q[6] & (not_1994_s20_q & (less_3672 & (x_s20_q[2:0] == 3'h3)));
+  logic less_3647;
+  assign less_3647 = $signed(difference_3641_s20_q) < $signed({9'h0, cfg_patch_limit_i});
+  // hls/stages/agreement.hpp:1142
+  logic less_3682;
+  assign less_3682 = x_s20_q[5:3] < 3'h3;
+  // hls/stages/agreement.hpp:798
+  logic and_3686;
+  assign and_3686 = equal_577_s20_q & (x_s20_q[6] & (not_1994_s20_q & (equal_3681_s20_q & less_3682)));
+  // hls/stages/agreement.hpp:1154
+  logic and_3691;
+  assign and_3691 = x_s20_q[6] & (not_1994_s20_q & (less_3682 & (x_s20_q[2:0] == 3'h1)));
+  logic and_3698;
+  assign and_3698 = x_s20_q[6] & (not_1994_s20_q & (less_3682 & (x_s20_q[2:0] == 3'h2)));
+  logic and_3705;
+  assign and_3705 = x_s20_q[6] & (not_1994_s20_q & (less_3682 & (x_s20_q[2:0] == 3'h3)));
   // hls/stages/patches.hpp:203
-  logic select_3702;
-  assign select_3702 = (x_s20_q[5:3] == 3'h2) ? x_s20_q[1] : (x_s20_q[0] & (x_s20_q[5:3] == 3'h1));
+  logic select_3712;
+  assign select_3712 = (x_s20_q[5:3] == 3'h2) ? x_s20_q[1] : (x_s20_q[0] & (x_s20_q[5:3] == 3'h1));
   // hls/stages/patches.hpp:206
-  logic [4:0] sum_3729;
-  assign sum_3729 = {2'h0, x_s20_q[2:0]} + 5'h1f;
+  logic [4:0] sum_3739;
+  assign sum_3739 = {2'h0, x_s20_q[2:0]} + 5'h1f;
   // hls/stages/patches.hpp:189
-  logic [5:0] select_3746;
-  assign select_3746 = ($signed(difference_3631_s20_q[14:4]) < $signed(11'h7ff)) ? 6'h30 : difference_3631_s20_q[5:0];
-  logic [5:0] select_3747;
-  assign select_3747 = ($signed(15'h10) < $signed(difference_3631_s20_q)) ? 6'h10 : select_3746;
-  // hls/stages/agreement.hpp:795
-  logic and_3754;
-  assign and_3754 = equal_577_s20_q & (x_s20_q[6] & (not_1994_s20_q & (equal_2911_s20_q & less_3672)));
-  // hls/stages/agreement.hpp:1150
-  logic and_3758;
-  assign and_3758 = x_s20_q[6] & (not_1994_s20_q & (less_3672 & (x_s20_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:1133
-  logic [13:0] select_3912;
-  assign select_3912 = equal_3909_s20_q ? counts_skin_unproven_q : (equal_3910_s20_q ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_3914;
-  assign select_3914 = equal_3908_s20_q ? counts_regions_bad_q : (equal_3905_s20_q ? counts_nearer_s20_q : select_3912);
+  logic [5:0] select_3756;
+  assign select_3756 = ($signed(difference_3641_s20_q[14:4]) < $signed(11'h7ff)) ? 6'h30 : difference_3641_s20_q[5:0];
+  logic [5:0] select_3757;
+  assign select_3757 = ($signed(15'h10) < $signed(difference_3641_s20_q)) ? 6'h10 : select_3756;
+  // hls/stages/agreement.hpp:798
+  logic and_3764;
+  assign and_3764 = equal_577_s20_q & (x_s20_q[6] & (not_1994_s20_q & (equal_2921_s20_q & less_3682)));
+  // hls/stages/agreement.hpp:1154
+  logic and_3768;
+  assign and_3768 = x_s20_q[6] & (not_1994_s20_q & (less_3682 & (x_s20_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:1137
+  logic [13:0] select_3923;
+  assign select_3923 = equal_3920_s20_q ? counts_skin_unproven_q : (equal_3921_s20_q ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_3925;
+  assign select_3925 = equal_3919_s20_q ? counts_regions_bad_q : (equal_3916_s20_q ? counts_nearer_s20_q : select_3923);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_3907_s20_q ? counts_on_skin_q : select_3914;
-  // hls/stages/agreement.hpp:795
-  logic and_4142;
-  assign and_4142 = equal_577_s20_q & (x_s20_q[6] & (not_1994_s20_q | (4'hc < x_s20_q[5:2])));
-  // hls/stages/agreement.hpp:1148
-  logic [31:0] select_4152;
-  assign select_4152 = equal_1632_s20_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4151_s20_q;
-  logic [31:0] select_4153;
-  assign select_4153 = equal_1630_s20_q ? {8'h0, sharpness_sums_detail_0_s20_q} : select_4152;
-  logic [31:0] select_4154;
-  assign select_4154 = equal_1628_s20_q ? {8'h0, sharpness_sums_detail_1_s20_q} : select_4153;
-  logic [31:0] select_4155;
-  assign select_4155 = equal_1626_s20_q ? {8'h0, sharpness_sums_contrast_0_s20_q} : select_4154;
-  logic [31:0] select_4156;
-  assign select_4156 = equal_1624_s20_q ? {8'h0, sharpness_sums_contrast_1_s20_q} : select_4155;
+  assign before_v_4 = equal_3918_s20_q ? counts_on_skin_q : select_3925;
+  // hls/stages/agreement.hpp:798
+  logic and_4153;
+  assign and_4153 = equal_577_s20_q & (x_s20_q[6] & (not_1994_s20_q | (4'hc < x_s20_q[5:2])));
+  // hls/stages/agreement.hpp:1152
+  logic [31:0] select_4163;
+  assign select_4163 = equal_1632_s20_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4162_s20_q;
+  logic [31:0] select_4164;
+  assign select_4164 = equal_1630_s20_q ? {8'h0, sharpness_sums_detail_0_s20_q} : select_4163;
+  logic [31:0] select_4165;
+  assign select_4165 = equal_1628_s20_q ? {8'h0, sharpness_sums_detail_1_s20_q} : select_4164;
+  logic [31:0] select_4166;
+  assign select_4166 = equal_1626_s20_q ? {8'h0, sharpness_sums_contrast_0_s20_q} : select_4165;
+  logic [31:0] select_4167;
+  assign select_4167 = equal_1624_s20_q ? {8'h0, sharpness_sums_contrast_1_s20_q} : select_4166;
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
@@ -11353,11 +11351,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [13:0] map_waddr;
-  assign map_waddr = {sum_2067_s20_q, index_2_s20_q};
+  assign map_waddr = {sum_2071_s20_q, index_2_s20_q};
   logic map_we;
-  assign map_we = s20_en & and_2143_s20_q;
+  assign map_we = s20_en & and_2147_s20_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_2132_s20_q, is_seen_s20_q};
+    if (map_we) map_mem[map_waddr] <= {and_2135_s20_q, is_seen_s20_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -11383,15 +11381,15 @@ module horopter_agreement (
       counts_on_skin_q <= 14'h0;
       patches_frame_ended_q <= 1'b0;
     end else if (s20_en) begin
-      moments_out_of_step_q <= or_2334;
-      moments_begins_alone_q <= equal_577_s20_q & (equal_2301_s20_q & and_2353_s20_q);
-      sharpness_comparing_rest_0_q <= so_s20_q ? select_2420 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= so_s20_q ? select_2430 : sharpness_comparing_rest_1_q;
-      counts_unproven_q <= select_2659;
-      counts_regions_bad_q <= select_2673;
-      counts_skin_unproven_q <= select_2695;
-      counts_on_skin_q <= select_2714;
-      patches_frame_ended_q <= equal_577_s20_q & equal_2301_s20_q;
+      moments_out_of_step_q <= or_2338;
+      moments_begins_alone_q <= equal_577_s20_q & (equal_2305_s20_q & and_2357_s20_q);
+      sharpness_comparing_rest_0_q <= so_s20_q ? select_2424 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= so_s20_q ? select_2434 : sharpness_comparing_rest_1_q;
+      counts_unproven_q <= select_2666;
+      counts_regions_bad_q <= select_2680;
+      counts_skin_unproven_q <= select_2703;
+      counts_on_skin_q <= select_2723;
+      patches_frame_ended_q <= equal_577_s20_q & equal_2305_s20_q;
     end
   end
 
@@ -11450,63 +11448,63 @@ module horopter_agreement (
   logic equal_1622_s21_q;
   logic equal_1791_s21_q;
   logic equal_1793_s21_q;
-  logic and_2060_s21_q;
-  logic less_2061_s21_q;
+  logic and_2064_s21_q;
+  logic less_2065_s21_q;
   logic [1:0] map_rdata_s21_q;
   logic is_seen_s21_q;
-  logic and_2132_s21_q;
-  logic equal_2286_s21_q;
-  logic and_2291_s21_q;
-  logic equal_2404_s21_q;
+  logic and_2135_s21_q;
+  logic equal_2290_s21_q;
+  logic and_2295_s21_q;
+  logic equal_2408_s21_q;
   logic sum_s21_q;
   logic sum_2_s21_q;
-  logic equal_2448_s21_q;
-  logic select_2466_s21_q;
-  logic select_2472_s21_q;
-  logic [9:0] select_2661_s21_q;
-  logic [9:0] select_2664_s21_q;
-  logic parity_3242_s21_q;
-  logic parity_3371_s21_q;
-  logic parity_3433_s21_q;
-  logic xor_3461_s21_q;
-  logic parity_3473_s21_q;
-  logic and_3474_s21_q;
-  logic and_3476_s21_q;
-  logic equal_3478_s21_q;
-  logic and_3598_s21_q;
-  logic not_3633_s21_q;
-  logic not_3638_s21_q;
-  logic and_3642_s21_q;
+  logic equal_2452_s21_q;
+  logic select_2470_s21_q;
+  logic select_2476_s21_q;
+  logic [9:0] select_2668_s21_q;
+  logic [9:0] select_2671_s21_q;
+  logic parity_3252_s21_q;
+  logic parity_3381_s21_q;
+  logic parity_3443_s21_q;
+  logic xor_3471_s21_q;
+  logic parity_3483_s21_q;
+  logic and_3484_s21_q;
+  logic and_3486_s21_q;
+  logic equal_3488_s21_q;
+  logic and_3608_s21_q;
+  logic not_3643_s21_q;
+  logic not_3648_s21_q;
   logic and_3652_s21_q;
   logic and_3662_s21_q;
-  logic equal_3671_s21_q;
-  logic and_3676_s21_q;
-  logic and_3682_s21_q;
-  logic and_3689_s21_q;
-  logic and_3696_s21_q;
-  logic and_3705_s21_q;
-  logic and_3732_s21_q;
-  logic [5:0] select_3748_s21_q;
-  logic and_3754_s21_q;
-  logic and_3759_s21_q;
-  logic and_3792_s21_q;
-  logic or_3883_s21_q;
-  logic select_3891_s21_q;
-  logic equal_3902_s21_q;
-  logic and_3906_s21_q;
+  logic and_3672_s21_q;
+  logic equal_3681_s21_q;
+  logic and_3686_s21_q;
+  logic and_3692_s21_q;
+  logic and_3699_s21_q;
+  logic and_3706_s21_q;
+  logic and_3715_s21_q;
+  logic and_3742_s21_q;
+  logic [5:0] select_3758_s21_q;
+  logic and_3764_s21_q;
+  logic and_3769_s21_q;
+  logic and_3802_s21_q;
+  logic or_3894_s21_q;
+  logic select_3902_s21_q;
+  logic equal_3913_s21_q;
+  logic and_3917_s21_q;
   logic [13:0] before_v_4_s21_q;
-  logic not_3951_s21_q;
-  logic or_3955_s21_q;
-  logic and_3960_s21_q;
-  logic less_3961_s21_q;
-  logic and_4066_s21_q;
-  logic and_4081_s21_q;
-  logic and_4083_s21_q;
-  logic not_4095_s21_q;
-  logic and_4142_s21_q;
-  logic [5:0] select_4144_s21_q;
-  logic [31:0] select_4156_s21_q;
-  logic [9:0] select_4158_s21_q;
+  logic not_3962_s21_q;
+  logic or_3966_s21_q;
+  logic and_3971_s21_q;
+  logic less_3972_s21_q;
+  logic and_4077_s21_q;
+  logic and_4092_s21_q;
+  logic and_4094_s21_q;
+  logic not_4106_s21_q;
+  logic and_4153_s21_q;
+  logic [5:0] select_4155_s21_q;
+  logic [31:0] select_4167_s21_q;
+  logic [9:0] select_4169_s21_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s21_q <= pixel_0_s20_q;
@@ -11564,63 +11562,63 @@ module horopter_agreement (
       equal_1622_s21_q <= equal_1622_s20_q;
       equal_1791_s21_q <= equal_1791_s20_q;
       equal_1793_s21_q <= equal_1793_s20_q;
-      and_2060_s21_q <= and_2060_s20_q;
-      less_2061_s21_q <= less_2061_s20_q;
+      and_2064_s21_q <= and_2064_s20_q;
+      less_2065_s21_q <= less_2065_s20_q;
       map_rdata_s21_q <= map_rdata_q;
       is_seen_s21_q <= is_seen_s20_q;
-      and_2132_s21_q <= and_2132_s20_q;
-      equal_2286_s21_q <= equal_2286_s20_q;
-      and_2291_s21_q <= and_714_s20_q & (9'h4 < sum_2289_s20_q);
-      equal_2404_s21_q <= equal_2404_s20_q;
+      and_2135_s21_q <= and_2135_s20_q;
+      equal_2290_s21_q <= equal_2290_s20_q;
+      and_2295_s21_q <= and_714_s20_q & (9'h4 < sum_2293_s20_q);
+      equal_2408_s21_q <= equal_2408_s20_q;
       sum_s21_q <= sum[0];
       sum_2_s21_q <= sum_2[0];
-      equal_2448_s21_q <= equal_2448_s20_q;
-      select_2466_s21_q <= sharpness_comparing_less_contrast_0_q;
-      select_2472_s21_q <= sharpness_comparing_less_contrast_1_q;
-      select_2661_s21_q <= select_2661_s20_q;
-      select_2664_s21_q <= select_2664_s20_q;
-      parity_3242_s21_q <= parity_3242_s20_q;
-      parity_3371_s21_q <= parity_3371_s20_q;
-      parity_3433_s21_q <= parity_3433;
-      xor_3461_s21_q <= parity_3448 ^ parity_3460;
-      parity_3473_s21_q <= ^{or_3470, or_3466, and_3462};
-      and_3474_s21_q <= or_3466 & or_3470;
-      and_3476_s21_q <= and_3462 & (or_3466 | or_3470);
-      equal_3478_s21_q <= equal_3478_s20_q;
-      and_3598_s21_q <= and_3595 & (not_1798_s20_q & not_3596);
-      not_3633_s21_q <= ~less_3632;
-      not_3638_s21_q <= ~less_3637;
-      and_3642_s21_q <= and_3595 & (patches_second_s20_q & not_3596);
-      and_3652_s21_q <= and_3595 & (patches_lower_s20_q & not_1798_s20_q);
-      and_3662_s21_q <= and_3595 & (patches_lower_s20_q & patches_second_s20_q);
-      equal_3671_s21_q <= equal_3671_s20_q;
-      and_3676_s21_q <= and_3676;
-      and_3682_s21_q <= equal_577_s20_q & and_3681;
-      and_3689_s21_q <= equal_577_s20_q & and_3688;
-      and_3696_s21_q <= equal_577_s20_q & and_3695;
-      and_3705_s21_q <= x_s20_q[6] & (not_1994_s20_q & (less_3672 & select_3702));
-      and_3732_s21_q <= not_1994_s20_q & (less_3672 & (sum_3729[4:2] == 3'h0));
-      select_3748_s21_q <= and_3595 ? select_3747 : 6'h0;
-      and_3754_s21_q <= and_3754;
-      and_3759_s21_q <= equal_577_s20_q & and_3758;
-      and_3792_s21_q <= less_3791_s20_q & and_3595;
-      or_3883_s21_q <= or_3883_s20_q;
-      select_3891_s21_q <= select_3891_s20_q;
-      equal_3902_s21_q <= equal_3902_s20_q;
-      and_3906_s21_q <= equal_3905_s20_q & equal_3671_s20_q;
+      equal_2452_s21_q <= equal_2452_s20_q;
+      select_2470_s21_q <= sharpness_comparing_less_contrast_0_q;
+      select_2476_s21_q <= sharpness_comparing_less_contrast_1_q;
+      select_2668_s21_q <= select_2668_s20_q;
+      select_2671_s21_q <= select_2671_s20_q;
+      parity_3252_s21_q <= parity_3252_s20_q;
+      parity_3381_s21_q <= parity_3381_s20_q;
+      parity_3443_s21_q <= parity_3443;
+      xor_3471_s21_q <= parity_3458 ^ parity_3470;
+      parity_3483_s21_q <= ^{or_3480, or_3476, and_3472};
+      and_3484_s21_q <= or_3476 & or_3480;
+      and_3486_s21_q <= and_3472 & (or_3476 | or_3480);
+      equal_3488_s21_q <= equal_3488_s20_q;
+      and_3608_s21_q <= and_3605 & (not_1798_s20_q & not_3606);
+      not_3643_s21_q <= ~less_3642;
+      not_3648_s21_q <= ~less_3647;
+      and_3652_s21_q <= and_3605 & (patches_second_s20_q & not_3606);
+      and_3662_s21_q <= and_3605 & (patches_lower_s20_q & not_1798_s20_q);
+      and_3672_s21_q <= and_3605 & (patches_lower_s20_q & patches_second_s20_q);
+      equal_3681_s21_q <= equal_3681_s20_q;
+      and_3686_s21_q <= and_3686;
+      and_3692_s21_q <= equal_577_s20_q & and_3691;
+      and_3699_s21_q <= equal_577_s20_q & and_3698;
+      and_3706_s21_q <= equal_577_s20_q & and_3705;
+      and_3715_s21_q <= x_s20_q[6] & (not_1994_s20_q & (less_3682 & select_3712));
+      and_3742_s21_q <= not_1994_s20_q & (less_3682 & (sum_3739[4:2] == 3'h0));
+      select_3758_s21_q <= and_3605 ? select_3757 : 6'h0;
+      and_3764_s21_q <= and_3764;
+      and_3769_s21_q <= equal_577_s20_q & and_3768;
+      and_3802_s21_q <= less_3801_s20_q & and_3605;
+      or_3894_s21_q <= or_3894_s20_q;
+      select_3902_s21_q <= select_3902_s20_q;
+      equal_3913_s21_q <= equal_3913_s20_q;
+      and_3917_s21_q <= equal_3916_s20_q & equal_3681_s20_q;
       before_v_4_s21_q <= before_v_4;
-      not_3951_s21_q <= ~(equal_3910_s20_q & equal_3671_s20_q);
-      or_3955_s21_q <= (equal_3910_s20_q | equal_3909_s20_q) | (x_s20_q[6:3] == 4'hf);
-      and_3960_s21_q <= equal_3907_s20_q & equal_3671_s20_q;
-      less_3961_s21_q <= {4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q;
-      and_4066_s21_q <= and_4066_s20_q;
-      and_4081_s21_q <= and_4081_s20_q;
-      and_4083_s21_q <= and_4083_s20_q;
-      not_4095_s21_q <= not_4095_s20_q;
-      and_4142_s21_q <= and_4142;
-      select_4144_s21_q <= equal_577_s20_q ? (x_s20_q[6] ? x_s20_q[5:0] : 6'h0) : 6'h0;
-      select_4156_s21_q <= select_4156;
-      select_4158_s21_q <= select_4158_s20_q;
+      not_3962_s21_q <= ~(equal_3921_s20_q & equal_3681_s20_q);
+      or_3966_s21_q <= (equal_3921_s20_q | equal_3920_s20_q) | (x_s20_q[6:3] == 4'hf);
+      and_3971_s21_q <= equal_3918_s20_q & equal_3681_s20_q;
+      less_3972_s21_q <= {4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q;
+      and_4077_s21_q <= and_4077_s20_q;
+      and_4092_s21_q <= and_4092_s20_q;
+      and_4094_s21_q <= and_4094_s20_q;
+      not_4106_s21_q <= not_4106_s20_q;
+      and_4153_s21_q <= and_4153;
+      select_4155_s21_q <= equal_577_s20_q ? (x_s20_q[6] ? x_s20_q[5:0] : 6'h0) : 6'h0;
+      select_4167_s21_q <= select_4167;
+      select_4169_s21_q <= select_4169_s20_q;
     end
   end
 
@@ -11691,250 +11689,250 @@ module horopter_agreement (
   logic and_739;
   assign and_739 = and_689_s21_q & less_738_s21_q;
   // hls/stages/census.hpp:324
-  logic and_2292;
-  assign and_2292 = and_714_s21_q & less_738_s21_q;
+  logic and_2296;
+  assign and_2296 = and_714_s21_q & less_738_s21_q;
   // hls/stages/census.hpp:325
-  logic [19:0] sum_2293;
-  assign sum_2293 = census_left_misses_q + {{17{and_2292}}, and_2291_s21_q, 1'b0, and_2291_s21_q};
-  // hls/stages/agreement.hpp:527
-  logic [19:0] select_2295;
-  assign select_2295 = and_552_s21_q ? (equal_2286_s21_q ? 20'h0 : sum_2293) : census_left_misses_q;
-  // hls/stages/agreement.hpp:216
-  logic [2:0] select_2432;
-  assign select_2432 = equal_2404_s21_q ? {sharpness_comparing_product_0_q[1:0], sum_s21_q} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2434;
-  assign select_2434 = equal_2404_s21_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s21_q} : sharpness_comparing_product_1_q;
+  logic [19:0] sum_2297;
+  assign sum_2297 = census_left_misses_q + {{17{and_2296}}, and_2295_s21_q, 1'b0, and_2295_s21_q};
+  // hls/stages/agreement.hpp:530
+  logic [19:0] select_2299;
+  assign select_2299 = and_552_s21_q ? (equal_2290_s21_q ? 20'h0 : sum_2297) : census_left_misses_q;
+  // hls/stages/agreement.hpp:217
+  logic [2:0] select_2436;
+  assign select_2436 = equal_2408_s21_q ? {sharpness_comparing_product_0_q[1:0], sum_s21_q} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2438;
+  assign select_2438 = equal_2408_s21_q ? {sharpness_comparing_product_1_q[1:0], sum_2_s21_q} : sharpness_comparing_product_1_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2_s21_q});
-  // hls/stages/agreement.hpp:216
-  logic select_2443;
-  assign select_2443 = so_s21_q ? (equal_2404_s21_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  // hls/stages/agreement.hpp:217
+  logic select_2447;
+  assign select_2447 = so_s21_q ? (equal_2408_s21_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum_s21_q});
-  // hls/stages/agreement.hpp:216
-  logic select_2446;
-  assign select_2446 = equal_2404_s21_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
+  // hls/stages/agreement.hpp:217
+  logic select_2450;
+  assign select_2450 = equal_2408_s21_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
   // hls/stages/census.hpp:403
-  logic xor_2449;
-  assign xor_2449 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic xor_2455;
-  assign xor_2455 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic xor_2453;
+  assign xor_2453 = sharpness_comparing_product_0_q[2] ^ five_times[0];
+  logic xor_2459;
+  assign xor_2459 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
   // hls/stages/count_bits.hpp:27
-  logic or_3477;
-  assign or_3477 = and_3474_s21_q | and_3476_s21_q;
+  logic or_3487;
+  assign or_3487 = and_3484_s21_q | and_3486_s21_q;
   // hls/stages/patches.hpp:529
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3477, parity_3473_s21_q, xor_3461_s21_q, parity_3433_s21_q, parity_3371_s21_q, parity_3242_s21_q} + (equal_3478_s21_q ? 10'h0 : patches_sums_values_16_q);
-  // hls/stages/agreement.hpp:275
-  logic [9:0] select_3482;
-  assign select_3482 = equal_1791_s21_q ? patches_sums_values_0_q : (equal_1793_s21_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3483;
-  assign select_3483 = equal_1793_s21_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3485;
-  assign select_3485 = equal_1793_s21_q ? patches_sums_values_1_q : patches_sums_values_2_q;
-  logic [9:0] select_3487;
-  assign select_3487 = equal_1793_s21_q ? patches_sums_values_2_q : patches_sums_values_3_q;
-  logic [9:0] select_3489;
-  assign select_3489 = equal_1793_s21_q ? patches_sums_values_3_q : patches_sums_values_4_q;
-  logic [9:0] select_3491;
-  assign select_3491 = equal_1793_s21_q ? patches_sums_values_4_q : patches_sums_values_5_q;
+  assign sum_3 = {4'h0, or_3487, parity_3483_s21_q, xor_3471_s21_q, parity_3443_s21_q, parity_3381_s21_q, parity_3252_s21_q} + (equal_3488_s21_q ? 10'h0 : patches_sums_values_16_q);
+  // hls/stages/agreement.hpp:276
+  logic [9:0] select_3492;
+  assign select_3492 = equal_1791_s21_q ? patches_sums_values_0_q : (equal_1793_s21_q ? sum_3 : patches_sums_values_0_q);
   logic [9:0] select_3493;
-  assign select_3493 = equal_1793_s21_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  assign select_3493 = equal_1793_s21_q ? patches_sums_values_0_q : patches_sums_values_1_q;
   logic [9:0] select_3495;
-  assign select_3495 = equal_1793_s21_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  assign select_3495 = equal_1793_s21_q ? patches_sums_values_1_q : patches_sums_values_2_q;
   logic [9:0] select_3497;
-  assign select_3497 = equal_1793_s21_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  assign select_3497 = equal_1793_s21_q ? patches_sums_values_2_q : patches_sums_values_3_q;
   logic [9:0] select_3499;
-  assign select_3499 = equal_1793_s21_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  assign select_3499 = equal_1793_s21_q ? patches_sums_values_3_q : patches_sums_values_4_q;
   logic [9:0] select_3501;
-  assign select_3501 = equal_1793_s21_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  assign select_3501 = equal_1793_s21_q ? patches_sums_values_4_q : patches_sums_values_5_q;
   logic [9:0] select_3503;
-  assign select_3503 = equal_1793_s21_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  assign select_3503 = equal_1793_s21_q ? patches_sums_values_5_q : patches_sums_values_6_q;
   logic [9:0] select_3505;
-  assign select_3505 = equal_1793_s21_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  assign select_3505 = equal_1793_s21_q ? patches_sums_values_6_q : patches_sums_values_7_q;
   logic [9:0] select_3507;
-  assign select_3507 = equal_1793_s21_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  assign select_3507 = equal_1793_s21_q ? patches_sums_values_7_q : patches_sums_values_8_q;
   logic [9:0] select_3509;
-  assign select_3509 = equal_1793_s21_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  assign select_3509 = equal_1793_s21_q ? patches_sums_values_8_q : patches_sums_values_9_q;
   logic [9:0] select_3511;
-  assign select_3511 = equal_1793_s21_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  assign select_3511 = equal_1793_s21_q ? patches_sums_values_9_q : patches_sums_values_10_q;
   logic [9:0] select_3513;
-  assign select_3513 = equal_1793_s21_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  assign select_3513 = equal_1793_s21_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3515;
+  assign select_3515 = equal_1793_s21_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3517;
+  assign select_3517 = equal_1793_s21_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3519;
+  assign select_3519 = equal_1793_s21_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3521;
+  assign select_3521 = equal_1793_s21_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3523;
+  assign select_3523 = equal_1793_s21_q ? patches_sums_values_15_q : patches_sums_values_16_q;
   // hls/stages/patches.hpp:669
-  logic [7:0] sum_3600;
-  assign sum_3600 = {7'h0, and_3598_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  logic [7:0] sum_3610;
+  assign sum_3610 = {7'h0, and_3608_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:670
-  logic and_3634;
-  assign and_3634 = not_3633_s21_q & and_3598_s21_q;
-  logic [7:0] sum_3635;
-  assign sum_3635 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3634};
-  // hls/stages/patches.hpp:671
-  logic and_3639;
-  assign and_3639 = not_3638_s21_q & and_3598_s21_q;
-  logic [7:0] sum_3640;
-  assign sum_3640 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3639};
-  // hls/stages/patches.hpp:669
-  logic [7:0] sum_3644;
-  assign sum_3644 = {7'h0, and_3642_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:670
-  logic and_3646;
-  assign and_3646 = not_3633_s21_q & and_3642_s21_q;
-  logic [7:0] sum_3647;
-  assign sum_3647 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3646};
+  logic and_3644;
+  assign and_3644 = not_3643_s21_q & and_3608_s21_q;
+  logic [7:0] sum_3645;
+  assign sum_3645 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3644};
   // hls/stages/patches.hpp:671
   logic and_3649;
-  assign and_3649 = not_3638_s21_q & and_3642_s21_q;
+  assign and_3649 = not_3648_s21_q & and_3608_s21_q;
   logic [7:0] sum_3650;
-  assign sum_3650 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3649};
+  assign sum_3650 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3649};
   // hls/stages/patches.hpp:669
   logic [7:0] sum_3654;
-  assign sum_3654 = {7'h0, and_3652_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  assign sum_3654 = {7'h0, and_3652_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
   // hls/stages/patches.hpp:670
   logic and_3656;
-  assign and_3656 = not_3633_s21_q & and_3652_s21_q;
+  assign and_3656 = not_3643_s21_q & and_3652_s21_q;
   logic [7:0] sum_3657;
-  assign sum_3657 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3656};
+  assign sum_3657 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3656};
   // hls/stages/patches.hpp:671
   logic and_3659;
-  assign and_3659 = not_3638_s21_q & and_3652_s21_q;
+  assign and_3659 = not_3648_s21_q & and_3652_s21_q;
   logic [7:0] sum_3660;
-  assign sum_3660 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3659};
+  assign sum_3660 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3659};
   // hls/stages/patches.hpp:669
   logic [7:0] sum_3664;
-  assign sum_3664 = {7'h0, and_3662_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  assign sum_3664 = {7'h0, and_3662_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
   // hls/stages/patches.hpp:670
   logic and_3666;
-  assign and_3666 = not_3633_s21_q & and_3662_s21_q;
+  assign and_3666 = not_3643_s21_q & and_3662_s21_q;
   logic [7:0] sum_3667;
-  assign sum_3667 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3666};
+  assign sum_3667 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3666};
   // hls/stages/patches.hpp:671
   logic and_3669;
-  assign and_3669 = not_3638_s21_q & and_3662_s21_q;
+  assign and_3669 = not_3648_s21_q & and_3662_s21_q;
   logic [7:0] sum_3670;
-  assign sum_3670 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3669};
+  assign sum_3670 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3669};
+  // hls/stages/patches.hpp:669
+  logic [7:0] sum_3674;
+  assign sum_3674 = {7'h0, and_3672_s21_q} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:670
+  logic and_3676;
+  assign and_3676 = not_3643_s21_q & and_3672_s21_q;
+  logic [7:0] sum_3677;
+  assign sum_3677 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3676};
+  // hls/stages/patches.hpp:671
+  logic and_3679;
+  assign and_3679 = not_3648_s21_q & and_3672_s21_q;
+  logic [7:0] sum_3680;
+  assign sum_3680 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3679};
   // hls/stages/patches.hpp:633
-  logic [7:0] or_3684;
-  assign or_3684 = (and_3676_s21_q ? patches_quarters_0_places_q : 8'h0) | (and_3682_s21_q ? patches_quarters_1_places_q : 8'h0);
-  logic [7:0] or_3698;
-  assign or_3698 = (or_3684 | (and_3689_s21_q ? patches_quarters_2_places_q : 8'h0)) | (and_3696_s21_q ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/agreement.hpp:795
-  logic and_3706;
-  assign and_3706 = equal_577_s21_q & and_3705_s21_q;
+  logic [7:0] or_3694;
+  assign or_3694 = (and_3686_s21_q ? patches_quarters_0_places_q : 8'h0) | (and_3692_s21_q ? patches_quarters_1_places_q : 8'h0);
+  logic [7:0] or_3708;
+  assign or_3708 = (or_3694 | (and_3699_s21_q ? patches_quarters_2_places_q : 8'h0)) | (and_3706_s21_q ? patches_quarters_3_places_q : 8'h0);
+  // hls/stages/agreement.hpp:798
+  logic and_3716;
+  assign and_3716 = equal_577_s21_q & and_3715_s21_q;
   // hls/stages/patches.hpp:634
-  logic [7:0] select_3708;
-  assign select_3708 = and_3676_s21_q ? (and_3706 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
-  logic [7:0] select_3710;
-  assign select_3710 = and_3682_s21_q ? (and_3706 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_3713;
-  assign select_3713 = and_3689_s21_q ? (and_3706 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_3716;
-  assign select_3716 = and_3696_s21_q ? (and_3706 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  logic [7:0] select_3718;
+  assign select_3718 = and_3686_s21_q ? (and_3716 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_3720;
+  assign select_3720 = and_3692_s21_q ? (and_3716 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_3723;
+  assign select_3723 = and_3699_s21_q ? (and_3716 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_3726;
+  assign select_3726 = and_3706_s21_q ? (and_3716 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
   // hls/stages/patches.hpp:635
-  logic [7:0] select_3719;
-  assign select_3719 = and_3676_s21_q ? (and_3706 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
-  logic [7:0] select_3721;
-  assign select_3721 = and_3682_s21_q ? (and_3706 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_3724;
-  assign select_3724 = and_3689_s21_q ? (and_3706 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_3727;
-  assign select_3727 = and_3696_s21_q ? (and_3706 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
-  // hls/stages/agreement.hpp:795
-  logic and_3734;
-  assign and_3734 = equal_577_s21_q & (x_s21_q & and_3732_s21_q);
+  logic [7:0] select_3729;
+  assign select_3729 = and_3686_s21_q ? (and_3716 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_3731;
+  assign select_3731 = and_3692_s21_q ? (and_3716 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_3734;
+  assign select_3734 = and_3699_s21_q ? (and_3716 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_3737;
+  assign select_3737 = and_3706_s21_q ? (and_3716 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  // hls/stages/agreement.hpp:798
+  logic and_3744;
+  assign and_3744 = equal_577_s21_q & (x_s21_q & and_3742_s21_q);
   // hls/stages/patches.hpp:628
-  logic [7:0] sum_3736;
-  assign sum_3736 = patches_word_places_q + (and_3682_s21_q ? 8'h0 : patches_sum_places_q);
+  logic [7:0] sum_3746;
+  assign sum_3746 = patches_word_places_q + (and_3692_s21_q ? 8'h0 : patches_sum_places_q);
   // hls/stages/patches.hpp:630
-  logic [7:0] select_3740;
-  assign select_3740 = and_3734 ? (patches_word_up_q + (and_3682_s21_q ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] sum_3742;
-  assign sum_3742 = patches_word_down_q + (and_3682_s21_q ? 8'h0 : patches_sum_down_q);
+  logic [7:0] select_3750;
+  assign select_3750 = and_3744 ? (patches_word_up_q + (and_3692_s21_q ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] sum_3752;
+  assign sum_3752 = patches_word_down_q + (and_3692_s21_q ? 8'h0 : patches_sum_down_q);
   // hls/stages/patches.hpp:673
-  logic [11:0] sum_3749;
-  assign sum_3749 = patches_across_q + {{6{select_3748_s21_q[5]}}, select_3748_s21_q};
+  logic [11:0] sum_3759;
+  assign sum_3759 = patches_across_q + {{6{select_3758_s21_q[5]}}, select_3758_s21_q};
   // hls/stages/patches.hpp:674
-  logic [11:0] select_3750;
-  assign select_3750 = patches_round_ends_q ? {{6{select_3748_s21_q[5]}}, select_3748_s21_q} : sum_3749;
+  logic [11:0] select_3760;
+  assign select_3760 = patches_round_ends_q ? {{6{select_3758_s21_q[5]}}, select_3758_s21_q} : sum_3759;
   // hls/stages/patches.hpp:657
-  logic [7:0] select_3761;
-  assign select_3761 = and_3754_s21_q ? (and_3759_s21_q ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  logic [7:0] select_3771;
+  assign select_3771 = and_3764_s21_q ? (and_3769_s21_q ? patches_sum_places_q : patches_places_q) : patches_places_q;
   // hls/stages/patches.hpp:659
-  logic or_3765;
-  assign or_3765 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  logic or_3775;
+  assign or_3775 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
   // hls/stages/patches.hpp:660
-  logic or_3768;
-  assign or_3768 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  logic or_3778;
+  assign or_3778 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
   // hls/stages/patches.hpp:661
-  logic [8:0] sum_3769;
-  assign sum_3769 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  logic [8:0] sum_3779;
+  assign sum_3779 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
   // hls/stages/patches.hpp:656
-  logic select_3771;
-  assign select_3771 = and_3754_s21_q ? (and_3759_s21_q ? patches_enough_q : patches_complete_q) : patches_complete_q;
+  logic select_3781;
+  assign select_3781 = and_3764_s21_q ? (and_3769_s21_q ? patches_enough_q : patches_complete_q) : patches_complete_q;
   // hls/stages/patches.hpp:192
-  logic and_3774;
-  assign and_3774 = patches_enough_q & patches_mostly_q;
+  logic and_3784;
+  assign and_3784 = patches_enough_q & patches_mostly_q;
   // hls/stages/patches.hpp:656
-  logic [2:0] select_3775;
-  assign select_3775 = and_3754_s21_q ? {and_3774, patches_found_q[2:1]} : patches_found_q;
-  logic [2:0] select_3777;
-  assign select_3777 = and_3754_s21_q ? (and_3759_s21_q ? {and_3774, patches_found_q[2:1]} : select_3775) : patches_found_q;
+  logic [2:0] select_3785;
+  assign select_3785 = and_3764_s21_q ? {and_3784, patches_found_q[2:1]} : patches_found_q;
+  logic [2:0] select_3787;
+  assign select_3787 = and_3764_s21_q ? (and_3769_s21_q ? {and_3784, patches_found_q[2:1]} : select_3785) : patches_found_q;
   // hls/stages/patches.hpp:655
-  logic or_3780;
-  assign or_3780 = patches_partly_q | (patches_doubted_q & (~and_3759_s21_q));
+  logic or_3790;
+  assign or_3790 = patches_partly_q | (patches_doubted_q & (~and_3769_s21_q));
   // hls/stages/patches.hpp:656
-  logic select_3782;
-  assign select_3782 = and_3759_s21_q ? or_3780 : (and_3754_s21_q ? or_3780 : patches_doubted_q);
+  logic select_3792;
+  assign select_3792 = and_3769_s21_q ? or_3790 : (and_3764_s21_q ? or_3790 : patches_doubted_q);
   // hls/stages/patches.hpp:654
-  logic select_3784;
-  assign select_3784 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  logic select_3794;
+  assign select_3794 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
   // hls/stages/patches.hpp:643
-  logic [7:0] select_3788;
-  assign select_3788 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  logic [7:0] select_3798;
+  assign select_3798 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
   // hls/stages/patches.hpp:674
-  logic [7:0] sum_3793;
-  assign sum_3793 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3792_s21_q};
+  logic [7:0] sum_3803;
+  assign sum_3803 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3802_s21_q};
   // hls/stages/patches.hpp:645
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
   // hls/stages/patches.hpp:646
-  logic select_3816;
-  assign select_3816 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  logic select_3826;
+  assign select_3826 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:647
-  logic and_3822;
-  assign and_3822 = patches_frame_ended_s21_q & (~patches_age_q[9]);
-  logic [9:0] sum_3823;
-  assign sum_3823 = patches_age_q + {9'h0, and_3822};
-  logic [9:0] select_3826;
-  assign select_3826 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3823)) : sum_3823;
-  // hls/stages/agreement.hpp:1230
+  logic and_3832;
+  assign and_3832 = patches_frame_ended_s21_q & (~patches_age_q[9]);
+  logic [9:0] sum_3833;
+  assign sum_3833 = patches_age_q + {9'h0, and_3832};
+  logic [9:0] select_3836;
+  assign select_3836 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3833)) : sum_3833;
+  // hls/stages/agreement.hpp:1234
   logic [14:0] over;
   assign over = {1'b0, product_s21_q} - {1'b0, before_v_4_s21_q};
-  // hls/stages/agreement.hpp:1238
-  logic select_3917;
-  assign select_3917 = and_3906_s21_q ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1317
-  logic [1:0] select_4082;
-  assign select_4082 = and_4081_s21_q ? {and_2132_s21_q, is_seen_s21_q} : map_rdata_s21_q;
-  // hls/stages/agreement.hpp:1247
-  logic or_4096;
-  assign or_4096 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4095_s21_q;
-  // hls/stages/agreement.hpp:795
-  logic and_4111;
-  assign and_4111 = equal_3902_s21_q & (cfg_prove_i & (registration_moved_s21_q | patches_moved_q));
-  // hls/stages/agreement.hpp:1158
-  logic or_4114;
-  assign or_4114 = select_2466_s21_q | ($signed(20'h0) < $signed(census_left_misses_q));
-  // hls/stages/agreement.hpp:795
-  logic and_4138;
-  assign and_4138 = equal_577_s21_q & (equal_3902_s21_q & (cfg_prove_i & moments_out_of_step_q));
-  // hls/stages/agreement.hpp:1148
-  logic [31:0] select_4157;
-  assign select_4157 = equal_1622_s21_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4156_s21_q;
-  // hls/stages/agreement.hpp:1150
-  logic [31:0] select_4159;
-  assign select_4159 = equal_1614_s21_q ? select_4157 : {2'h0, select_4158_s21_q, select_2664_s21_q, select_2661_s21_q};
+  // hls/stages/agreement.hpp:1242
+  logic select_3928;
+  assign select_3928 = and_3917_s21_q ? over[14] : hides_q;
+  // hls/stages/agreement.hpp:1321
+  logic [1:0] select_4093;
+  assign select_4093 = and_4092_s21_q ? {and_2135_s21_q, is_seen_s21_q} : map_rdata_s21_q;
+  // hls/stages/agreement.hpp:1251
+  logic or_4107;
+  assign or_4107 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4106_s21_q;
+  // hls/stages/agreement.hpp:798
+  logic and_4122;
+  assign and_4122 = equal_3913_s21_q & (cfg_prove_i & (registration_moved_s21_q | patches_moved_q));
+  // hls/stages/agreement.hpp:1162
+  logic or_4125;
+  assign or_4125 = select_2470_s21_q | ($signed(20'h0) < $signed(census_left_misses_q));
+  // hls/stages/agreement.hpp:798
+  logic and_4149;
+  assign and_4149 = equal_577_s21_q & (equal_3913_s21_q & (cfg_prove_i & moments_out_of_step_q));
+  // hls/stages/agreement.hpp:1152
+  logic [31:0] select_4168;
+  assign select_4168 = equal_1622_s21_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4167_s21_q;
+  // hls/stages/agreement.hpp:1154
+  logic [31:0] select_4170;
+  assign select_4170 = equal_1614_s21_q ? select_4168 : {2'h0, select_4169_s21_q, select_2671_s21_q, select_2668_s21_q};
 
   // Memory fresh, write
   logic [6:0] fresh_waddr;
@@ -12138,68 +12136,68 @@ module horopter_agreement (
       patches_age_q <= 10'h200;
       hides_q <= 1'b0;
     end else if (s21_en) begin
-      census_left_misses_q <= select_2295;
-      sharpness_comparing_product_0_q <= so_s21_q ? select_2432 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= so_s21_q ? select_2434 : sharpness_comparing_product_1_q;
-      sharpness_comparing_carry_0_q <= select_2443;
-      sharpness_comparing_carry_1_q <= so_s21_q ? select_2446 : sharpness_comparing_carry_1_q;
-      patches_sums_values_0_q <= select_3482;
-      patches_sums_values_1_q <= equal_1791_s21_q ? patches_sums_values_1_q : select_3483;
-      patches_sums_values_2_q <= equal_1791_s21_q ? patches_sums_values_2_q : select_3485;
-      patches_sums_values_3_q <= equal_1791_s21_q ? patches_sums_values_3_q : select_3487;
-      patches_sums_values_4_q <= equal_1791_s21_q ? patches_sums_values_4_q : select_3489;
-      patches_sums_values_5_q <= equal_1791_s21_q ? patches_sums_values_5_q : select_3491;
-      patches_sums_values_6_q <= equal_1791_s21_q ? patches_sums_values_6_q : select_3493;
-      patches_sums_values_7_q <= equal_1791_s21_q ? patches_sums_values_7_q : select_3495;
-      patches_sums_values_8_q <= equal_1791_s21_q ? patches_sums_values_8_q : select_3497;
-      patches_sums_values_9_q <= equal_1791_s21_q ? patches_sums_values_9_q : select_3499;
-      patches_sums_values_10_q <= equal_1791_s21_q ? patches_sums_values_10_q : select_3501;
-      patches_sums_values_11_q <= equal_1791_s21_q ? patches_sums_values_11_q : select_3503;
-      patches_sums_values_12_q <= equal_1791_s21_q ? patches_sums_values_12_q : select_3505;
-      patches_sums_values_13_q <= equal_1791_s21_q ? patches_sums_values_13_q : select_3507;
-      patches_sums_values_14_q <= equal_1791_s21_q ? patches_sums_values_14_q : select_3509;
-      patches_sums_values_15_q <= equal_1791_s21_q ? patches_sums_values_15_q : select_3511;
-      patches_sums_values_16_q <= equal_1791_s21_q ? patches_sums_values_16_q : select_3513;
-      patches_quarters_0_places_q <= sum_3600;
-      patches_quarters_0_up_q <= sum_3635;
-      patches_quarters_0_down_q <= sum_3640;
-      patches_quarters_1_places_q <= sum_3644;
-      patches_quarters_1_up_q <= sum_3647;
-      patches_quarters_1_down_q <= sum_3650;
-      patches_quarters_2_places_q <= sum_3654;
-      patches_quarters_2_up_q <= sum_3657;
-      patches_quarters_2_down_q <= sum_3660;
-      patches_quarters_3_places_q <= sum_3664;
-      patches_quarters_3_up_q <= sum_3667;
-      patches_quarters_3_down_q <= sum_3670;
-      patches_word_places_q <= or_3698;
-      patches_word_up_q <= ((select_3708 | select_3710) | select_3713) | select_3716;
-      patches_word_down_q <= ((select_3719 | select_3721) | select_3724) | select_3727;
-      patches_sum_places_q <= and_3734 ? sum_3736 : patches_sum_places_q;
-      patches_sum_up_q <= select_3740;
-      patches_sum_down_q <= and_3734 ? sum_3742 : patches_sum_down_q;
-      patches_across_q <= select_3750;
-      patches_places_q <= select_3761;
+      census_left_misses_q <= select_2299;
+      sharpness_comparing_product_0_q <= so_s21_q ? select_2436 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= so_s21_q ? select_2438 : sharpness_comparing_product_1_q;
+      sharpness_comparing_carry_0_q <= select_2447;
+      sharpness_comparing_carry_1_q <= so_s21_q ? select_2450 : sharpness_comparing_carry_1_q;
+      patches_sums_values_0_q <= select_3492;
+      patches_sums_values_1_q <= equal_1791_s21_q ? patches_sums_values_1_q : select_3493;
+      patches_sums_values_2_q <= equal_1791_s21_q ? patches_sums_values_2_q : select_3495;
+      patches_sums_values_3_q <= equal_1791_s21_q ? patches_sums_values_3_q : select_3497;
+      patches_sums_values_4_q <= equal_1791_s21_q ? patches_sums_values_4_q : select_3499;
+      patches_sums_values_5_q <= equal_1791_s21_q ? patches_sums_values_5_q : select_3501;
+      patches_sums_values_6_q <= equal_1791_s21_q ? patches_sums_values_6_q : select_3503;
+      patches_sums_values_7_q <= equal_1791_s21_q ? patches_sums_values_7_q : select_3505;
+      patches_sums_values_8_q <= equal_1791_s21_q ? patches_sums_values_8_q : select_3507;
+      patches_sums_values_9_q <= equal_1791_s21_q ? patches_sums_values_9_q : select_3509;
+      patches_sums_values_10_q <= equal_1791_s21_q ? patches_sums_values_10_q : select_3511;
+      patches_sums_values_11_q <= equal_1791_s21_q ? patches_sums_values_11_q : select_3513;
+      patches_sums_values_12_q <= equal_1791_s21_q ? patches_sums_values_12_q : select_3515;
+      patches_sums_values_13_q <= equal_1791_s21_q ? patches_sums_values_13_q : select_3517;
+      patches_sums_values_14_q <= equal_1791_s21_q ? patches_sums_values_14_q : select_3519;
+      patches_sums_values_15_q <= equal_1791_s21_q ? patches_sums_values_15_q : select_3521;
+      patches_sums_values_16_q <= equal_1791_s21_q ? patches_sums_values_16_q : select_3523;
+      patches_quarters_0_places_q <= sum_3610;
+      patches_quarters_0_up_q <= sum_3645;
+      patches_quarters_0_down_q <= sum_3650;
+      patches_quarters_1_places_q <= sum_3654;
+      patches_quarters_1_up_q <= sum_3657;
+      patches_quarters_1_down_q <= sum_3660;
+      patches_quarters_2_places_q <= sum_3664;
+      patches_quarters_2_up_q <= sum_3667;
+      patches_quarters_2_down_q <= sum_3670;
+      patches_quarters_3_places_q <= sum_3674;
+      patches_quarters_3_up_q <= sum_3677;
+      patches_quarters_3_down_q <= sum_3680;
+      patches_word_places_q <= or_3708;
+      patches_word_up_q <= ((select_3718 | select_3720) | select_3723) | select_3726;
+      patches_word_down_q <= ((select_3729 | select_3731) | select_3734) | select_3737;
+      patches_sum_places_q <= and_3744 ? sum_3746 : patches_sum_places_q;
+      patches_sum_up_q <= select_3750;
+      patches_sum_down_q <= and_3744 ? sum_3752 : patches_sum_down_q;
+      patches_across_q <= select_3760;
+      patches_places_q <= select_3771;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_3765;
-      patches_partly_q <= or_3768;
-      patches_clear_limit_q <= sum_3769[8:2];
-      patches_complete_q <= select_3771;
+      patches_mostly_q <= or_3775;
+      patches_partly_q <= or_3778;
+      patches_clear_limit_q <= sum_3779[8:2];
+      patches_complete_q <= select_3781;
       patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= select_3777;
-      patches_doubted_q <= and_3754_s21_q ? select_3782 : patches_doubted_q;
-      patches_doubted_before_q <= select_3784;
+      patches_found_q <= select_3787;
+      patches_doubted_q <= and_3764_s21_q ? select_3792 : patches_doubted_q;
+      patches_doubted_before_q <= select_3794;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_3788;
-      patches_on_skin_q <= sum_3793;
+      patches_round_on_skin_q <= select_3798;
+      patches_on_skin_q <= sum_3803;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_3816;
+      patches_moved_q <= select_3826;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_3826;
-      hides_q <= equal_577_s21_q ? select_3917 : hides_q;
+      patches_age_q <= select_3836;
+      hides_q <= equal_577_s21_q ? select_3928 : hides_q;
     end
   end
 
@@ -12218,33 +12216,33 @@ module horopter_agreement (
   logic [7:0] patches_on_skin_s22_q;
   logic equal_577_s22_q;
   logic so_s22_q;
-  logic and_2060_s22_q;
-  logic less_2061_s22_q;
-  logic equal_2404_s22_q;
-  logic or_2450_s22_q;
-  logic and_2451_s22_q;
-  logic or_2456_s22_q;
-  logic and_2457_s22_q;
-  logic select_2472_s22_q;
-  logic or_3883_s22_q;
-  logic select_3891_s22_q;
-  logic equal_3902_s22_q;
-  logic select_3917_s22_q;
-  logic and_3949_s22_q;
-  logic not_3951_s22_q;
-  logic or_3955_s22_q;
+  logic and_2064_s22_q;
+  logic less_2065_s22_q;
+  logic equal_2408_s22_q;
+  logic or_2454_s22_q;
+  logic and_2455_s22_q;
+  logic or_2460_s22_q;
+  logic and_2461_s22_q;
+  logic select_2476_s22_q;
+  logic or_3894_s22_q;
+  logic select_3902_s22_q;
+  logic equal_3913_s22_q;
+  logic select_3928_s22_q;
   logic and_3960_s22_q;
-  logic and_3962_s22_q;
-  logic and_4066_s22_q;
-  logic and_4084_s22_q;
-  logic and_4087_s22_q;
-  logic and_4099_s22_q;
-  logic and_4112_s22_q;
-  logic or_4114_s22_q;
-  logic and_4138_s22_q;
-  logic and_4142_s22_q;
-  logic [5:0] select_4144_s22_q;
-  logic [31:0] select_4161_s22_q;
+  logic not_3962_s22_q;
+  logic or_3966_s22_q;
+  logic and_3971_s22_q;
+  logic and_3973_s22_q;
+  logic and_4077_s22_q;
+  logic and_4095_s22_q;
+  logic and_4098_s22_q;
+  logic and_4110_s22_q;
+  logic and_4123_s22_q;
+  logic or_4125_s22_q;
+  logic and_4149_s22_q;
+  logic and_4153_s22_q;
+  logic [5:0] select_4155_s22_q;
+  logic [31:0] select_4172_s22_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s22_q <= pixel_0_s21_q;
@@ -12262,33 +12260,33 @@ module horopter_agreement (
       patches_on_skin_s22_q <= patches_on_skin_q;
       equal_577_s22_q <= equal_577_s21_q;
       so_s22_q <= so_s21_q;
-      and_2060_s22_q <= and_2060_s21_q;
-      less_2061_s22_q <= less_2061_s21_q;
-      equal_2404_s22_q <= equal_2404_s21_q;
-      or_2450_s22_q <= equal_2448_s21_q | xor_2449;
-      and_2451_s22_q <= five_times[0] & xor_2449;
-      or_2456_s22_q <= equal_2448_s21_q | xor_2455;
-      and_2457_s22_q <= five_times_2[0] & xor_2455;
-      select_2472_s22_q <= select_2472_s21_q;
-      or_3883_s22_q <= or_3883_s21_q;
-      select_3891_s22_q <= select_3891_s21_q;
-      equal_3902_s22_q <= equal_3902_s21_q;
-      select_3917_s22_q <= select_3917;
-      and_3949_s22_q <= over[14] & equal_3671_s21_q;
-      not_3951_s22_q <= not_3951_s21_q;
-      or_3955_s22_q <= or_3955_s21_q;
-      and_3960_s22_q <= and_3960_s21_q;
-      and_3962_s22_q <= over[14] & less_3961_s21_q;
-      and_4066_s22_q <= and_4066_s21_q;
-      and_4084_s22_q <= select_4082[0] & and_4083_s21_q;
-      and_4087_s22_q <= select_4082[1] & and_4083_s21_q;
-      and_4099_s22_q <= equal_577_s21_q & (equal_3902_s21_q & (cfg_prove_i & or_4096));
-      and_4112_s22_q <= equal_577_s21_q & and_4111;
-      or_4114_s22_q <= or_4114;
-      and_4138_s22_q <= and_4138;
-      and_4142_s22_q <= and_4142_s21_q;
-      select_4144_s22_q <= select_4144_s21_q;
-      select_4161_s22_q <= equal_577_s21_q ? (x_s21_q ? select_4159 : 32'h0) : 32'h0;
+      and_2064_s22_q <= and_2064_s21_q;
+      less_2065_s22_q <= less_2065_s21_q;
+      equal_2408_s22_q <= equal_2408_s21_q;
+      or_2454_s22_q <= equal_2452_s21_q | xor_2453;
+      and_2455_s22_q <= five_times[0] & xor_2453;
+      or_2460_s22_q <= equal_2452_s21_q | xor_2459;
+      and_2461_s22_q <= five_times_2[0] & xor_2459;
+      select_2476_s22_q <= select_2476_s21_q;
+      or_3894_s22_q <= or_3894_s21_q;
+      select_3902_s22_q <= select_3902_s21_q;
+      equal_3913_s22_q <= equal_3913_s21_q;
+      select_3928_s22_q <= select_3928;
+      and_3960_s22_q <= over[14] & equal_3681_s21_q;
+      not_3962_s22_q <= not_3962_s21_q;
+      or_3966_s22_q <= or_3966_s21_q;
+      and_3971_s22_q <= and_3971_s21_q;
+      and_3973_s22_q <= over[14] & less_3972_s21_q;
+      and_4077_s22_q <= and_4077_s21_q;
+      and_4095_s22_q <= select_4093[0] & and_4094_s21_q;
+      and_4098_s22_q <= select_4093[1] & and_4094_s21_q;
+      and_4110_s22_q <= equal_577_s21_q & (equal_3913_s21_q & (cfg_prove_i & or_4107));
+      and_4123_s22_q <= equal_577_s21_q & and_4122;
+      or_4125_s22_q <= or_4125;
+      and_4149_s22_q <= and_4149;
+      and_4153_s22_q <= and_4153_s21_q;
+      select_4155_s22_q <= select_4155_s21_q;
+      select_4172_s22_q <= equal_577_s21_q ? (x_s21_q ? select_4170 : 32'h0) : 32'h0;
     end
   end
 
@@ -12319,57 +12317,57 @@ module horopter_agreement (
   logic [14:0] select_1982;
   assign select_1982 = (select_1978 == 2'h2) ? {select_1980[12:8], patches_sums_values_0_s22_q[9:8], select_1980[7:0]} : select_1981;
   // hls/stages/census.hpp:403
-  logic select_2452;
-  assign select_2452 = or_2450_s22_q ? and_2451_s22_q : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:216
-  logic select_2453;
-  assign select_2453 = equal_2404_s22_q ? select_2452 : sharpness_comparing_less_detail_0_q;
-  logic select_2454;
-  assign select_2454 = so_s22_q ? select_2453 : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:403
+  logic select_2456;
+  assign select_2456 = or_2454_s22_q ? and_2455_s22_q : sharpness_comparing_less_detail_0_q;
+  // hls/stages/agreement.hpp:217
+  logic select_2457;
+  assign select_2457 = equal_2408_s22_q ? select_2456 : sharpness_comparing_less_detail_0_q;
   logic select_2458;
-  assign select_2458 = or_2456_s22_q ? and_2457_s22_q : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:216
-  logic select_2459;
-  assign select_2459 = equal_2404_s22_q ? select_2458 : sharpness_comparing_less_detail_1_q;
-  logic select_2460;
-  assign select_2460 = so_s22_q ? select_2459 : sharpness_comparing_less_detail_1_q;
+  assign select_2458 = so_s22_q ? select_2457 : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:403
+  logic select_2462;
+  assign select_2462 = or_2460_s22_q ? and_2461_s22_q : sharpness_comparing_less_detail_1_q;
+  // hls/stages/agreement.hpp:217
+  logic select_2463;
+  assign select_2463 = equal_2408_s22_q ? select_2462 : sharpness_comparing_less_detail_1_q;
+  logic select_2464;
+  assign select_2464 = so_s22_q ? select_2463 : sharpness_comparing_less_detail_1_q;
   // hls/stages/patches.hpp:663
-  logic [12:0] product_3798;
-  assign product_3798 = {8'h0, patches_on_skin_limit_q} * {5'h0, patches_places_q};
-  // hls/stages/agreement.hpp:1156
-  logic not_3918;
-  assign not_3918 = ~hidden_for_q[7];
-  logic [7:0] select_3920;
-  assign select_3920 = select_3917_s22_q ? (hidden_for_q + {7'h0, not_3918}) : 8'h0;
-  // hls/stages/agreement.hpp:795
-  logic [7:0] select_3922;
-  assign select_3922 = equal_577_s22_q ? (equal_3902_s22_q ? select_3920 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:1236
-  logic and_3952;
-  assign and_3952 = too_much_q & not_3951_s22_q;
-  // hls/stages/agreement.hpp:1237
-  logic select_3957;
-  assign select_3957 = and_3949_s22_q ? (and_3952 | or_3955_s22_q) : and_3952;
-  // hls/stages/agreement.hpp:1239
-  logic select_3963;
-  assign select_3963 = and_3960_s22_q ? and_3962_s22_q : overlooks_q;
-  // hls/stages/agreement.hpp:442
-  logic select_4086;
-  assign select_4086 = and_2060_s22_q ? (less_2061_s22_q ? and_4084_s22_q : seen_q) : seen_q;
-  logic select_4089;
-  assign select_4089 = and_2060_s22_q ? (less_2061_s22_q ? and_4087_s22_q : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:795
-  logic and_4102;
-  assign and_4102 = equal_577_s22_q & (equal_3902_s22_q & (cfg_prove_i & or_3883_s22_q));
-  // hls/stages/agreement.hpp:1249
-  logic not_4104;
-  assign not_4104 = ~(or_3883_s22_q | not_2356);
-  // hls/stages/agreement.hpp:795
-  logic and_4107;
-  assign and_4107 = equal_3902_s22_q & (not_4104 & (select_3891_s22_q | select_3957));
-  logic and_4121;
-  assign and_4121 = equal_3902_s22_q & (not_4104 & (select_2460 | select_2472_s22_q));
+  logic [12:0] product_3808;
+  assign product_3808 = {8'h0, patches_on_skin_limit_q} * {5'h0, patches_places_q};
+  // hls/stages/agreement.hpp:1160
+  logic not_3929;
+  assign not_3929 = ~hidden_for_q[7];
+  logic [7:0] select_3931;
+  assign select_3931 = select_3928_s22_q ? (hidden_for_q + {7'h0, not_3929}) : 8'h0;
+  // hls/stages/agreement.hpp:798
+  logic [7:0] select_3933;
+  assign select_3933 = equal_577_s22_q ? (equal_3913_s22_q ? select_3931 : hidden_for_q) : hidden_for_q;
+  // hls/stages/agreement.hpp:1240
+  logic and_3963;
+  assign and_3963 = too_much_q & not_3962_s22_q;
+  // hls/stages/agreement.hpp:1241
+  logic select_3968;
+  assign select_3968 = and_3960_s22_q ? (and_3963 | or_3966_s22_q) : and_3963;
+  // hls/stages/agreement.hpp:1243
+  logic select_3974;
+  assign select_3974 = and_3971_s22_q ? and_3973_s22_q : overlooks_q;
+  // hls/stages/agreement.hpp:443
+  logic select_4097;
+  assign select_4097 = and_2064_s22_q ? (less_2065_s22_q ? and_4095_s22_q : seen_q) : seen_q;
+  logic select_4100;
+  assign select_4100 = and_2064_s22_q ? (less_2065_s22_q ? and_4098_s22_q : nearer_q) : nearer_q;
+  // hls/stages/agreement.hpp:798
+  logic and_4113;
+  assign and_4113 = equal_577_s22_q & (equal_3913_s22_q & (cfg_prove_i & or_3894_s22_q));
+  // hls/stages/agreement.hpp:1253
+  logic not_4115;
+  assign not_4115 = ~(or_3894_s22_q | not_2360);
+  // hls/stages/agreement.hpp:798
+  logic and_4118;
+  assign and_4118 = equal_3913_s22_q & (not_4115 & (select_3902_s22_q | select_3968));
+  logic and_4132;
+  assign and_4132 = equal_3913_s22_q & (not_4115 & (select_2464 | select_2476_s22_q));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -12384,16 +12382,16 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s22_en) begin
-      sharpness_comparing_less_detail_0_q <= select_2454;
-      sharpness_comparing_less_detail_1_q <= select_2460;
+      sharpness_comparing_less_detail_0_q <= select_2458;
+      sharpness_comparing_less_detail_1_q <= select_2464;
       patches_best_differing_q <= select_1982[9:0];
       patches_best_column_q <= select_1982[14:10];
       patches_on_skin_limit_q <= cfg_on_skin_limit_i;
-      hidden_for_q <= select_3922;
-      too_much_q <= equal_577_s22_q ? select_3957 : too_much_q;
-      overlooks_q <= equal_577_s22_q ? select_3963 : overlooks_q;
-      seen_q <= select_4086;
-      nearer_q <= select_4089;
+      hidden_for_q <= select_3933;
+      too_much_q <= equal_577_s22_q ? select_3968 : too_much_q;
+      overlooks_q <= equal_577_s22_q ? select_3974 : overlooks_q;
+      seen_q <= select_4097;
+      nearer_q <= select_4100;
     end
   end
 
@@ -12420,21 +12418,21 @@ module horopter_agreement (
   logic patches_round_ends_s23_q;
   logic [7:0] patches_on_skin_s23_q;
   logic equal_577_s23_q;
-  logic [7:0] product_3798_s23_q;
-  logic equal_3902_s23_q;
-  logic and_4066_s23_q;
-  logic and_4099_s23_q;
-  logic and_4102_s23_q;
-  logic and_4108_s23_q;
-  logic and_4112_s23_q;
-  logic and_4117_s23_q;
-  logic and_4121_s23_q;
-  logic not_4126_s23_q;
-  logic or_4132_s23_q;
-  logic and_4138_s23_q;
-  logic and_4142_s23_q;
-  logic [5:0] select_4144_s23_q;
-  logic [31:0] select_4161_s23_q;
+  logic [7:0] product_3808_s23_q;
+  logic equal_3913_s23_q;
+  logic and_4077_s23_q;
+  logic and_4110_s23_q;
+  logic and_4113_s23_q;
+  logic and_4119_s23_q;
+  logic and_4123_s23_q;
+  logic and_4128_s23_q;
+  logic and_4132_s23_q;
+  logic not_4137_s23_q;
+  logic or_4143_s23_q;
+  logic and_4149_s23_q;
+  logic and_4153_s23_q;
+  logic [5:0] select_4155_s23_q;
+  logic [31:0] select_4172_s23_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s23_q <= pixel_0_s22_q;
@@ -12448,21 +12446,21 @@ module horopter_agreement (
       patches_round_ends_s23_q <= patches_round_ends_s22_q;
       patches_on_skin_s23_q <= patches_on_skin_s22_q;
       equal_577_s23_q <= equal_577_s22_q;
-      product_3798_s23_q <= product_3798[12:5];
-      equal_3902_s23_q <= equal_3902_s22_q;
-      and_4066_s23_q <= and_4066_s22_q;
-      and_4099_s23_q <= and_4099_s22_q;
-      and_4102_s23_q <= and_4102;
-      and_4108_s23_q <= equal_577_s22_q & and_4107;
-      and_4112_s23_q <= and_4112_s22_q;
-      and_4117_s23_q <= equal_3902_s22_q & (not_4104 & (select_2454 | or_4114_s22_q));
-      and_4121_s23_q <= and_4121;
-      not_4126_s23_q <= ~(select_3920 < cfg_hidden_frames_i);
-      or_4132_s23_q <= not_2356 | (select_3963 & not_3795);
-      and_4138_s23_q <= and_4138_s22_q;
-      and_4142_s23_q <= and_4142_s22_q;
-      select_4144_s23_q <= select_4144_s22_q;
-      select_4161_s23_q <= select_4161_s22_q;
+      product_3808_s23_q <= product_3808[12:5];
+      equal_3913_s23_q <= equal_3913_s22_q;
+      and_4077_s23_q <= and_4077_s22_q;
+      and_4110_s23_q <= and_4110_s22_q;
+      and_4113_s23_q <= and_4113;
+      and_4119_s23_q <= equal_577_s22_q & and_4118;
+      and_4123_s23_q <= and_4123_s22_q;
+      and_4128_s23_q <= equal_3913_s22_q & (not_4115 & (select_2458 | or_4125_s22_q));
+      and_4132_s23_q <= and_4132;
+      not_4137_s23_q <= ~(select_3931 < cfg_hidden_frames_i);
+      or_4143_s23_q <= not_2360 | (select_3974 & not_3805);
+      and_4149_s23_q <= and_4149_s22_q;
+      and_4153_s23_q <= and_4153_s22_q;
+      select_4155_s23_q <= select_4155_s22_q;
+      select_4172_s23_q <= select_4172_s22_q;
     end
   end
 
@@ -12471,19 +12469,19 @@ module horopter_agreement (
   logic patches_overlooked_q;
   logic patches_spoiled_q;
   // hls/stages/patches.hpp:192
-  logic and_3800;
-  assign and_3800 = (~(patches_on_skin_s23_q[7:2] == 6'h0)) & (product_3798_s23_q < patches_on_skin_s23_q);
-  logic select_3805;
-  assign select_3805 = patches_round_ends_s23_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic and_3810;
+  assign and_3810 = (~(patches_on_skin_s23_q[7:2] == 6'h0)) & (product_3808_s23_q < patches_on_skin_s23_q);
+  logic select_3815;
+  assign select_3815 = patches_round_ends_s23_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:644
-  logic or_3809;
-  assign or_3809 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_s23_q));
-  // hls/stages/agreement.hpp:1158
-  logic and_4128;
-  assign and_4128 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_4126_s23_q);
-  // hls/stages/agreement.hpp:795
-  logic and_4134;
-  assign and_4134 = equal_3902_s23_q & (or_4132_s23_q ? cfg_prove_i : patches_overlooked_q);
+  logic or_3819;
+  assign or_3819 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_s23_q));
+  // hls/stages/agreement.hpp:1162
+  logic and_4139;
+  assign and_4139 = cfg_prove_i & ((~(cfg_hidden_frames_i == 8'h0)) & not_4137_s23_q);
+  // hls/stages/agreement.hpp:798
+  logic and_4145;
+  assign and_4145 = equal_3913_s23_q & (or_4143_s23_q ? cfg_prove_i : patches_overlooked_q);
 
   // Memory patches_rows, write
   logic [4:0] patches_rows_waddr;
@@ -12620,9 +12618,9 @@ module horopter_agreement (
       patches_overlooked_q <= 1'b0;
       patches_spoiled_q <= 1'b0;
     end else if (s23_en) begin
-      patches_large_q <= not_3795 & and_3800;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3805;
-      patches_spoiled_q <= or_3809;
+      patches_large_q <= not_3805 & and_3810;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3815;
+      patches_spoiled_q <= or_3819;
     end
   end
 
@@ -12632,21 +12630,21 @@ module horopter_agreement (
   logic mask_s24_q;
   logic marks_first_s24_q;
   logic marks_last_s24_q;
-  logic and_4066_s24_q;
-  logic or_4090_s24_q;
-  logic and_4091_s24_q;
-  logic and_4099_s24_q;
+  logic and_4077_s24_q;
+  logic or_4101_s24_q;
   logic and_4102_s24_q;
-  logic and_4108_s24_q;
-  logic and_4112_s24_q;
-  logic and_4118_s24_q;
-  logic and_4122_s24_q;
-  logic and_4130_s24_q;
-  logic and_4135_s24_q;
-  logic and_4138_s24_q;
-  logic and_4142_s24_q;
-  logic [5:0] select_4144_s24_q;
-  logic [31:0] select_4161_s24_q;
+  logic and_4110_s24_q;
+  logic and_4113_s24_q;
+  logic and_4119_s24_q;
+  logic and_4123_s24_q;
+  logic and_4129_s24_q;
+  logic and_4133_s24_q;
+  logic and_4141_s24_q;
+  logic and_4146_s24_q;
+  logic and_4149_s24_q;
+  logic and_4153_s24_q;
+  logic [5:0] select_4155_s24_q;
+  logic [31:0] select_4172_s24_q;
   always_ff @(posedge clk_i) begin
     if (s23_en) begin
       pixel_0_s24_q <= pixel_0_s23_q;
@@ -12655,21 +12653,21 @@ module horopter_agreement (
       mask_s24_q <= mask_s23_q;
       marks_first_s24_q <= marks_first_s23_q;
       marks_last_s24_q <= marks_last_s23_q;
-      and_4066_s24_q <= and_4066_s23_q;
-      or_4090_s24_q <= not_2356 | seen_q;
-      and_4091_s24_q <= cfg_prove_i & nearer_q;
-      and_4099_s24_q <= and_4099_s23_q;
-      and_4102_s24_q <= and_4102_s23_q;
-      and_4108_s24_q <= and_4108_s23_q;
-      and_4112_s24_q <= and_4112_s23_q;
-      and_4118_s24_q <= equal_577_s23_q & and_4117_s23_q;
-      and_4122_s24_q <= equal_577_s23_q & and_4121_s23_q;
-      and_4130_s24_q <= equal_577_s23_q & (equal_3902_s23_q & and_4128);
-      and_4135_s24_q <= equal_577_s23_q & and_4134;
-      and_4138_s24_q <= and_4138_s23_q;
-      and_4142_s24_q <= and_4142_s23_q;
-      select_4144_s24_q <= select_4144_s23_q;
-      select_4161_s24_q <= select_4161_s23_q;
+      and_4077_s24_q <= and_4077_s23_q;
+      or_4101_s24_q <= not_2360 | seen_q;
+      and_4102_s24_q <= cfg_prove_i & nearer_q;
+      and_4110_s24_q <= and_4110_s23_q;
+      and_4113_s24_q <= and_4113_s23_q;
+      and_4119_s24_q <= and_4119_s23_q;
+      and_4123_s24_q <= and_4123_s23_q;
+      and_4129_s24_q <= equal_577_s23_q & and_4128_s23_q;
+      and_4133_s24_q <= equal_577_s23_q & and_4132_s23_q;
+      and_4141_s24_q <= equal_577_s23_q & (equal_3913_s23_q & and_4139);
+      and_4146_s24_q <= equal_577_s23_q & and_4145;
+      and_4149_s24_q <= and_4149_s23_q;
+      and_4153_s24_q <= and_4153_s23_q;
+      select_4155_s24_q <= select_4155_s23_q;
+      select_4172_s24_q <= select_4172_s23_q;
     end
   end
 
@@ -12680,21 +12678,21 @@ module horopter_agreement (
   assign mask_o = mask_s24_q;
   assign marks_first_o = marks_first_s24_q;
   assign marks_last_o = marks_last_s24_q;
-  assign marks_seen_o = or_4090_s24_q;
-  assign marks_nearer_o = and_4091_s24_q;
-  assign verdict_valid_o = and_4066_s24_q;
-  assign verdict_unproven_yet_o = and_4099_s24_q;
-  assign verdict_untextured_o = and_4102_s24_q;
-  assign verdict_disagree_o = and_4108_s24_q;
-  assign verdict_moved_o = and_4112_s24_q;
-  assign verdict_unsharp_left_o = and_4118_s24_q;
-  assign verdict_unsharp_right_o = and_4122_s24_q;
-  assign verdict_hidden_o = and_4130_s24_q;
-  assign verdict_overlooked_o = and_4135_s24_q;
-  assign verdict_out_of_step_o = and_4138_s24_q;
-  assign frame_valid_o = and_4142_s24_q;
-  assign frame_index_o = select_4144_s24_q;
-  assign frame_word_o = select_4161_s24_q;
+  assign marks_seen_o = or_4101_s24_q;
+  assign marks_nearer_o = and_4102_s24_q;
+  assign verdict_valid_o = and_4077_s24_q;
+  assign verdict_unproven_yet_o = and_4110_s24_q;
+  assign verdict_untextured_o = and_4113_s24_q;
+  assign verdict_disagree_o = and_4119_s24_q;
+  assign verdict_moved_o = and_4123_s24_q;
+  assign verdict_unsharp_left_o = and_4129_s24_q;
+  assign verdict_unsharp_right_o = and_4133_s24_q;
+  assign verdict_hidden_o = and_4141_s24_q;
+  assign verdict_overlooked_o = and_4146_s24_q;
+  assign verdict_out_of_step_o = and_4149_s24_q;
+  assign frame_valid_o = and_4153_s24_q;
+  assign frame_index_o = select_4155_s24_q;
+  assign frame_word_o = select_4172_s24_q;
   assign valid_o = valid_s24_q;
 
   always_ff @(posedge clk_i) begin
@@ -12753,6 +12751,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], product_3798[4:0], sum_3769[1:0], sum_3729[1:0], product_3630[4:0], sum_2761[0], difference_2701[1:0], detail_4[1:0], detail_3[1:0], sum_2289[4:0], sum_1772[1:0], sum_1771[1:0], sum_1767[0], sum_1716[0], sum_1712[0], sum_737[4:0], cfg_width_i[3:0]};
+  assign unused_bits = ^{over[13:0], sum_3844[6:0], product_3808[4:0], sum_3779[1:0], sum_3739[1:0], product_3640[4:0], sum_2771[0], difference_2709[1:0], detail_4[1:0], detail_3[1:0], sum_2293[4:0], sum_1772[1:0], sum_1771[1:0], sum_1767[0], sum_1716[0], sum_1712[0], sum_737[4:0], cfg_width_i[3:0]};
 
 endmodule
