@@ -22,8 +22,8 @@
 namespace horopter {
 namespace {
 
-cv::Mat textured(int type = CV_8UC3) {
-  cv::Mat image(48, 64, type);
+cv::Mat textured(int type = CV_8UC3, cv::Size size = {64, 48}) {
+  cv::Mat image(size, type);
   cv::theRNG().state = 7;
   cv::randu(image, 0, 256);
   cv::GaussianBlur(image, image, {5, 5}, 1.5);
@@ -48,6 +48,26 @@ std::string error_of(const std::filesystem::path& path) {
   }
   FAIL("no error for " << path);
   return {};
+}
+
+/// How many of 40 copies `read` refuses. In each of them 1000 random bytes lie over a part of those from `begin` to `end`;
+/// none of them is 0xFF, which begins a marker of JPEG.
+template <class Read>
+int refused_of_40(const std::vector<std::uint8_t>& whole, std::size_t begin, std::size_t end, const Read& read) {
+  constexpr std::size_t kOverwritten = 1000;
+  std::mt19937 random(7);
+  int refused = 0;
+  for (int trial = 0; trial < 40; ++trial) {
+    auto bytes = whole;
+    const std::size_t at = begin + random() % (end - begin - kOverwritten);
+    for (std::size_t i = at; i < at + kOverwritten; ++i) bytes[i] = static_cast<std::uint8_t>(random() % 0xFF);
+    try {
+      read(bytes);
+    } catch (const FileError&) {
+      ++refused;
+    }
+  }
+  return refused;
 }
 
 }  // namespace
@@ -153,6 +173,24 @@ TEST_CASE("The real JPEG that a decoder still shows is refused") {
   const auto cut = directory.write("left01.jpg", bytes);
   CHECK(!cv::imread(cut.string(), cv::IMREAD_GRAYSCALE).empty());
   CHECK_THAT(error_of(cut), Catch::Contains("no end-of-image marker"));
+}
+
+TEST_CASE("A JPEG with other bytes in the middle of its data is refused") {
+  const bool restarts = GENERATE(false, true);
+  CAPTURE(restarts);
+  const auto bytes = encoded(".jpg", textured(CV_8UC3, {640, 480}), {cv::IMWRITE_JPEG_RST_INTERVAL, restarts ? 20 : 0});
+  constexpr std::array<std::uint8_t, 2> kScan{0xFF, 0xDA};
+  const auto scan = static_cast<std::size_t>(std::ranges::search(bytes, kScan).begin() - bytes.begin());
+  const std::size_t begin = scan + 2 + (bytes[scan + 2] << 8 | bytes[scan + 3]), end = bytes.size() - 2;
+  CHECK_NOTHROW(decode_image(bytes, "whole"));
+  CHECK_NOTHROW(check_jpeg_packet(bytes, "whole"));
+  CHECK(refused_of_40(bytes, begin, end, [](const auto& damaged) { decode_image(damaged, "damaged"); }) >= 38);
+  CHECK(refused_of_40(bytes, begin, end, [](const auto& damaged) { check_jpeg_packet(damaged, "damaged"); }) >= 38);
+  // Where zeros lie over the end of the data, decoders may have all pixels before the last zero.
+  auto padded = bytes;
+  padded.insert(padded.end() - 2, 100, std::uint8_t{0});
+  CHECK_THROWS_WITH(decode_image(padded, "padded"), Catch::Contains("extraneous"));
+  CHECK_THROWS_WITH(check_jpeg_packet(padded, "padded"), Catch::Contains("extraneous"));
 }
 
 TEST_CASE("16-bit images are refused in clear words") {

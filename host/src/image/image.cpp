@@ -35,8 +35,7 @@ void on_jpeg_error(j_common_ptr info) {
 void on_jpeg_message(j_common_ptr info, int level) {
   if (level >= 0) return;
   auto* errors = reinterpret_cast<JpegErrors*>(info->err);
-  const int code = info->err->msg_code;
-  if (code == JWRN_EXTRANEOUS_DATA || code == JWRN_ADOBE_XFORM) return;
+  if (info->err->msg_code == JWRN_ADOBE_XFORM) return;
   if (!errors->damaged) info->err->format_message(info, errors->message);
   errors->damaged = true;
 }
