@@ -70,6 +70,21 @@ int refused_of_40(const std::vector<std::uint8_t>& whole, std::size_t begin, std
   return refused;
 }
 
+/// Where the directory of a TIFF, with the lowest byte first, has this tag.
+std::size_t tiff_entry(const std::vector<std::uint8_t>& bytes, unsigned tag) {
+  const auto number = [&](std::size_t at, int length) {
+    std::size_t value = 0;
+    for (int i = length; i-- > 0;) value = value << 8 | bytes.at(at + static_cast<std::size_t>(i));
+    return value;
+  };
+  const std::size_t directory = number(4, 4), entries = number(directory, 2);
+  for (std::size_t i = 0; i < entries; ++i) {
+    if (const std::size_t entry = directory + 2 + 12 * i; number(entry, 2) == tag) return entry;
+  }
+  FAIL("no tag " << tag);
+  return 0;
+}
+
 }  // namespace
 
 TEST_CASE("Images of every format become Rec. 601 luma") {
@@ -191,6 +206,37 @@ TEST_CASE("A JPEG with other bytes in the middle of its data is refused") {
   padded.insert(padded.end() - 2, 100, std::uint8_t{0});
   CHECK_THROWS_WITH(decode_image(padded, "padded"), Catch::Contains("extraneous"));
   CHECK_THROWS_WITH(check_jpeg_packet(padded, "padded"), Catch::Contains("extraneous"));
+}
+
+TEST_CASE("A TIFF with other bytes in its compressed data is refused, and so are kinds without any check") {
+  const cv::Mat image = textured(CV_8UC3, {320, 240});
+  const auto bytes = encoded(".tiff", image);
+  const std::size_t compression = tiff_entry(bytes, 259);
+  REQUIRE(bytes[compression + 8] == 5);  // LZW
+  CHECK_NOTHROW(decode_image(bytes, "whole"));
+  constexpr std::size_t kHeader = 8;
+  const std::size_t end = bytes.size() - 1000;  // the directory lies behind it
+  CHECK(refused_of_40(bytes, kHeader, end, [](const auto& damaged) { decode_image(damaged, "damaged"); }) >= 38);
+  const auto plain = encoded(".tiff", image, {cv::IMWRITE_TIFF_COMPRESSION, 1});
+  CHECK(decode_image(plain, "plain") == decode_image(bytes, "whole"));
+  for (const int other : {8, 32773}) {  // Deflate, PackBits
+    CHECK_THROWS_WITH(decode_image(encoded(".tiff", image, {cv::IMWRITE_TIFF_COMPRESSION, other}), "other"),
+                      Catch::Contains("a TIFF of compression " + std::to_string(other)) && Catch::Contains("expected"));
+  }
+  auto shorter = plain;
+  shorter[tiff_entry(shorter, 257) + 8] = 241;  // of 240 rows
+  CHECK_THROWS_WITH(decode_image(shorter, "shorter"), Catch::Contains("TIFF"));
+}
+
+TEST_CASE("Orientation is refused where a decoder would turn the image") {
+  auto bytes = encoded(".tiff", textured(CV_8UC1));
+  const std::size_t entry = tiff_entry(bytes, 339);  // SampleFormat, which is 1 in any case
+  REQUIRE(bytes[entry + 8] == 1);
+  bytes[entry] = 274 & 0xFF;
+  bytes[entry + 1] = 274 >> 8;
+  CHECK_NOTHROW(decode_image(bytes, "upright"));
+  bytes[entry + 8] = 3;
+  CHECK_THROWS_WITH(decode_image(bytes, "turned"), Catch::Contains("orientation 3; expected orientation 1"));
 }
 
 TEST_CASE("16-bit images are refused in clear words") {

@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <cstdlib>
+#include <limits>
 #include <optional>
 
 #include "horopter/base/crc32.hpp"
@@ -226,6 +227,40 @@ void check_bmp(const Reader& file) {
   file.need(pixels, length, "pixels");
 }
 
+// Of tag 259. Other kinds have no check that decoders look at.
+constexpr std::uint32_t kTiffPlain = 1, kTiffLzw = 5;
+
+/// How many bytes the LZW data of a TIFF stand for (TIFF 6.0, section 13). Nothing where a code stands for none, or where
+/// the end is missing. Decoders stop quietly at the bytes that they need.
+std::optional<std::uint64_t> lzw_length(Bytes data) {
+  constexpr unsigned kClear = 256, kEnd = 257, kFirst = 258, kFewestBits = 9, kMostBits = 12;
+  std::array<std::uint32_t, 1U << kMostBits> lengths{};
+  std::fill_n(lengths.begin(), kClear, 1);
+  std::uint64_t sum = 0;
+  std::size_t at_bit = 0;
+  unsigned next = kFirst, bits = kFewestBits;
+  std::uint32_t last = 0;  // none
+  while (at_bit + bits <= data.size() * 8) {
+    unsigned code = 0;
+    for (unsigned i = 0; i < bits; ++i, ++at_bit) code = code << 1 | (data[at_bit / 8] >> (7 - at_bit % 8) & 1U);
+    if (code == kEnd) return sum;
+    if (code == kClear) {
+      next = kFirst;
+      bits = kFewestBits;
+      last = 0;
+      continue;
+    }
+    if (last == 0 ? code > kClear : code > next || next == lengths.size()) return std::nullopt;
+    if (last != 0) {
+      lengths[next++] = last + 1;
+      if (next + 1 == 1U << bits && bits < kMostBits) ++bits;
+    }
+    last = lengths[code];
+    sum += last;
+  }
+  return std::nullopt;
+}
+
 void check_tiff(const Reader& file, std::uint8_t version) {
   if (version != 42) file.bad(2, "a BigTIFF", "a TIFF of version 42");
   const std::size_t directory = file.u32(4);
@@ -242,7 +277,9 @@ void check_tiff(const Reader& file, std::uint8_t version) {
   };
   Values offsets;
   Values counts;
-  std::uint32_t width = 0, height = 0;
+  std::uint32_t width = 0, height = 0, rows_per_strip = std::numeric_limits<std::uint32_t>::max();
+  std::uint32_t tile_width = 0, tile_height = 0, samples = 1, compression = kTiffPlain;
+  bool planes = false, eight_bits = false;
   for (unsigned i = 0; i < entries; ++i) {
     const std::size_t entry = directory + 2 + std::size_t{i} * 12;
     const unsigned tag = file.u16(entry);
@@ -252,22 +289,55 @@ void check_tiff(const Reader& file, std::uint8_t version) {
     const bool inside = std::size_t{count} * size <= 4;
     const std::size_t at = inside ? entry + 8 : file.u32(entry + 8);
     if (tag == 258) {  // BitsPerSample
+      eight_bits = count > 0;
       for (unsigned sample = 0; sample < count; ++sample) {
         if (const unsigned bits = file.u16(at + std::size_t{sample} * 2); bits != 8) file.bad_depth(at, bits);
       }
     }
     if (tag == 256) width = file.number(at, size);
     if (tag == 257) height = file.number(at, size);
+    if (tag == 259) compression = file.number(at, size);
+    if (tag == 274 && file.number(at, size) != 1) {  // decoders turn it, each in its own way
+      file.bad(entry, fmt::format("a TIFF with orientation {}", file.number(at, size)),
+               "orientation 1, the first pixel at the top left");
+    }
+    if (tag == 277) samples = file.number(at, size);
+    if (tag == 278) rows_per_strip = file.number(at, size);
+    if (tag == 284) planes = file.number(at, size) == 2;
+    if (tag == 322) tile_width = file.number(at, size);
+    if (tag == 323) tile_height = file.number(at, size);
     if (tag == 273 || tag == 324) offsets = {at, count, size};  // StripOffsets, TileOffsets
     if (tag == 279 || tag == 325) counts = {at, count, size};   // StripByteCounts, TileByteCounts
   }
+  const bool tiles = tile_width != 0 || tile_height != 0;
+  if (tiles) file.check_size(directory, tile_width, tile_height);
   file.check_size(directory, width, height);
+  if (!eight_bits) file.bad_depth(directory, 1);
   if (offsets.count == 0 || offsets.count != counts.count) {
     file.bad(directory, "a TIFF without pixels", "strips or tiles with offsets and byte counts");
   }
+  if (compression != kTiffPlain && compression != kTiffLzw) {
+    file.bad(directory, fmt::format("a TIFF of compression {}", compression), "none or LZW (5), or PNG");
+  }
+  const std::uint32_t part_width = tiles ? tile_width : width;
+  const std::uint32_t part_height = tiles ? tile_height : std::min(rows_per_strip, height);
+  if (part_height == 0) file.bad(directory, "a TIFF with strips of no row", "one row or more");
+  const std::uint32_t across = tiles ? (width + part_width - 1) / part_width : 1;
+  const std::uint32_t down = (height + part_height - 1) / part_height;
+  const std::uint64_t parts = std::uint64_t{across} * down;
+  if (offsets.count != parts * (planes ? samples : 1)) {
+    file.bad(directory, fmt::format("a TIFF with {} strips or tiles", offsets.count),
+             "as many as its size and its samples need");
+  }
   for (unsigned i = 0; i < offsets.count; ++i) {
-    file.need(file.number(offsets.at + std::size_t{i} * offsets.size, offsets.size),
-              file.number(counts.at + std::size_t{i} * counts.size, counts.size), "a TIFF strip");
+    const std::size_t begin = file.number(offsets.at + std::size_t{i} * offsets.size, offsets.size);
+    const std::size_t length = file.number(counts.at + std::size_t{i} * counts.size, counts.size);
+    file.need(begin, length, "a TIFF strip");
+    const std::uint64_t row = i % parts;  // tiles are always whole
+    const std::uint64_t rows = tiles ? part_height : std::min<std::uint64_t>(part_height, height - row * part_height);
+    const std::uint64_t pixels = rows * part_width * (planes ? 1 : samples);
+    const bool whole = compression == kTiffLzw ? lzw_length(file.part(begin, length)) == pixels : length >= pixels;
+    if (!whole) file.bad(begin, "a damaged TIFF strip or tile", fmt::format("{} bytes of pixels", pixels));
   }
 }
 

@@ -28,8 +28,10 @@ struct Image {
 };
 
 /// Reads PNG, JPEG, PNM (P2, P3, P5, P6), BMP or TIFF with 8 bits a sample; colour becomes grey by Rec. 601 luma.
-/// Orientation tags are ignored: pixels stay where the sensor had them. Throws FileError for a file that is missing,
-/// empty, truncated, damaged, of another depth, not an image or more than one, even when a decoder would still show it.
+/// Pixels stay where the sensor had them: orientation tags are ignored, and a TIFF that is to be turned is refused. Throws
+/// FileError for a file that is missing, empty, truncated, of another depth, not an image or more than one, even when a
+/// decoder would still show it; and for a damaged one, where its format tells: PNG always, JPEG and LZW in TIFF nearly
+/// always, but not all damage of a few bytes; plain TIFF, PNM and BMP never.
 Image load_image(const std::filesystem::path& path);
 /// The same for bytes in memory; `name` stands for the file in messages.
 Image decode_image(std::span<const std::uint8_t> bytes, const std::string& name);
