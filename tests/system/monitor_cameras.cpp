@@ -2,6 +2,7 @@
 // Sources of images as the monitor opens them: GigE Vision by the fake cameras of Aravis on the loopback, GStreamer, files.
 #include <arv.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <map>
 #include <memory>
@@ -16,6 +17,8 @@
 
 #include "../unit/host_temporary.hpp"
 #include "../unit/video_hole.hpp"
+#include "camera/grabbers.hpp"
+#include "camera/succession.hpp"
 #include "horopter/monitor/camera.hpp"
 
 using namespace horopter::monitor;
@@ -103,6 +106,28 @@ class Sink : public CameraSink {
  private:
   std::mutex mutex_;
 };
+
+struct Seen {
+  std::set<std::vector<std::uint8_t>> images;
+  std::uint64_t lost = 0;
+};
+
+/// All that a pipeline with an end gives.
+Seen see(const std::string& pipeline) {
+  const auto grabber = open_grabber(settings(pipeline));
+  Seen seen;
+  try {
+    for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up;) {
+      const auto frame = grabber->next(100ms);
+      if (!frame) continue;
+      seen.lost = frame->lost_packets;
+      if (!frame->image.empty()) seen.images.insert(frame->image.pixels);
+    }
+  } catch (const CameraError& error) {
+    CHECK_THAT(error.what(), Catch::Contains("the stream has ended"));
+  }
+  return seen;
+}
 
 }  // namespace
 
@@ -207,25 +232,6 @@ TEST_CASE("of images that are told by those before them none counts behind a gap
   const std::string begin =
       "gst:videotestsrc pattern=ball num-buffers=200 ! video/x-raw,format=I420,width=96,height=64,framerate=100/1 ! "
       "vp8enc deadline=1 cpu-used=-4 keyframe-max-dist=8 ";  // a speed that does not follow the computer's
-  struct Seen {
-    std::set<std::vector<std::uint8_t>> images;
-    std::uint64_t lost = 0;
-  };
-  const auto see = [](const std::string& pipeline) {
-    const auto grabber = open_grabber(settings(pipeline));
-    Seen seen;
-    try {
-      for (const auto give_up = Clock::now() + 60s; Clock::now() < give_up;) {
-        const auto frame = grabber->next(100ms);
-        if (!frame) continue;
-        seen.lost = frame->lost_packets;
-        if (!frame->image.empty()) seen.images.insert(frame->image.pixels);
-      }
-    } catch (const CameraError& error) {
-      CHECK_THAT(error.what(), Catch::Contains("the stream has ended"));
-    }
-    return seen;
-  };
   const Seen whole = see(begin + "! vp8dec");
   CHECK(whole.lost == 0);
   REQUIRE(whole.images.size() > 100);
@@ -237,6 +243,37 @@ TEST_CASE("of images that are told by those before them none counts behind a gap
     CHECK(seen.images.size() > 10);
     CHECK(std::ranges::includes(whole.images, seen.images));  // nothing was made up
   }
+}
+
+TEST_CASE("an image behind which a gap was noticed may have the hole, although it stands alone, and so may the next") {
+  const PacketMarks key{}, delta{.difference = true}, key_at_gap{.gap = true},
+      delta_at_gap{.gap = true, .difference = true};
+  const PacketMarks head{.gap = true, .difference = true, .head = true}, damaged{.damaged = true};
+  const auto counted = [](const std::vector<PacketMarks>& all) {
+    Succession succession;
+    std::string text;
+    for (const PacketMarks& marks : all) text += succession.counts(marks) ? '+' : '-';
+    return text;
+  };
+  CHECK(counted({key, delta, key_at_gap, delta, key_at_gap, delta, key}) == "++----+");
+  CHECK(counted({key_at_gap, delta, key, delta}) == "++++");            // every stream begins with a gap
+  CHECK(counted({delta, delta_at_gap, delta, key, delta}) == "---++");  // or in the middle
+  CHECK(counted({head, head, key_at_gap, delta, delta_at_gap, key, key}) == "++++--+");  // of Theora
+  CHECK(counted({key, damaged, delta, key, delta}) == "+--++");
+  CHECK(counted({key, delta, delta_at_gap, delta, key, delta}) == "++--++");
+  // All stand alone: two are lost with each gap, for nobody knows whether they are whole.
+  CHECK(counted({key_at_gap, key, key_at_gap, key, key, key_at_gap, key_at_gap, key, key}) == "++--+---+");
+}
+
+TEST_CASE("of raw images from the network none counts of which a packet was lost") {
+  const std::string begin =
+      "gst:videotestsrc pattern=ball num-buffers=200 ! video/x-raw,format=I420,width=96,height=64,framerate=100/1 ! ";
+  const Seen whole = see(begin + "identity");
+  CHECK(see(begin + "rtpvrawpay mtu=1000 ! rtpvrawdepay").lost == 0);
+  const Seen seen = see(begin + "rtpvrawpay mtu=1000 ! identity drop-probability=0.02 ! rtpvrawdepay");
+  CHECK(seen.lost > 0);
+  CHECK(seen.images.size() > 10);
+  CHECK(std::ranges::includes(whole.images, seen.images));
 }
 
 TEST_CASE("streams of which nothing is lost are whole, whatever their encoders say of differences") {

@@ -11,10 +11,11 @@
 #include <cmath>
 #include <mutex>
 #include <span>
-#include <string_view>
+#include <string>
 #include <utility>
 
 #include "camera/grabbers.hpp"
+#include "camera/succession.hpp"
 #include "horopter/base/error.hpp"
 #include "horopter/image/image.hpp"
 
@@ -86,61 +87,70 @@ class PacketWatch {
   std::uint64_t lost() const { return lost_; }
 
  private:
-  static void on_added(GstBin* /*pipeline*/, GstBin* /*bin*/, GstElement* element, PacketWatch* self) {
-    self->watch_decoder(element);
-  }
-  static void on_found(const GValue* element, void* self) {
-    static_cast<PacketWatch*>(self)->watch_decoder(GST_ELEMENT(g_value_get_object(element)));
-  }
-  void watch_decoder(GstElement* element) {
-    GstElementFactory* factory = gst_element_get_factory(element);
-    if (GST_IS_BIN(element) || factory == nullptr) return;
-    if (gst_element_factory_list_is_type(factory, GST_ELEMENT_FACTORY_TYPE_DECODER) == FALSE) return;
-    gst_element_foreach_sink_pad(element, &PacketWatch::watch_pad, this);
-  }
-  static gboolean watch_pad(GstElement* /*element*/, GstPad* pad, void* self) {
-    const CapsPtr takes(gst_pad_get_pad_template_caps(pad)), jpeg(gst_caps_new_empty_simple("image/jpeg"));
-    gst_pad_add_probe(pad, GST_PAD_PROBE_TYPE_BUFFER, &PacketWatch::on_buffer,
-                      new Stream{.watch = static_cast<PacketWatch*>(self),
-                                 .takes_jpeg = gst_caps_can_intersect(takes.get(), jpeg.get()) == TRUE},
-                      [](void* stream) { delete static_cast<Stream*>(stream); });
-    return TRUE;
-  }
-
-  /// What one decoder gets.
+  /// What one decoder gets, or what comes from parts without one.
   struct Stream {
     PacketWatch* watch;
     bool takes_jpeg;
-    bool behind_gap = true;  ///< and nothing has come since that stands alone
-    bool begun = false;      ///< with an image; of some kinds heads come before, as differences
+    Succession succession;
 
-    /// Of images that are told by those before them.
-    bool follows(GstBuffer* buffer) {
+    bool counts(GstBuffer* buffer) {
       const auto has = [&](GstBufferFlags flag) { return GST_BUFFER_FLAG_IS_SET(buffer, flag); };
-      if (has(GST_BUFFER_FLAG_DISCONT)) behind_gap = true;
-      if (!has(GST_BUFFER_FLAG_DELTA_UNIT)) {
-        behind_gap = false;
-        begun = true;
-      }
-      if (has(GST_BUFFER_FLAG_CORRUPTED)) {
-        behind_gap = true;
-        return false;
-      }
-      return !behind_gap || (!begun && has(GST_BUFFER_FLAG_HEADER));
+      return succession.counts({.gap = has(GST_BUFFER_FLAG_DISCONT),
+                                .difference = has(GST_BUFFER_FLAG_DELTA_UNIT),
+                                .damaged = has(GST_BUFFER_FLAG_CORRUPTED),
+                                .head = has(GST_BUFFER_FLAG_HEADER)});
     }
   };
 
+  static void on_added(GstBin* /*pipeline*/, GstBin* /*bin*/, GstElement* element, PacketWatch* self) {
+    self->watch_element(element);
+  }
+  static void on_found(const GValue* element, void* self) {
+    static_cast<PacketWatch*>(self)->watch_element(GST_ELEMENT(g_value_get_object(element)));
+  }
+  void watch_element(GstElement* element) {
+    GstElementFactory* factory = gst_element_get_factory(element);
+    if (GST_IS_BIN(element) || factory == nullptr) return;
+    const auto is = [&](GstElementFactoryListType type) {
+      return gst_element_factory_list_is_type(factory, type) == TRUE;
+    };
+    if (is(GST_ELEMENT_FACTORY_TYPE_DECODER)) gst_element_foreach_sink_pad(element, &PacketWatch::watch_taken, this);
+    if (is(GST_ELEMENT_FACTORY_TYPE_DEPAYLOADER)) {
+      gst_element_foreach_src_pad(element, &PacketWatch::watch_joined, this);
+    }
+  }
+  static void watch_pad(GstPad* pad, GstPadProbeCallback on, Stream stream) {
+    gst_pad_add_probe(pad, GST_PAD_PROBE_TYPE_BUFFER, on, new Stream(stream),
+                      [](void* of_pad) { delete static_cast<Stream*>(of_pad); });
+  }
+  static gboolean watch_joined(GstElement* /*element*/, GstPad* pad, void* self) {
+    watch_pad(pad, &PacketWatch::on_joined,
+              {.watch = static_cast<PacketWatch*>(self), .takes_jpeg = false, .succession = {}});
+    return TRUE;
+  }
+  static gboolean watch_taken(GstElement* /*element*/, GstPad* pad, void* self) {
+    const CapsPtr takes(gst_pad_get_pad_template_caps(pad)), jpeg(gst_caps_new_empty_simple("image/jpeg"));
+    watch_pad(pad, &PacketWatch::on_buffer,
+              {.watch = static_cast<PacketWatch*>(self),
+               .takes_jpeg = gst_caps_can_intersect(takes.get(), jpeg.get()) == TRUE,
+               .succession = {}});
+    return TRUE;
+  }
+
+  static std::string kind_of(GstPad* pad) {
+    const CapsPtr caps(gst_pad_get_current_caps(pad));
+    return caps ? gst_structure_get_name(gst_caps_get_structure(caps.get(), 0)) : "";
+  }
   static GstPadProbeReturn on_buffer(GstPad* pad, GstPadProbeInfo* info, void* of_pad) {
     auto* stream = static_cast<Stream*>(of_pad);
     GstBuffer* buffer = GST_PAD_PROBE_INFO_BUFFER(info);
-    const CapsPtr caps(gst_pad_get_current_caps(pad));
-    const std::string_view kind = caps ? gst_structure_get_name(gst_caps_get_structure(caps.get(), 0)) : "";
+    const std::string kind = kind_of(pad);
     if (kind.starts_with("audio/")) return GST_PAD_PROBE_OK;
     const bool is_jpeg = stream->takes_jpeg && (kind.empty() || kind == "image/jpeg");
     const bool alone = kind.starts_with("image/");  // whatever its encoder says: that of PNG calls each a difference
     const bool good = is_jpeg ? is_whole(buffer)
                       : alone ? !GST_BUFFER_FLAG_IS_SET(buffer, GST_BUFFER_FLAG_CORRUPTED)
-                              : stream->follows(buffer);
+                              : stream->counts(buffer);
     if (good) return GST_PAD_PROBE_OK;
     if (is_jpeg && is_piece(pad, buffer)) {
       GstElement* decoder = gst_pad_get_parent_element(pad);
@@ -148,6 +158,13 @@ class PacketWatch {
                         (nullptr));
       gst_object_unref(decoder);
     }
+    ++stream->watch->lost_;
+    return GST_PAD_PROBE_DROP;
+  }
+  /// Raw images that were joined from parts: where one is missing there is what was in the memory before.
+  static GstPadProbeReturn on_joined(GstPad* pad, GstPadProbeInfo* info, void* of_pad) {
+    auto* stream = static_cast<Stream*>(of_pad);
+    if (kind_of(pad) != "video/x-raw" || stream->counts(GST_PAD_PROBE_INFO_BUFFER(info))) return GST_PAD_PROBE_OK;
     ++stream->watch->lost_;
     return GST_PAD_PROBE_DROP;
   }
