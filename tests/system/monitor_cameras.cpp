@@ -41,7 +41,7 @@ CameraSettings settings(const std::string& source, double frames_per_s = 25) {
   CameraSettings settings;
   settings.camera.source = source;
   settings.frames_per_s = frames_per_s;
-  settings.begin = Clock::now();
+  settings.begin = Clock::now() + 500ms;  // files are open by then
   return settings;
 }
 
@@ -314,6 +314,38 @@ TEST_CASE("what a video lost when it was recorded is lost when it is shown") {
   CHECK(numbers[1] == numbers[0] + 1);
   CHECK(numbers[2] == numbers[0] + 4);
   CHECK(numbers[3] == numbers[0] + 5);
+}
+
+TEST_CASE("files that are opened late, or again, show the image of the moment, as those of the other camera") {
+  const horopter::TemporaryDirectory directory;
+  constexpr int kImages = 5;
+  for (int i = 0; i < kImages; ++i) {
+    const std::string grey = std::to_string(40 * i);
+    directory.write("i" + std::to_string(i) + ".pgm", "P2 2 1 255 " + grey + " " + grey + "\n");
+  }
+  auto late = settings("files:" + directory.path().string(), 50);
+  late.camera.repeat = true;
+  for (const Clock::duration since : {Clock::duration(200ms), Clock::duration(1h)}) {
+    late.begin = Clock::now() - since;
+    const auto grabber = open_grabber(late);
+    const auto frames = grab(*grabber, 2 * kImages + 1);
+    CHECK(frames.front().taken >= (late.begin + since).time_since_epoch());
+    for (const CameraFrame& frame : frames) {
+      CHECK(frame.image.at(0, 0) == 40 * (frame.number.value() % kImages));
+      CHECK(frame.taken == (late.begin + frame.number.value() * 20ms).time_since_epoch());
+    }
+  }
+  late.camera.repeat = false;
+  late.frames_per_s = 1;
+  late.begin = Clock::now() - 1200ms;
+  const auto grabber = open_grabber(late);
+  const auto frame = grab(*grabber, 1).front();
+  CHECK(frame.number.value() >= 2);
+  CHECK(frame.image.at(0, 0) == 40 * frame.number.value());
+  late.begin = Clock::now() - 1h;
+  const auto over = open_grabber(late);
+  CHECK_FALSE(over->next(10s));
+  CHECK(over->ended());
 }
 
 TEST_CASE("an image that is shorter than its size is lost; JPEG in pieces is an error") {

@@ -17,15 +17,16 @@ class FilesGrabber : public Grabber {
         repeat_(settings.camera.repeat),
         period_(std::chrono::duration_cast<Duration>(std::chrono::duration<double>(1 / settings.frames_per_s))),
         begin_(settings.begin),
-        frames_(open_frames({pattern_})) {
-    // Opened again, or late: where it would be now.
-    if (const auto now = Clock::now(); now > begin_) number_ = static_cast<std::uint64_t>((now - begin_) / period_) + 1;
-  }
+        frames_(open_frames({pattern_})) {}
 
   std::optional<CameraFrame> next(std::chrono::milliseconds patience) override {
-    if (!next_ && !ended_) read();
+    const auto give_up = Clock::now() + patience;
+    while (!next_ && !ended_) {
+      read();
+      if (!next_ && Clock::now() > give_up) return std::nullopt;
+    }
     if (ended_) return std::nullopt;
-    const auto due = begin_ + static_cast<Duration::rep>(number_) * period_;
+    const auto due = due_of(number_);
     const auto until = std::min(due, Clock::now() + patience);
     std::this_thread::sleep_until(until);
     if (until < due) return std::nullopt;
@@ -40,18 +41,38 @@ class FilesGrabber : public Grabber {
   [[nodiscard]] bool ended() const override { return ended_; }
 
  private:
+  Clock::time_point due_of(std::uint64_t number) const { return begin_ + static_cast<Duration::rep>(number) * period_; }
+
+  /// Opened again, or late, it passes over what would have been shown by now: an image has the same number in each round,
+  /// and beside the other camera.
   void read() {
     auto image = frames_->next();
     if (!image && repeat_) {
-      frames_ = open_frames({pattern_});
+      begin_again();
       image = frames_->next();
     }
-    if (image) {
-      if (image->time) number_ += image->time->left_out;  // lost when it was recorded
+    if (!image) {
+      ended_ = true;
+      return;
+    }
+    if (image->time) number_ += image->time->left_out;  // lost when it was recorded
+    in_time_ = in_time_ || due_of(number_) > Clock::now();
+    if (in_time_) {
       next_ = std::move(image->image);
     } else {
-      ended_ = true;
+      ++number_;
     }
+  }
+
+  void begin_again() {
+    frames_ = open_frames({pattern_});
+    const std::uint64_t round = number_ - round_begin_;
+    round_begin_ = number_;
+    if (in_time_ || round == 0) return;
+    const auto now = Clock::now();
+    if (now <= due_of(number_)) return;
+    const auto late = static_cast<std::uint64_t>((now - due_of(number_)) / period_);
+    number_ = round_begin_ += late / round * round;
   }
 
   std::string pattern_;
@@ -60,7 +81,8 @@ class FilesGrabber : public Grabber {
   Clock::time_point begin_;
   std::unique_ptr<FrameSource> frames_;
   std::optional<Image> next_;
-  std::uint64_t number_ = 0;
+  std::uint64_t number_ = 0, round_begin_ = 0;
+  bool in_time_ = false;  ///< from now on none is passed over
   bool ended_ = false;
 };
 
