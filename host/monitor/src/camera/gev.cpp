@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -46,12 +47,13 @@ class Check {
 /// The id of the camera with this serial number or address; the text itself where none is found, which may be an address
 /// that does not answer to everybody.
 std::string id_of(const std::string& place) {
+  static std::mutex one_list;  // of Aravis: to update it frees the texts that another thread reads
+  const std::lock_guard lock(one_list);
   arv_update_device_list();
   const auto is = [&](const char* text) { return text != nullptr && place == text; };
   for (unsigned i = 0; i < arv_get_n_devices(); ++i) {
-    if (is(arv_get_device_serial_nbr(i)) || is(arv_get_device_address(i)) || is(arv_get_device_id(i))) {
-      return arv_get_device_id(i);
-    }
+    const char* id = arv_get_device_id(i);
+    if (id != nullptr && (is(arv_get_device_serial_nbr(i)) || is(arv_get_device_address(i)) || is(id))) return id;
   }
   return place;
 }
