@@ -80,8 +80,10 @@ class GevGrabber : public Grabber {
   GevGrabber& operator=(const GevGrabber&) = delete;
 
   std::optional<CameraFrame> next(std::chrono::milliseconds patience) override {
-    ArvBuffer* buffer =
-        arv_stream_timeout_pop_buffer(stream_.get(), static_cast<guint64>(std::chrono::microseconds(patience).count()));
+    const auto give_back = [this](ArvBuffer* used) { arv_stream_push_buffer(stream_.get(), used); };
+    const std::unique_ptr<ArvBuffer, decltype(give_back)> buffer(
+        arv_stream_timeout_pop_buffer(stream_.get(), static_cast<guint64>(std::chrono::microseconds(patience).count())),
+        give_back);
     const auto arrived = Clock::now();
     if (buffer == nullptr) {
       gone_ = lost_ || arrived - heard_ > silence_;
@@ -89,9 +91,7 @@ class GevGrabber : public Grabber {
       return std::nullopt;
     }
     heard_ = arrived;
-    auto frame = frame_of(buffer, arrived);
-    arv_stream_push_buffer(stream_.get(), buffer);
-    return frame;
+    return frame_of(buffer.get(), arrived);
   }
 
  private:
