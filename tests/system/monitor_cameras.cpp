@@ -162,6 +162,35 @@ TEST_CASE("a camera by its serial number; one that is not there, and what it doe
   CHECK_THAT(problem_of(wrong), Catch::Contains("NoSuchFeature"));
 }
 
+TEST_CASE("features hold beside a trigger: of a camera that has the falling edge, too") {
+  const horopter::TemporaryDirectory directory;
+  std::string features;
+  {
+    const FakeCamera camera = fake_camera("127.0.0.1", "T1");
+    std::size_t length = 0;
+    const char* text = arv_fake_camera_get_genicam_xml(arv_gv_fake_camera_get_fake_camera(camera.get()), &length);
+    features.assign(text, length);
+  }
+  const std::string edge = R"(<EnumEntry Name="RisingEdge" NameSpace="Standard">)";
+  REQUIRE(features.find(edge) != std::string::npos);
+  features.insert(features.find(edge),
+                  R"(<EnumEntry Name="FallingEdge" NameSpace="Standard"><Value>1</Value></EnumEntry>)");
+  const auto file = directory.write("features.xml", features);
+  const FakeCamera camera(arv_gv_fake_camera_new_full("127.0.0.1", "T1", file.c_str()));
+  REQUIRE(arv_gv_fake_camera_is_running(camera.get()));
+  auto triggered = settings("gev:127.0.0.1");
+  triggered.camera.trigger = "Line0";
+  triggered.camera.features = {{"TriggerActivation", "FallingEdge"}};
+  const auto grabber = open_grabber(triggered);
+  const auto value_at = [&](guint64 address) {
+    guint32 value = 0;
+    REQUIRE(arv_fake_camera_read_register(arv_gv_fake_camera_get_fake_camera(camera.get()), address, &value));
+    return value;
+  };
+  CHECK(value_at(ARV_FAKE_CAMERA_REGISTER_TRIGGER_MODE) == 1);
+  CHECK(value_at(ARV_FAKE_CAMERA_REGISTER_TRIGGER_ACTIVATION) == 1);
+}
+
 TEST_CASE("a GigE Vision camera that is killed is lost, and comes back by itself") {
   std::optional<FakeCamera> camera(fake_camera("127.0.0.1", "K1"));
   Sink sink;

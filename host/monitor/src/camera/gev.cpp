@@ -110,15 +110,16 @@ class GevGrabber : public Grabber {
       arv_camera_set_pixel_format(camera, ARV_PIXEL_FORMAT_MONO_8, *check);
       check.done();
     }
+    // Before the features: it chooses an edge, which may not be theirs.
+    if (!settings.camera.trigger.empty()) {
+      Check check(fmt::format("trigger {}", settings.camera.trigger));
+      arv_camera_set_trigger(camera, settings.camera.trigger.c_str(), *check);
+      check.done();
+    }
     for (const auto& [name, value] : settings.camera.features) {
       Check check(fmt::format("feature {} = {}", name, value));
       arv_device_set_features_from_string(arv_camera_get_device(camera), fmt::format("{}={}", name, value).c_str(),
                                           *check);
-      check.done();
-    }
-    if (!settings.camera.trigger.empty()) {
-      Check check(fmt::format("trigger {}", settings.camera.trigger));
-      arv_camera_set_trigger(camera, settings.camera.trigger.c_str(), *check);
       check.done();
     }
     if (const char* serial = arv_camera_get_device_serial_number(camera, nullptr)) serial_ = serial;
