@@ -225,6 +225,24 @@ TEST_CASE("a live pipeline of GStreamer: times by one clock, grey, and errors in
   CHECK_FALSE(problem_of(settings("v4l2:/dev/video99")).empty());
 }
 
+TEST_CASE("a camera of this computer is asked for its rate as a fraction") {
+  const auto rate = [](double frames_per_s) {
+    const std::string text = v4l2_pipeline("/dev/video0", frames_per_s);
+    const auto begin = text.find("video/x-raw,framerate=") + 22, end = text.find(';');
+    const std::string fraction = text.substr(begin, end - begin);
+    CHECK_THAT(text, Catch::Contains("v4l2src device=/dev/video0 ") &&
+                         Catch::Contains(";image/jpeg,framerate=" + fraction + " ! decodebin"));
+    return fraction;
+  };
+  CHECK(rate(30) == "30/1");
+  CHECK(rate(1) == "1/1");
+  CHECK(rate(7.5) == "15/2");
+  CHECK(rate(12.5) == "25/2");
+  CHECK(rate(29.97) == "30000/1001");
+  CHECK(rate(59.94) == "60000/1001");
+  CHECK(rate(23.976) == "24000/1001");
+}
+
 TEST_CASE("of JPEG images those that are not whole are lost parts, and no images") {
   const std::string data = "/usr/share/doc/opencv-doc/examples/data/";
   const horopter::TemporaryDirectory directory;

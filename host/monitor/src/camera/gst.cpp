@@ -336,6 +336,18 @@ void start_gstreamer() {
   });
 }
 
+/// As devices offer it: 15/2, and 30000/1001 where people say 29.97.
+std::string as_fraction(double frames_per_s) {
+  constexpr double kClose = 2e-4;
+  const double whole = std::round(frames_per_s);
+  if (std::abs(frames_per_s * 1.001 - whole) < kClose * whole) {
+    return fmt::format("{}/1001", std::lround(whole * 1000));
+  }
+  int numerator = 0, denominator = 1;
+  gst_util_double_to_fraction(frames_per_s, &numerator, &denominator);
+  return fmt::format("{}/{}", numerator, denominator);
+}
+
 }  // namespace
 
 std::unique_ptr<Grabber> open_gst(const std::string& place, const CameraSettings& /*settings*/) {
@@ -343,14 +355,16 @@ std::unique_ptr<Grabber> open_gst(const std::string& place, const CameraSettings
   return std::make_unique<GstGrabber>(place, false);
 }
 
+std::string v4l2_pipeline(const std::string& device, double frames_per_s) {
+  // Raw video at this rate if the device has it; else JPEG, as most cameras give their fast rates.
+  return fmt::format(
+      "v4l2src device={0} ! capsfilter caps=video/x-raw,framerate={1};image/jpeg,framerate={1} ! decodebin", device,
+      as_fraction(frames_per_s));
+}
+
 std::unique_ptr<Grabber> open_v4l2(const std::string& place, const CameraSettings& settings) {
   start_gstreamer();
-  const auto rate = static_cast<int>(std::lround(settings.frames_per_s));
-  // Raw video at this rate if the device has it; else JPEG, as most cameras give their fast rates.
-  const std::string source = fmt::format(
-      "v4l2src device={} ! capsfilter caps=video/x-raw,framerate={}/1;image/jpeg,framerate={}/1 ! decodebin", place,
-      rate, rate);
-  return std::make_unique<GstGrabber>(source, true);
+  return std::make_unique<GstGrabber>(v4l2_pipeline(place, settings.frames_per_s), true);
 }
 
 }  // namespace horopter::monitor
