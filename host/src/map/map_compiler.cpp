@@ -109,7 +109,7 @@ CompiledMap compile_map(const Skin& skin, const MachineProfile& profile, const S
   show_around(shape, sources, map.table);
   hls::table::Facts facts = facts_of(map.table, profile);
   if (rig_skin != nullptr) {
-    SkinScale(rig_skin->cameras(), profile, geometry).measure(*rig_skin->surface(), facts);
+    SkinScale(rig_skin->cameras(), profile, geometry, limits.view).measure(*rig_skin->surface(), facts);
   }
   seal(map, facts);
   return map;
@@ -155,7 +155,7 @@ MapCompiler::MapCompiler(CameraPair cameras, const MachineProfile& profile, cons
       profile_(profile),
       geometry_(geometry),
       limits_(limits),
-      scale_(cameras_, profile, geometry),
+      scale_(cameras_, profile, geometry, limits.view),
       outlines_(cameras_, geometry, limits.view) {}
 
 const Rays& MapCompiler::rays(const LatticeShape& shape) {

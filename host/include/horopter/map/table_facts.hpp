@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "horopter/hls/table_format.hpp"
 #include "horopter/map/map.hpp"
 #include "horopter/skin/rig_skin.hpp"
+#include "horopter/skin/skin.hpp"
 #include "horopter/skin/surface.hpp"
 
 namespace horopter {
@@ -20,27 +22,39 @@ hls::table::Facts facts_of(const MapTable& table, const MachineProfile& profile)
 /// What one pixel sees of a skin before two cameras. What does not depend on the skin is computed once.
 class SkinScale {
  public:
-  SkinScale(CameraPair cameras, const MachineProfile& profile, const ScanGeometry& geometry);
-  /// Sets areas and shifts; they stay unknown where no sample (one in 16 px, either way) meets the surface. Throws
-  /// nothing.
+  SkinScale(CameraPair cameras, const MachineProfile& profile, const ScanGeometry& geometry, const ViewLimits& view);
+  /// Sets areas and shifts; they stay unknown where no sample meets the surface. Of a block the area is the largest of its
+  /// pixels within the view's angle. Only what is narrower than 4 px may have less, or of a `simple` surface than 16 px.
+  /// Throws nothing.
   void measure(const Surface& surface, hls::table::Facts& facts) const;
 
  private:
-  /// A pixel of the result.
+  struct Areas;
+  /// A pixel of the result, one in 16, either way.
   struct Sample {
     int x = 0, y = 0;
+    std::size_t place = 0;  ///< among the fine samples
     Eigen::Matrix2d slope;  ///< of the line of sight by the pixel of the frame, camera z = 1
     /// What the right camera sees at infinity and at the nearest place, px of the frame; nothing beyond its lens model.
     std::optional<Eigen::Vector2d> farthest, nearest;
   };
   std::optional<hls::table::ShiftRange> shift_at(const Sample& sample, const Eigen::Vector3d& direction,
                                                  const Hit& hit) const;
+  std::optional<hls::table::ShiftRange> look_at_steps(const Surface& surface, Areas& areas) const;
+  /// Of a simple surface about its outline only.
+  void look_at_fine(const Surface& surface, Areas& areas) const;
+  /// At every pixel between fine samples that differ.
+  void look_between(const Surface& surface, Areas& areas) const;
 
   CameraPair cameras_;
   int width_, height_;  ///< of the result
   int subsample_, row_step_;
+  double smallest_cosine_;  ///< between a line of sight and the normal, with which areas are counted
   std::vector<Sample> samples_;
-  std::vector<Eigen::Vector3d> directions_;  ///< of the samples, world
+  // Fine samples, one in 4 px either way, row by row.
+  std::vector<int> columns_, rows_;
+  std::vector<Eigen::Vector3d> directions_;  ///< world; not finite beyond the lens model
+  std::vector<double> determinants_;         ///< of their slopes
 };
 
 }  // namespace horopter
