@@ -7,6 +7,7 @@
 #include <limits>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core/utility.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "horopter/image/mat.hpp"
 
@@ -16,22 +17,33 @@ namespace {
 /// OpenCV takes multiples of 16. At least 16 px more than the scene needs: where it ends is not known beforehand.
 int number_of_disparities(double largest_px) { return (static_cast<int>(std::ceil(largest_px)) + 16 + 15) / 16 * 16; }
 
+/// OpenCV answers no pixel whose farthest partner would lie left of the image, though its own may lie in it.
+cv::Mat with_left_border(const Image& image, int columns) {
+  cv::Mat wider;
+  cv::copyMakeBorder(mat_of(image), wider, 0, 0, columns, 0, cv::BORDER_REPLICATE);
+  return wider;
+}
+
 Matching match(cv::StereoMatcher& matcher, const Image& left, const Image& right, int runs) {
   Matching result;
   const int threads = cv::getNumThreads();
   cv::setNumThreads(1);
-  cv::Mat disparity;
+  const int border = matcher.getMinDisparity() + matcher.getNumDisparities();
+  const cv::Mat wider_left = with_left_border(left, border);
+  const cv::Mat wider_right = with_left_border(right, border);
+  cv::Mat wider_disparity;
   result.seconds = std::numeric_limits<double>::infinity();
   for (int run = 0; run < runs; ++run) {
     const auto start = std::chrono::steady_clock::now();
-    matcher.compute(mat_of(left), mat_of(right), disparity);
+    matcher.compute(wider_left, wider_right, wider_disparity);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
     result.seconds = std::min(result.seconds, took.count());
   }
   cv::setNumThreads(threads);
   const int none = (matcher.getMinDisparity() - 1) * cv::StereoMatcher::DISP_SCALE;
+  const cv::Mat_<short> disparity = wider_disparity.colRange(border, wider_disparity.cols).clone();
   result.disparity_px.reserve(disparity.total());
-  for (const auto& value : cv::Mat_<short>(disparity)) {
+  for (const auto& value : disparity) {
     result.disparity_px.push_back(value <= none ? std::numeric_limits<float>::quiet_NaN()
                                                 : static_cast<float>(value) / float{cv::StereoMatcher::DISP_SCALE});
   }

@@ -222,6 +222,28 @@ TEST_CASE("evaluate takes a list, with paths relative to it, and sizes") {
   CHECK(iou(1, 1) > 0.5);  // 14 px at half the size
 }
 
+TEST_CASE("The matchers answer all columns that count, also those left of their largest disparity") {
+  Sandbox box;
+  with_pair(box);
+  // 14 px, and 8 of the margin; 32 disparities are searched.
+  cv::Mat mask(120, 200, CV_8UC1, cv::Scalar(0));
+  mask(cv::Rect(22, 0, 10, 120)) = 255;
+  cv::imwrite((box / "beside.png").string(), mask);
+  const auto result = box.run(on_pair() + std::vector<std::string>{"--change", "none", "--mask", "beside.png"});
+  CAPTURE(result.err);
+  REQUIRE(result.status == 0);
+  const auto pair = nlohmann::json::parse(result.out)["pairs"][0];
+  CHECK(pair["disparities"] == nlohmann::json({kBackground}));
+  for (const char* method : {"stereobm", "stereosgbm"}) {
+    CAPTURE(method);
+    const auto& found = pair["methods"][method];
+    REQUIRE(found["parameters"]["numDisparities"] == 32);
+    // At the upper and lower border StereoBM has no whole block.
+    CHECK(found["undecidable"].get<double>() < 0.25);
+    CHECK(found["iou"].get<double>() > 0.75);
+  }
+}
+
 TEST_CASE("evaluate counts only what the mask says that both cameras see") {
   Sandbox box;
   with_pair(box);
