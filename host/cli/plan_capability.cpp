@@ -250,18 +250,27 @@ void print_walked(const PlannedCapability& plan) {
   }
 }
 
-/// Where walking found less than it should.
+/// Where walking found less than it should, or too little was walked to say that it found as much.
 void warn_of_coats(const PlannedCapability& plan) {
   constexpr double kEnough = 0.999;
   std::vector<std::string> missed;
+  std::vector<std::string> too_few;
   for (const Walked& row : of_rule(walked_rods(), plan)) {
-    if (static_cast<double>(row.hits) >= kEnough * static_cast<double>(row.of)) continue;
-    missed.push_back(
-        fmt::format("{} ({}: {} of {})", row.what, row.taught ? "taught" : "not taught", row.hits, row.of));
+    const Goal goal = goal_of(row.hits, row.of, kEnough);
+    if (goal == Goal::reached) continue;
+    (goal == Goal::missed ? missed : too_few)
+        .push_back(fmt::format("{} ({}: {} of {})", row.what, row.taught ? "taught" : "not taught", row.hits, row.of));
   }
-  if (missed.empty()) return;
-  warn(fmt::format("the figures hold for bodies with texture; `horopter study walk` missed rods of {:g} mm; found: {}",
-                   walk_setup().rod_mm, fmt::join(missed, ", ")));
+  const double rod_mm = walk_setup().rod_mm;
+  if (!missed.empty()) {
+    warn(
+        fmt::format("the figures hold for bodies with texture; `horopter study walk` missed rods of {:g} mm; found: {}",
+                    rod_mm, fmt::join(missed, ", ")));
+  }
+  if (!too_few.empty()) {
+    warn(fmt::format("`horopter study walk` has too few crossings to say that {:g} % of rods of {:g} mm are found: {}",
+                     100 * kEnough, rod_mm, fmt::join(too_few, ", ")));
+  }
 }
 
 void print_response(const PlannedCapability& plan) {

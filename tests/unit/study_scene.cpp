@@ -145,3 +145,14 @@ TEST_CASE("Wilson's interval") {
   check(0, 0, 0, 1);
   check(999, 1000, 0.99436, 0.99982);
 }
+
+TEST_CASE("A goal is reached where the lower limit reaches it, and not by few of few") {
+  constexpr double kGoal = 0.999;
+  CHECK(goal_of(16, 16, kGoal) == Goal::too_few);
+  CHECK(goal_of(2499, 2500, kGoal) == Goal::too_few);
+  CHECK(goal_of(3837, 3837, kGoal) == Goal::too_few);
+  CHECK(goal_of(3838, 3838, kGoal) == Goal::reached);
+  CHECK(goal_of(15, 16, kGoal) == Goal::missed);
+  CHECK(goal_of(2497, 2500, kGoal) == Goal::missed);
+  CHECK(goal_of(0, 0, kGoal) == Goal::too_few);
+}

@@ -13,6 +13,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/object.hpp"
@@ -426,35 +427,47 @@ std::string faults_text(const Alarms& alarms) {
   return text;
 }
 
-/// The first lines: what is not as it should be.
+/// The first lines: what is not as it should be, and what too little was walked for to say so.
 void report_failures(StudyReport& report, const Results& results) {
-  report.result["failures"] = nlohmann::json::array();
-  const auto fail = [&](std::size_t v, std::size_t k, const std::string& what, const std::string& figure) {
+  auto failures = nlohmann::json::array();
+  auto too_few = nlohmann::json::array();
+  std::vector<std::string> few_lines;
+  const auto judge = [&](Goal goal, std::size_t v, std::size_t k, const std::string& what, const std::string& figure) {
+    if (goal == Goal::reached) return;
     const std::string& limit = results.walk.limits[k].name;
-    report.finding("FAILS: {}, object {}: {}: {}", kVariants[v].name(), limit, what, figure);
-    report.result["failures"].push_back({{"decision", name_of(kVariants[v].decision)},
-                                         {"taught", kVariants[v].taught},
-                                         {"object", limit},
-                                         {"what", what},
-                                         {"figure", figure}});
+    const std::string line = fmt::format("{}, object {}: {}: {}", kVariants[v].name(), limit, what, figure);
+    if (goal == Goal::missed) {
+      report.finding("FAILS: {}", line);
+    } else {
+      few_lines.push_back(line);
+    }
+    (goal == Goal::missed ? failures : too_few)
+        .push_back({{"decision", name_of(kVariants[v].decision)},
+                    {"taught", kVariants[v].taught},
+                    {"object", limit},
+                    {"what", what},
+                    {"figure", figure}});
   };
   for (std::size_t k = 0; k < results.walk.limits.size(); ++k) {
     for (std::size_t v = 0; v < kVariants.size(); ++v) {
       if (!results.walk.judges(v)) continue;
       for (const Coat coat : study::kCoats) {
         const Found found = results.of_hands(v, k, coat);
-        if (found.share() >= kEnough) continue;
-        fail(v, k, fmt::format("{} rods of {:g} mm at up to {:g} m/s", name_of(coat), kHand_mm, kFastest_m_s),
-             fmt::format("found within {} frames {}", kSoon, found.text()));
+        judge(goal_of(found.soon, found.of, kEnough), v, k,
+              fmt::format("{} rods of {:g} mm at up to {:g} m/s", name_of(coat), kHand_mm, kFastest_m_s),
+              fmt::format("found within {} frames {}", kSoon, found.text()));
       }
       for (std::size_t d = 0; d < results.lights.size(); ++d) {
         const Alarms& alarms = results.alarms[d][v];
-        const double rate = per_hour(static_cast<double>(alarms.alarms[k]) / std::max(1, alarms.frames));
-        if (!results.lights[d].counts || rate <= kFewAlarms) continue;
-        fail(v, k, results.lights[d].name, alarms_text(alarms, k));
+        if (!results.lights[d].counts || alarms.frames == 0) continue;
+        judge(goal_of(alarms.frames - alarms.alarms[k], alarms.frames, 1 - kFewAlarms / per_hour(1)), v, k,
+              results.lights[d].name, alarms_text(alarms, k));
       }
     }
   }
+  for (const std::string& line : few_lines) report.finding("TOO FEW to say: {}", line);
+  report.result["failures"] = std::move(failures);
+  report.result["too_few"] = std::move(too_few);
 }
 
 void report_found(StudyReport& report, const Results& results) {

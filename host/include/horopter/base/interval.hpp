@@ -24,4 +24,12 @@ inline Interval wilson(std::int64_t hits, std::int64_t of) {
   return {std::max(0.0, (middle - spread) / scale), std::min(1.0, (middle + spread) / scale)};
 }
 
+enum class Goal : std::uint8_t { missed, too_few, reached };
+
+/// Whether a share reaches a goal: the share itself falls short, or so few were counted that it may, or neither.
+inline Goal goal_of(std::int64_t hits, std::int64_t of, double goal) {
+  if (static_cast<double>(hits) < goal * static_cast<double>(of)) return Goal::missed;
+  return wilson(hits, of).low < goal ? Goal::too_few : Goal::reached;
+}
+
 }  // namespace horopter
