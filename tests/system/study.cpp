@@ -223,6 +223,44 @@ TEST_CASE("study segmentation on images of one's own") {
                  "contrast");
 }
 
+namespace {
+
+/// By the table of runs: of disturbed pairs that are an alarm as they are, those that were ever safe, and at the end.
+json missed_of(const std::string& table) {
+  std::istringstream stream(table);
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(stream, line);) {
+    std::istringstream fields(line);
+    auto& row = rows.emplace_back();
+    for (std::string field; std::getline(fields, field, ',');) row.push_back(field);
+  }
+  const auto column = [&](const char* name) {
+    return static_cast<std::size_t>(std::ranges::find(rows.at(0), name) - rows[0].begin());
+  };
+  const auto number = [&](const auto& row, const char* name) { return std::stoi(row.at(column(name))); };
+  json result;
+  for (const std::string rule : {"thesis", "compete"}) {
+    int disturbed = 0, safe = 0, last_safe = 0;
+    const auto of_rule = [&](const auto& row) { return row.at(column("decision")) == rule; };
+    for (const auto& row : rows) {
+      if (!of_rule(row) || number(row, "harmless") != 0) continue;
+      const bool alarm = std::ranges::any_of(rows, [&](const auto& other) {
+        return of_rule(other) && other.at(column("disturbance")) == "as it is" &&
+               other.at(column("scene")) == row.at(column("scene")) &&
+               other.at(column("skin_px")) == row.at(column("skin_px")) && number(other, "alarm_frames") > 0;
+      });
+      if (!alarm) continue;
+      ++disturbed;
+      safe += number(row, "safe_frames") > 0 ? 1 : 0;
+      last_safe += number(row, "last_safe");
+    }
+    result.push_back({{"decision", rule}, {"runs", disturbed}, {"safe", safe}, {"last_safe", last_safe}});
+  }
+  return result;
+}
+
+}  // namespace
+
 TEST_CASE("study earned: every disturbance of a board has its line, and none of them reads safe") {
   if (!opencv_images()) return;
   Sandbox box;
@@ -232,9 +270,11 @@ TEST_CASE("study earned: every disturbance of a board has its line, and none of 
   const json found = json::parse(result.out);
   int disturbed = 0;
   int harmless = 0;
+  std::size_t saturated = 0;
   for (const json& line : found["lines"]) {
     CAPTURE(line.dump());
     if (line["harmless"].get<bool>()) {
+      saturated += line["saturated"].size();
       CHECK(line["runs"].get<std::size_t>() + line["saturated"].size() == 1);
       ++harmless;
       continue;
@@ -250,7 +290,21 @@ TEST_CASE("study earned: every disturbance of a board has its line, and none of 
   CHECK(disturbed == 2 * 85);
   CHECK(harmless == 2 * 3 * 7);
   CHECK(found["kept"].size() == 6);
+  // What saturates is left out, counted and named.
+  CHECK(saturated > 0);
+  REQUIRE(found["saturated"].size() == saturated);
+  CHECK(found["harmless"].get<std::size_t>() + saturated == 2 * 3 * 7);
+  for (const json& run : found["saturated"]) {
+    CAPTURE(run.dump());
+    CHECK(!run["scene"].get<std::string>().empty());
+    CHECK(std::ranges::count_if(found["lines"], [&](const json& line) {
+            return line["disturbance"] == run["disturbance"] && line["decision"] == run["decision"] &&
+                   line["skin_px"] == run["skin_px"] && line["saturated"] == json::array({run["scene"]});
+          }) == 1);
+  }
+  CHECK_THAT(found["findings"].dump(), Catch::Contains("; " + std::to_string(saturated) + " more are left out"));
   const std::string runs = box.read("study/runs.csv");
+  CHECK(found["missed"] == missed_of(runs));
   CHECK_THAT(runs, Catch::StartsWith("set,scene,skin_px,decision,disturbance,camera,"));
   CHECK(std::ranges::count(runs, '\n') == 1 + disturbed + harmless);
   // Every row has all columns.
@@ -283,6 +337,7 @@ TEST_CASE("study earned --window: nothing that is an alarm on a small skin is sa
     CAPTURE(rule.dump());
     CHECK(rule["runs"] == 85);
     CHECK(rule["safe"] == 0);
+    CHECK(rule["last_safe"] == 0);
   }
 }
 

@@ -482,6 +482,8 @@ void report_table(StudyReport& report, const std::string& title, const std::vect
                   const std::vector<Disturbance>& what) {
   report.finding("{}", title);
   Kept kept;
+  int harmless = 0, faulty = 0;
+  std::size_t saturated = 0;
   for (const Disturbance& disturbance : what) {
     Line line;
     for (const Run* run : runs) {
@@ -490,6 +492,9 @@ void report_table(StudyReport& report, const std::string& title, const std::vect
       if (disturbance.harmless && run->frames > 0) kept.add(*run);
     }
     if (line.runs == 0 && line.saturated.empty()) continue;
+    harmless += disturbance.harmless ? line.runs : 0;
+    faulty += disturbance.harmless ? line.faulty : 0;
+    saturated += line.saturated.size();
     report.finding("  {:32} {:5} {}", disturbance.name, disturbance.camera, line.text(disturbance.harmless));
     nlohmann::json faults = nlohmann::json::object();
     for (const auto& [fault, scenes] : line.faults) faults[fault] = scenes.size();
@@ -508,6 +513,8 @@ void report_table(StudyReport& report, const std::string& title, const std::vect
                                       {"faults", faults},
                                       {"saturated", line.saturated}});
   }
+  report.finding("  of {} undisturbed runs {} had a false fault; {} more are left out, saturated", harmless, faulty,
+                 saturated);
   report.finding("  of what is clear without proof, {:.3f} stays clear; least {:.3f}{}", kept.share(), kept.worst,
                  kept.worst_scene.empty() ? "" : " (" + kept.worst_scene + ")");
   report.result["kept"].push_back({{"table", title}, {"share", kept.share()}, {"least", kept.worst}});
@@ -517,9 +524,12 @@ void report_table(StudyReport& report, const std::string& title, const std::vect
 void report_sets(StudyReport& report, const std::vector<Run>& runs) {
   struct Of {
     Kept kept;
-    int runs = 0, faulty = 0;
+    int runs = 0, faulty = 0, saturated = 0;
     void add(const Run& run) {
-      if (run.frames == 0) return;
+      if (run.frames == 0) {
+        ++saturated;
+        return;
+      }
       if (run.disturbance->name == kAsItIs) kept.add(run);
       ++runs;
       faulty += run.faulty > 0 ? 1 : 0;
@@ -535,15 +545,18 @@ void report_sets(StudyReport& report, const std::vector<Run>& runs) {
       "of the pixels that are truly behind the skin, seen by both cameras and clear without proof, so many stay clear:");
   for (const auto& [name, line] : lines) {
     const auto& [set, decision, skin] = name;
-    report.finding("  {:12} {:8} skin {:7} {:.3f}  least {:.3f} ({})  {} of {} runs with a false fault", set, decision,
-                   skin, line.kept.share(), line.kept.worst, line.kept.worst_scene, line.faulty, line.runs);
+    report.finding(
+        "  {:12} {:8} skin {:7} {:.3f}  least {:.3f} ({})  {} of {} runs with a false fault; {} more left out, saturated",
+        set, decision, skin, line.kept.share(), line.kept.worst, line.kept.worst_scene, line.faulty, line.runs,
+        line.saturated);
     report.result["sets"].push_back({{"set", set},
                                      {"decision", decision},
                                      {"skin", skin},
                                      {"kept", line.kept.share()},
                                      {"least", line.kept.worst},
                                      {"runs", line.runs},
-                                     {"false_faults", line.faulty}});
+                                     {"false_faults", line.faulty},
+                                     {"saturated", line.saturated}});
   }
 }
 
@@ -555,15 +568,17 @@ void report_missed(StudyReport& report, std::span<const Run> runs) {
         return run.watched == watched && run.decision == decision && run.disturbance->name == kAsItIs && run.last.alarm;
       });
     };
-    int disturbed = 0, safe = 0;
+    int disturbed = 0, safe = 0, last_safe = 0;
     for (const Run& run : runs) {
       if (run.decision != decision || run.disturbance->harmless || run.frames == 0 || !is_alarm(run.watched)) continue;
       ++disturbed;
-      safe += run.last_safe() ? 1 : 0;
+      safe += run.safe > 0 ? 1 : 0;
+      last_safe += run.last_safe() ? 1 : 0;
     }
-    report.finding("{}: of {} disturbed runs of pairs that are an alarm as they are {} were safe at the end",
-                   name_of(decision), disturbed, safe);
-    report.result["missed"].push_back({{"decision", name_of(decision)}, {"runs", disturbed}, {"safe", safe}});
+    report.finding("{}: of {} disturbed runs of pairs that are an alarm as they are {} were ever safe, {} at the end",
+                   name_of(decision), disturbed, safe, last_safe);
+    report.result["missed"].push_back(
+        {{"decision", name_of(decision)}, {"runs", disturbed}, {"safe", safe}, {"last_safe", last_safe}});
   }
 }
 
@@ -583,6 +598,7 @@ void study_earned(StudyReport& report, const StudyScope& scope) {
   int safe = 0;
   int harmless = 0;
   int faulty = 0;
+  auto saturated = nlohmann::json::array();
   for (const Run& run : runs) {
     const std::string title = title_of(run);
     auto table = std::ranges::find(tables, title, &decltype(tables)::value_type::first);
@@ -591,16 +607,25 @@ void study_earned(StudyReport& report, const StudyScope& scope) {
     (run.disturbance->harmless ? harmless : disturbed) += run.frames > 0 ? 1 : 0;
     safe += !run.disturbance->harmless && run.safe > 0 ? 1 : 0;
     faulty += run.disturbance->harmless && run.faulty > 0 ? 1 : 0;
+    if (run.frames > 0) continue;
+    saturated.push_back({{"set", run.watched->scene.set},
+                         {"scene", run.watched->scene.name},
+                         {"skin_px", run.watched->skin_px},
+                         {"decision", name_of(run.decision)},
+                         {"disturbance", run.disturbance->name}});
   }
   for (const auto& [title, of_table] : tables) report_table(report, title, of_table, what);
   if (of_sets) report_sets(report, runs);
   if (!of_sets) report_missed(report, runs);
-  report.finding("of {} disturbed runs {} were ever safe; of {} undisturbed ones {} had a false fault", disturbed, safe,
-                 harmless, faulty);
+  report.finding(
+      "of {} disturbed runs {} were ever safe; of {} undisturbed ones {} had a false fault; {} more are left out: more than "
+      "{:g} % of the right image saturates",
+      disturbed, safe, harmless, faulty, saturated.size(), 100 * kMostSaturated);
   report.result["disturbed"] = disturbed;
   report.result["safe"] = safe;
   report.result["harmless"] = harmless;
   report.result["false_faults"] = faulty;
+  report.result["saturated"] = std::move(saturated);
   report.result["frames"] = scope.frames;
   report.result["engine"] = scope.engine;
   report.table("runs.csv", table_of(runs));
