@@ -265,8 +265,8 @@ std::optional<Bits> Memory::load_rom(const Bits& contents, const AddressForm& fo
     axes.push_back(axis);
   }
   if (total < 4 || total > 16) return std::nullopt;  // small ones are better as logic
-  const auto [found, added] = rom_of_.try_emplace({id, key}, static_cast<std::uint32_t>(roms_.size()));
-  if (added) {
+  auto found = rom_of_.find({id, key});
+  if (found == rom_of_.end()) {
     Rom rom;
     rom.name = object.name;
     rom.width = static_cast<std::uint32_t>(bits);
@@ -290,6 +290,7 @@ std::optional<Bits> Memory::load_rom(const Bits& contents, const AddressForm& fo
       rom.words.push_back(std::move(value));
     }
     rom.words.resize(used);
+    found = rom_of_.try_emplace({id, key}, static_cast<std::uint32_t>(roms_.size())).first;
     roms_.push_back(std::move(rom));
   }
   return builder_.rom(found->second, address, static_cast<std::uint32_t>(bits));

@@ -676,7 +676,8 @@ ObjectId Symbolic::object_of(const llvm::GlobalVariable& variable) {
 void Symbolic::fill(Bits& bits, std::uint64_t offset, const llvm::Constant& constant) {
   const llvm::DataLayout& layout = module_.getDataLayout();
   const llvm::Type* type = constant.getType();
-  if (llvm::isa<llvm::ConstantAggregateZero>(constant)) return;
+  // What is undefined in a table is padding: any value will do, and a Rom needs one.
+  if (llvm::isa<llvm::ConstantAggregateZero, llvm::UndefValue>(constant)) return;
   if (type->isArrayTy()) {
     const std::uint64_t stride = layout.getTypeAllocSizeInBits(type->getArrayElementType());
     for (unsigned i = 0; i < type->getArrayNumElements(); ++i)

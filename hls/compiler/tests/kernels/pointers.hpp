@@ -134,4 +134,40 @@ class Tables {
   static constexpr Table kTable = made(37), kOther = made(-11);
 };
 
+struct alignas(8) PaddedEntry {
+  std::uint8_t value;
+  std::uint16_t wide;
+};
+
+/// A table with padding, whose entries are copied whole, twice, beside another table.
+class PaddedTable {
+ public:
+  struct In {
+    u<4> i, k;
+  };
+  struct Out {
+    u<8> a, b;
+    u<16> wide, other;
+  };
+  Out step(const In& in) {
+    const Out out{u<8>(first_.value), u<8>(second_.value), u<16>(second_.wide), u<16>(kOthers[in.i.value()])};
+    first_ = kEntries[in.i.value()];
+    second_ = kEntries[in.k.value()];
+    return out;
+  }
+
+ private:
+  static constexpr std::array<PaddedEntry, 16> kEntries = [] {
+    std::array<PaddedEntry, 16> entries{};
+    for (std::size_t i = 0; i < 16; ++i) {
+      entries[i].value = static_cast<std::uint8_t>(i * 7 + 1);
+      entries[i].wide = static_cast<std::uint16_t>(i * 999);
+    }
+    return entries;
+  }();
+  static constexpr std::array<std::uint64_t, 16> kOthers{100, 7,    300, 5,    500,  600, 9,    800,
+                                                         900, 1000, 1,   1200, 1300, 77,  1500, 1600};
+  PaddedEntry first_{}, second_{};
+};
+
 }  // namespace kernels
