@@ -27,6 +27,8 @@ bool possible(const Bits& index, std::int64_t value) {
   return true;
 }
 
+std::int64_t floor_div(std::int64_t a, std::int64_t b) { return a / b - ((a % b != 0 && (a < 0) != (b < 0)) ? 1 : 0); }
+
 /// Smallest and largest value as a signed number, from constant and repeated upper bits.
 std::pair<std::int64_t, std::int64_t> range(const Bits& index) {
   std::size_t n = std::min<std::size_t>(index.size(), 64);
@@ -76,6 +78,7 @@ Bits Memory::move(const Bits& pointer, const AddressForm& form) {
     Bits index = Builder::zero_extend(start, 64);
     total.terms.push_back({index, 1, std::nullopt});
   }
+  if (total.terms.empty() && form.start) total.start = total.base + *form.start;
   total.base += form.base;
   total.terms.insert(total.terms.end(), form.terms.begin(), form.terms.end());
   Bits sum = start;
@@ -92,6 +95,7 @@ Bits Memory::move(const Bits& pointer, const AddressForm& form) {
   if (!added) {
     // The same address by another way: what bounds one of them need not bound the other.
     AddressForm& stored = place->second;
+    if (stored.start != total.start) stored.start.reset();
     bool same =
         stored.base == total.base && stored.base_known == total.base_known && stored.terms.size() == total.terms.size();
     for (std::size_t i = 0; same && i < stored.terms.size(); ++i) {
@@ -142,24 +146,29 @@ AddressForm Memory::form_of(const Bits& pointer, const Object& object) {
     Bits index = Builder::slice(offset, zeros, offset.size() - zeros);
     form.terms.push_back({Builder::zero_extend(index, 64), std::int64_t{1} << zeros, std::nullopt});
   }
-  if (!form.base_known) return form;
+  if (!form.base_known || !form.start) return form;
+  const std::int64_t start = *form.start;
   // Pointer arithmetic stays inside the array it starts in: the outermost one, because C++ programs do walk through
   // the rows of a two-dimensional one.
-  const ArrayMember* outermost = nullptr;
+  std::int64_t low = 0, high = 0, ends_here = start;
   for (const ArrayMember& array : object.arrays) {
-    const auto low = static_cast<std::int64_t>(array.offset_bits / 8),
+    const auto first = static_cast<std::int64_t>(array.offset_bits / 8),
                size = static_cast<std::int64_t>(array.count * array.stride_bits / 8);
-    if (form.base < low || form.base >= low + size) continue;
-    if (outermost == nullptr || array.count * array.stride_bits > outermost->count * outermost->stride_bits)
-      outermost = &array;
+    if (first <= start && start < first + size && size > high - low) {
+      low = first;
+      high = first + size;
+    }
+    if (first + size == start) ends_here = std::min(ends_here, first);
   }
+  if (high == low) return form;
+  // Where one array ends and another begins, the pointer may be the end of the one.
+  if (low == start) low = ends_here;
   for (AddressForm::Term& term : form.terms) {
-    if (term.bounds || outermost == nullptr || term.scale <= 0) continue;
-    const auto before = form.base - static_cast<std::int64_t>(outermost->offset_bits / 8),
-               behind = static_cast<std::int64_t>(outermost->count * outermost->stride_bits / 8) - 1 - before;
+    if (term.bounds || term.scale <= 0) continue;
     // With other terms beside it, one alone may reach further.
-    const std::int64_t slack = form.terms.size() > 1 ? before + behind : 0;
-    term.bounds = {-((before + slack) / term.scale), (behind + slack) / term.scale};
+    const std::int64_t slack = form.terms.size() > 1 ? high - low - 1 : 0;
+    term.bounds = {-floor_div(form.base - low + slack, term.scale),
+                   floor_div(high - 1 - form.base + slack, term.scale)};
   }
   return form;
 }
@@ -176,9 +185,6 @@ std::vector<std::int64_t> Memory::choices(const AddressForm& form, std::size_t t
     // The last index, or one without bounds of its own, is bounded by the object.
     const auto size = static_cast<std::int64_t>(object.size_bits / 8), last = size - static_cast<std::int64_t>(bytes);
     const std::int64_t reach = term + 1 == form.terms.size() ? 0 : size;
-    const auto floor_div = [](std::int64_t a, std::int64_t b) {
-      return a / b - ((a % b != 0 && (a < 0) != (b < 0)) ? 1 : 0);
-    };
     std::int64_t first = -floor_div(base + reach, here.scale), final = floor_div(last + reach - base, here.scale);
     if (here.scale < 0) {
       first = -floor_div(last + reach - base, -here.scale);

@@ -526,6 +526,7 @@ class Symbolic::Run {
       if (address.isInBounds() && container != nullptr && container->isArrayTy()) {
         term.bounds = {0, static_cast<std::int64_t>(container->getArrayNumElements()) - 1};
       }
+      if (form.terms.empty()) form.start = form.base;
       form.terms.push_back(term);
     }
     return memory_.move(value(address.getPointerOperand()), form);

@@ -35,7 +35,8 @@ TEST_CASE("reset leaves Kept registers as they are") {
 }
 
 TEST_CASE("indices and pointers") {
-  const std::string name = GENERATE("OneIndex", "ChosenPointer", "Tables", "PaddedTable");
+  const std::string name =
+      GENERATE("OneIndex", "ChosenPointer", "LoadsAroundBegin", "StoresAroundBegin", "Tables", "PaddedTable");
   CAPTURE(name);
   CHECK(compare_with_native(stage_options("kernels/pointers.hpp", "kernels::" + name), {.steps = 6000}) == "");
 }

@@ -51,6 +51,9 @@ struct AddressForm {
     std::optional<std::pair<std::int64_t, std::int64_t>> bounds;  ///< of the index, both included
   };
   std::int64_t base = 0;
+  /// What `base` was when the first term was added. It tells the array; `base` may be outside of it. None: two ways to
+  /// the same address began at different places.
+  std::optional<std::int64_t> start = 0;
   bool base_known = true;  ///< false: where the pointer started is part of the terms
   std::vector<Term> terms;
 };

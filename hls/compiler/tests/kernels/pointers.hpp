@@ -134,6 +134,81 @@ class Tables {
   static constexpr Table kTable = made(37), kOther = made(-11);
 };
 
+/// Places counted from one before an array, and back from its end, between arrays of the same kind: loads.
+class LoadsAroundBegin {
+ public:
+  struct In {
+    std::array<u<3>, 3> i;
+    u<8> x;
+  };
+  struct Out {
+    std::uint8_t a, b, c, d;
+    std::uint16_t e, f;
+  };
+  Out step(const In& in) {
+    // Each difference is used once: only then LLVM moves its constant behind the variable.
+    const std::size_t at = at_[0].value(), other = at_[1].value(), third = at_[2].value();
+    const std::uint8_t* const bytes = middle_.data();
+    const std::uint16_t* const words = wide_middle_.data();
+    const Out out{bytes[at - 1],     (middle_.begin() + at)[-1], *(middle_.end() - at),
+                  plain_[third - 1], words[other - 1],           *(wide_middle_.end() - at)};
+    for (std::size_t i = 3; i > 0; --i) {
+      before_[i] = before_[i - 1];
+      middle_[i] = middle_[i - 1];
+      plain_[i] = plain_[i - 1];
+      wide_before_[i] = wide_before_[i - 1];
+      wide_middle_[i] = wide_middle_[i - 1];
+      wide_behind_[i] = wide_behind_[i - 1];
+    }
+    before_[0] = static_cast<std::uint8_t>(~in.x.value());
+    middle_[0] = static_cast<std::uint8_t>(in.x.value());
+    plain_[0] = static_cast<std::uint8_t>(in.x.value() ^ 0x55);
+    wide_before_[0] = static_cast<std::uint16_t>(in.x.value() + 1000);
+    wide_middle_[0] = static_cast<std::uint16_t>(in.x.value() * 3);
+    wide_behind_[0] = static_cast<std::uint16_t>(in.x.value() * 5);
+    for (std::size_t i = 0; i < 3; ++i) at_[i] = in.i[i] < 1 ? u<3>(1) : in.i[i] > 4 ? u<3>(4) : in.i[i];
+    return out;
+  }
+
+ private:
+  std::array<u<3>, 3> at_{1, 2, 3};  // 1 to 4, which hlsc does not see
+  std::array<std::uint8_t, 4> before_{}, middle_{};
+  std::uint8_t plain_[4] = {};
+  std::array<std::uint16_t, 4> wide_before_{}, wide_middle_{}, wide_behind_{};
+};
+
+/// The same with stores.
+class StoresAroundBegin {
+ public:
+  struct In {
+    u<3> i, k;
+    u<8> x;
+  };
+  struct Out {
+    std::array<std::uint8_t, 4> before, middle;
+    std::array<std::uint16_t, 4> wide_before, wide_middle, wide_behind;
+  };
+  Out step(const In& in) {
+    const std::size_t at = at_.value(), other = other_.value();
+    const auto x = static_cast<std::uint8_t>(in.x.value());
+    std::uint8_t* const bytes = middle_.data();
+    std::uint16_t* const words = wide_middle_.data();
+    bytes[at - 1] = x;
+    *(before_.end() - other) = static_cast<std::uint8_t>(x + 1);
+    words[other - 1] = static_cast<std::uint16_t>(x * 3);
+    *(wide_before_.end() - at) = static_cast<std::uint16_t>(x * 5);
+    (wide_behind_.begin() + at)[-1] = static_cast<std::uint16_t>(x * 7);
+    at_ = in.i < 1 ? u<3>(1) : in.i > 4 ? u<3>(4) : in.i;
+    other_ = in.k < 1 ? u<3>(1) : in.k > 4 ? u<3>(4) : in.k;
+    return {before_, middle_, wide_before_, wide_middle_, wide_behind_};
+  }
+
+ private:
+  u<3> at_ = 1, other_ = 2;  // 1 to 4
+  std::array<std::uint8_t, 4> before_{}, middle_{};
+  std::array<std::uint16_t, 4> wide_before_{}, wide_middle_{}, wide_behind_{};
+};
+
 struct alignas(8) PaddedEntry {
   std::uint8_t value;
   std::uint16_t wide;
