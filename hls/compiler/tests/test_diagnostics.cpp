@@ -158,6 +158,22 @@ TEST_CASE("what a memory may not be", "[diagnostics]") {
         "stage.hpp:16: error: memory `a` is read at two addresses in one step: it has one read port");
 }
 
+TEST_CASE("memories that are assigned, copied or swapped", "[diagnostics]") {
+  const std::string members = "RAM<u<8>, 16, 4> a_, b_; std::array<RAM<u<8>, 16, 4>, 2> more_;";
+  const std::string rest = " a_.write(in.x.value() & 15, in.x); out.z = b_.read(in.y.value() & 15);";
+  CHECK(refused(rest, members) == "");
+  CHECK(refused("if (in.flag) a_ = b_;" + rest, members)
+            .find("stage.hpp:16:17: fatal error: overload resolution selected deleted operator '=': a RAM cannot be "
+                  "assigned") != std::string::npos);
+  CHECK(refused("RAM<u<8>, 16, 4> copy = a_; out.z = copy.read(0);", members).find("a RAM cannot be copied") !=
+        std::string::npos);
+  CHECK(refused("a_ = std::move(b_);" + rest, members).find("a RAM cannot be assigned") != std::string::npos);
+  CHECK(refused("if (in.flag) std::swap(a_, b_);" + rest, members)
+            .find("stage.hpp:16:14: fatal error: no matching function for call to 'swap'") != std::string::npos);
+  CHECK(refused("more_[0] = more_[1];" + rest, members).find("a RAM cannot be assigned") != std::string::npos);
+  CHECK(refused("if (in.flag) *this = Stage{};" + rest, members).find("stage.hpp:16:") != std::string::npos);
+}
+
 TEST_CASE("large arrays", "[diagnostics]") {
   CHECK(refused("out.z = big_[in.x.value() * 8 + (in.y.value() & 7)]; big_[in.y.value()] = in.x;",
                 "std::array<u<8>, 2048> big_{};")

@@ -5,6 +5,7 @@
 // them). A read sees the contents before the step, or what an earlier write of the same step put there. A read of an
 // address is in the same step as a write of it, or at least DISTANCE steps after: the pipeline has that much time between
 // read and write. Reads may follow each other as they like. All words are zero at power-up; T{} must be all zeros. Reset keeps the contents.
+// A step cannot assign, copy or swap a RAM.
 //
 // The native class checks addresses, ports and distance, unless HOROPTER_HLS_UNCHECKED is defined. It takes a new step
 // to begin when an access cannot belong to the current one (a second read or write address, or any access after both a
@@ -68,6 +69,8 @@ class RAM {
     T initial{};
     __hlsc_ram_init(this, &initial, sizeof(T));
   }
+  RAM(const RAM&) = delete("a RAM cannot be copied: hardware has no clock in which all its words move");
+  RAM& operator=(const RAM&) = delete("a RAM cannot be assigned: hardware has no clock in which all its words move");
   void begin_step() {}
   template <typename A>
   T read(const A& address) {
