@@ -156,6 +156,11 @@ class Frontend {
           throw CompileError(leaf.where,
                              "the initial value of member `" + leaf.name + "` is not known at compile time");
         }
+        if (leaf.kept && bit == kOne) {
+          throw CompileError(leaf.where, "member `" + leaf.name +
+                                             "` is Kept and not zero when made without arguments: it is zero at "
+                                             "power-up");
+        }
         state.initial.push_back(bit == kOne);
         uninitialised.push_back(bit.node != 0);
       }

@@ -174,6 +174,12 @@ TEST_CASE("memories that are assigned, copied or swapped", "[diagnostics]") {
   CHECK(refused("if (in.flag) *this = Stage{};" + rest, members).find("stage.hpp:16:") != std::string::npos);
 }
 
+TEST_CASE("registers that reset leaves alone begin with zero", "[diagnostics]") {
+  CHECK(refused("out.z = k_->v; k_->v = u<8>(k_->v + in.x);", "struct Seven { u<8> v = 7; }; Kept<Seven> k_;") ==
+        "stage.hpp:11: error: member `k_v` is Kept and not zero when made without arguments: it is zero at power-up");
+  CHECK(refused("out.z = k_->v; k_->v = u<8>(k_->v + in.x);", "struct Zero { u<8> v = 0; }; Kept<Zero> k_;") == "");
+}
+
 TEST_CASE("large arrays", "[diagnostics]") {
   CHECK(refused("out.z = big_[in.x.value() * 8 + (in.y.value() & 7)]; big_[in.y.value()] = in.x;",
                 "std::array<u<8>, 2048> big_{};")
