@@ -18,6 +18,12 @@ unsigned long number(const char* variable, unsigned long otherwise) {
   return text == nullptr ? otherwise : std::strtoul(text, nullptr, 10);
 }
 
+/// A recurrence through a memory, which no schedule can have. Anything else that is refused is a defect of the scheduler.
+bool rightly_refused(const std::string& message) {
+  return message.find("passes through a synchronous memory") != std::string::npos ||
+         (message.find("its write comes") != std::string::npos && message.find("DISTANCE = ") != std::string::npos);
+}
+
 }  // namespace
 
 TEST_CASE("random programs do what their native twins do", "[random]") {
@@ -38,8 +44,9 @@ TEST_CASE("random programs do what their native twins do", "[random]") {
 }
 
 TEST_CASE("random programs as SystemVerilog do what their graphs do", "[random][emit]") {
-  const unsigned long first = number("HLSC_SEED", 1), count = number("HLSC_PROGRAMS", 2);
-  for (unsigned long seed = first; seed < first + count; ++seed) {
+  const unsigned long first = number("HLSC_SEED", 1), count = number("HLSC_PROGRAMS", 2), most = 4 * count + 8;
+  unsigned long checked = 0;
+  for (unsigned long seed = first; checked < count && seed < first + most; ++seed) {
     INFO("again: HLSC_SEED=" << seed << " HLSC_PROGRAMS=1 hlsc_tests \"[random]\"");
     const std::string header = write_header("random_" + std::to_string(seed) + ".hpp", random_stage(seed, true));
     hlsc::ScheduleOptions options;
@@ -50,9 +57,12 @@ TEST_CASE("random programs as SystemVerilog do what their graphs do", "[random][
     hlsc::Schedule schedule;
     try {
       schedule = hlsc::schedule(graph, options);
-    } catch (const hlsc::ScheduleError&) {
-      continue;  // a recurrence through the memory: rightly refused
+    } catch (const hlsc::ScheduleError& error) {
+      if (!rightly_refused(error.message())) FAIL_CHECK(error.what());
+      continue;
     }
+    ++checked;
     CHECK(check_module(graph, schedule, 1000, static_cast<unsigned>(seed)) == "");
   }
+  CHECK(checked == count);
 }
