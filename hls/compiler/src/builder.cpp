@@ -213,10 +213,10 @@ Bits Builder::source(Op op, std::uint32_t port, std::uint32_t width, const std::
   return bits;
 }
 
-Bits Builder::undefined(std::uint32_t width, const std::string& what) {
+Bits Builder::nothing(std::uint32_t port, std::uint32_t width, const std::string& what) {
   Node node;
   node.op = Op::kInput;
-  node.port = kUndefinedPort;
+  node.port = port;
   node.width = width;
   node.name = what;
   node.where = where;

@@ -41,7 +41,13 @@ extern "C" void __hlsc_step(hlsc_wrapper::Stage* stage, const hlsc_wrapper::In* 
                             hlsc_wrapper::Out* out) {
   ::new (static_cast<void*>(out)) hlsc_wrapper::Out(hlsc_wrapper::call(*stage, *in, *config));
 }
-#ifndef __HLSC__
+#ifdef __HLSC__
+extern "C" hlsc_wrapper::Out __hlsc_unset_out;
+extern "C" const void* __hlsc_unset() { return &__hlsc_unset_out; }
+extern "C" void __hlsc_default_out(hlsc_wrapper::Out* out) {
+  if constexpr (std::is_default_constructible_v<hlsc_wrapper::Out>) ::new (static_cast<void*>(out)) hlsc_wrapper::Out;
+}
+#else
 // The native twin, for tests.
 extern "C" unsigned long __hlsc_stage_size() { return sizeof(hlsc_wrapper::Stage); }
 extern "C" void __hlsc_reset(hlsc_wrapper::Stage* stage) {

@@ -5,6 +5,7 @@
 #include <llvm/IR/LLVMContext.h>
 #include <llvm/IRReader/IRReader.h>
 #include <llvm/Support/SourceMgr.h>
+#include <llvm/Transforms/Utils/Cloning.h>
 
 #include <algorithm>
 
@@ -48,6 +49,20 @@ void place(Bits& storage, const Leaf& leaf, const Bits& value) {
   std::copy(wide.begin(), wide.end(), storage.begin() + static_cast<std::ptrdiff_t>(leaf.offset_bits));
 }
 
+/// Does an entry point still use `value`?
+bool used_in_entry(const llvm::Value& value) {
+  for (const llvm::User* const user : value.users()) {
+    const auto* const instruction = llvm::dyn_cast<llvm::Instruction>(user);
+    if (instruction == nullptr) {
+      if (used_in_entry(*user)) return true;
+      continue;
+    }
+    const llvm::StringRef name = instruction->getFunction()->getName();
+    if (name == kStepFunction || name == kConstructFunction) return true;
+  }
+  return false;
+}
+
 class Frontend {
  public:
   Frontend(llvm::Module& module, const Options& options)
@@ -64,6 +79,9 @@ class Frontend {
     result.out = layout_of(pointee(*step, 3), "Out");
     check_size(stage);
 
+    // Where none can be incomplete, LLVM need not know of it.
+    if (out_may_be_incomplete(result.out)) mark_unset(module_);
+    if (llvm::Function* const probe = module_.getFunction(kDefaultOutFunction)) probe->eraseFromParent();
     prepare(module_, options_);
 
     Graph& graph = draft_.graph;
@@ -77,7 +95,13 @@ class Frontend {
     Symbolic machine(builder_, memory_, ports, module_);
 
     Contents made;
-    made.set(stage_id, unset(stage, "member `", "` of the stage has no initial value"));
+    made.set(stage_id, undefined(stage, "member `", "` of the stage has no initial value"));
+    if (const llvm::GlobalVariable* const open = module_.getNamedGlobal(kUnsetOut);
+        open != nullptr && used_in_entry(*open)) {
+      const ObjectId open_id = memory_.add_object(object_of("Out", result.out));
+      machine.bind(*open, open_id);
+      made.set(open_id, unset_out(result.out));
+    }
     ports.start(made, graph);
     made = machine.run(*construct, {Memory::pointer(stage_id)}, made);
     const Bits initial = made.of(stage_id);
@@ -87,7 +111,7 @@ class Frontend {
     contents.set(stage_id, states(stage, initial));
     contents.set(in_id, inputs(Op::kInput, result.in, graph.inputs));
     contents.set(config_id, inputs(Op::kConfig, result.config, graph.configs));
-    contents.set(out_id, unset(result.out, "member `", "` of Out is not set"));
+    contents.set(out_id, unset_out(result.out));
     const Contents after = machine.run(
         *step, {Memory::pointer(stage_id), Memory::pointer(in_id), Memory::pointer(config_id), Memory::pointer(out_id)},
         contents);
@@ -111,12 +135,47 @@ class Frontend {
                                                       " are allowed: large arrays belong into horopter::hls::RAM");
   }
 
-  Bits unset(const Layout& layout, const std::string& before, const std::string& behind) {
+  /// Does an Out that is made without arguments lack the value of a member?
+  bool out_may_be_incomplete(const Layout& out) const {
+    if (module_.getFunction(kDefaultOutFunction) == nullptr) return false;
+    const std::unique_ptr<llvm::Module> probe = llvm::CloneModule(module_);
+    keep_only(*probe, options_, kDefaultOutFunction);
+    prepare(*probe, options_);
+    std::vector<Rom> roms;
+    Builder builder;
+    Memory memory(builder, options_, roms);
+    const ObjectId out_id = memory.add_object(object_of("Out", out));
+    const Layout no_memories;
+    StagePorts ports(builder, memory, out_id, no_memories);
+    Symbolic machine(builder, memory, ports, *probe);
+    Contents contents;
+    contents.set(out_id, builder.undefined(static_cast<std::uint32_t>(out.size_bits), "Out"));
+    const Contents after =
+        machine.run(*probe->getFunction(kDefaultOutFunction), {Memory::pointer(out_id)}, std::move(contents));
+    const Bits& made = after.of(out_id);
+    return std::ranges::any_of(out.leaves, [&](const Leaf& leaf) {
+      return std::ranges::any_of(Builder::slice(made, leaf.offset_bits, leaf.width),
+                                 [&](Bit bit) { return builder.is_undefined(bit); });
+    });
+  }
+
+  Bits undefined(const Layout& layout, const std::string& before, const std::string& behind) {
     builder_.where = {};
     Bits storage = builder_.undefined(static_cast<std::uint32_t>(layout.size_bits), "padding");
     for (const Leaf& leaf : layout.leaves) {
       builder_.where = leaf.where;
       const Bits value = builder_.undefined(leaf.storage_bits, before + leaf.name + behind);
+      std::copy(value.begin(), value.end(), storage.begin() + static_cast<std::ptrdiff_t>(leaf.offset_bits));
+    }
+    return storage;
+  }
+
+  Bits unset_out(const Layout& out) {
+    builder_.where = {};
+    Bits storage = builder_.undefined(static_cast<std::uint32_t>(out.size_bits), "padding");
+    for (const Leaf& leaf : out.leaves) {
+      builder_.where = leaf.where;
+      const Bits value = builder_.unset(leaf.storage_bits, "member `" + leaf.name + "` of Out is not set");
       std::copy(value.begin(), value.end(), storage.begin() + static_cast<std::ptrdiff_t>(leaf.offset_bits));
     }
     return storage;

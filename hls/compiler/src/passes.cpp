@@ -10,6 +10,7 @@
 #include <llvm/Demangle/Demangle.h>
 #include <llvm/IR/DebugInfoMetadata.h>
 #include <llvm/IR/Dominators.h>
+#include <llvm/IR/IRBuilder.h>
 #include <llvm/IR/InstIterator.h>
 #include <llvm/IR/IntrinsicInst.h>
 #include <llvm/Passes/PassBuilder.h>
@@ -96,9 +97,16 @@ class Pipeline {
     builder.crossRegisterProxies(loops_, functions_, sccs_, modules_);
   }
 
+  void drop_unused() {
+    llvm::ModulePassManager passes;
+    passes.addPass(llvm::GlobalDCEPass());
+    passes.run(module_, modules_);
+  }
+
   void inline_everything() {
     for (llvm::Function& function : module_) {
-      const bool entry = function.getName() == kStepFunction || function.getName() == kConstructFunction;
+      const bool entry = function.getName() == kStepFunction || function.getName() == kConstructFunction ||
+                         function.getName() == kDefaultOutFunction;
       for (const auto attribute : {llvm::Attribute::NoInline, llvm::Attribute::OptimizeNone}) {
         function.removeFnAttr(attribute);
       }
@@ -176,8 +184,9 @@ class Pipeline {
  private:
   std::vector<llvm::Function*> entries() {
     std::vector<llvm::Function*> found;
-    for (const char* name : {kConstructFunction, kStepFunction}) {
-      if (llvm::Function* function = module_.getFunction(name)) found.push_back(function);
+    for (const char* name : {kConstructFunction, kStepFunction, kDefaultOutFunction}) {
+      llvm::Function* const function = module_.getFunction(name);
+      if (function != nullptr && !function->isDeclaration()) found.push_back(function);
     }
     return found;
   }
@@ -291,6 +300,40 @@ SourceLocation location_of(const llvm::Instruction& instruction) {
     if (SourceLocation where = location_of(near->getDebugLoc()); usable(where)) return where;
   }
   return {};
+}
+
+void mark_unset(llvm::Module& module) {
+  llvm::GlobalVariable* const unset = module.getNamedGlobal(kUnsetOut);
+  if (unset == nullptr) return;
+  const std::uint64_t bytes = module.getDataLayout().getTypeAllocSize(unset->getValueType()).getFixedValue();
+  for (llvm::Function& function : module) {
+    std::vector<llvm::AllocaInst*> locals;
+    for (llvm::Instruction& instruction : llvm::instructions(function)) {
+      auto* const local = llvm::dyn_cast<llvm::AllocaInst>(&instruction);
+      if (local != nullptr && local->getAllocatedType() == unset->getValueType()) locals.push_back(local);
+    }
+    for (llvm::AllocaInst* const local : locals) {
+      std::vector<llvm::Instruction*> before;
+      for (llvm::User* const user : local->users()) {
+        auto* const call = llvm::dyn_cast<llvm::IntrinsicInst>(user);
+        if (call != nullptr && call->getIntrinsicID() == llvm::Intrinsic::lifetime_start) {
+          before.push_back(call->getNextNode());
+        }
+      }
+      if (before.empty()) before.push_back(&*local->getParent()->getFirstNonPHIOrDbgOrAlloca());
+      for (llvm::Instruction* const place : before) {
+        llvm::IRBuilder<>(place).CreateMemCpy(local, local->getAlign(), unset, local->getAlign(), bytes);
+      }
+    }
+  }
+}
+
+void keep_only(llvm::Module& module, const Options& options, const char* function) {
+  for (const char* other : {kConstructFunction, kStepFunction, kDefaultOutFunction}) {
+    llvm::Function* const unwanted = module.getFunction(other);
+    if (unwanted != nullptr && llvm::StringRef(other) != function) unwanted->deleteBody();
+  }
+  Pipeline(module, options).drop_unused();
 }
 
 void prepare(llvm::Module& module, const Options& options) {

@@ -150,6 +150,8 @@ void Rebuild::make_sources() {
     builder_.where = node.where;
     if (node.op == Op::kInput && node.port == kUndefinedPort) {
       bits_[id] = any(live_[id]) ? builder_.undefined(node.width, node.name) : Bits(node.width, dead_);
+    } else if (node.op == Op::kInput && node.port == kUnsetPort) {
+      bits_[id] = any(live_[id]) ? builder_.unset(node.width, node.name) : Bits(node.width, dead_);
     } else if (node.op == Op::kInput || node.op == Op::kConfig) {
       bits_[id] = builder_.source(node.op, node.port, node.width, node.name);
     }

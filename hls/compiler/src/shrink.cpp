@@ -134,7 +134,7 @@ void check(const Draft& draft) {
   const Liveness live = liveness(draft);
   for (std::size_t id = 1; id < graph.nodes.size(); ++id) {
     const Node& node = graph.nodes[id];
-    if (node.op != Op::kInput || node.port != kUndefinedPort) continue;
+    if (node.op != Op::kInput || (node.port != kUndefinedPort && node.port != kUnsetPort)) continue;
     if (std::find(live[id].begin(), live[id].end(), true) == live[id].end()) continue;
     const bool sentence =
         node.name.find(" is not set") != std::string::npos || node.name.find(" has no ") != std::string::npos;

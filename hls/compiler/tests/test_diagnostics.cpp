@@ -127,6 +127,36 @@ TEST_CASE("values nobody has set", "[diagnostics]") {
   CHECK(refused("out.z = in.x;", "int never_used_;") == "");
 }
 
+TEST_CASE("members of Out that are set on some path only", "[diagnostics]") {
+  const auto error = [](const std::string& out, const std::string& body, const std::string& more = "") {
+    return error_of(stage_options(
+        write_header("out.hpp",
+                     "#pragma once\n#include <array>\n#include <horopter/hls/int.hpp>\nusing namespace horopter::hls;\n"
+                     "class Stage {\n public:\n  struct In { u<8> x; bool flag; };\n  struct Out { " +
+                         out + " };\n  Out step(const In& in) {\n" + body + "\n  }\n" + more + "};\n"),
+        "Stage"));
+  };
+  const std::string refusal = "out.hpp:8: error: member `alarm` of Out is not set on some path";
+  const std::string small = "bool alarm; u<8> z;", large = small + " std::array<u<16>, 16> values{};";
+  for (const std::string& members : {small, large}) {
+    CAPTURE(members);
+    CHECK(error(members, "Out out; out.z = in.x; if (in.flag) out.alarm = true; return out;") == refusal);
+    CHECK(error(members,
+                "Out out; out.z = in.x; if (in.x == 3) return Out{}; if (in.flag) out.alarm = true; "
+                "return out;") == refusal);
+    CHECK(error(members, "Out out; set(in, out); return out;",
+                "void set(const In& in, Out& out) { if (in.flag) out.alarm = in.x > 3; }\n") == refusal);
+    CHECK(error(members, "Out out; out.z = in.x; out.alarm = in.flag; return out;") == "");
+    CHECK(error(members, "Out out; if (in.flag) out.alarm = in.x > 3; else out.alarm = in.x < 2; return out;") == "");
+    CHECK(error(members, "Out out; if (in.flag) out.alarm = in.x > 3; if (!in.flag) out.alarm = true; return out;") ==
+          "");
+    CHECK(error(members, "return {in.flag, in.x};") == "");
+    CHECK(error(members, "Out out{}; if (in.flag) out.alarm = true; return out;") == "");
+    CHECK(error(members, "Out last = last_; last_.alarm = in.flag; return last;", " Out last_{};\n") == "");
+  }
+  CHECK(error("bool alarm = false; u<8> z;", "Out out; if (in.flag) out.alarm = true; return out;") == "");
+}
+
 TEST_CASE("the two ports of a memory", "[diagnostics]") {
   CHECK(
       refused(

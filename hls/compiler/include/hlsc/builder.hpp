@@ -15,7 +15,7 @@
 namespace hlsc {
 
 /// `port` of the kInput nodes that stand for values nobody has set. None is left in a finished graph.
-inline constexpr std::uint32_t kUndefinedPort = 0xFFFFFFFF;
+inline constexpr std::uint32_t kUndefinedPort = 0xFFFFFFFF, kUnsetPort = 0xFFFFFFFE;
 
 class Builder {
  public:
@@ -27,7 +27,9 @@ class Builder {
   // Sources: kInput, kConfig, kStateRead, kRamRead.
   Bits source(Op op, std::uint32_t port, std::uint32_t width, const std::string& name);
   /// An undefined value; `what` tells whose, for the error if it turns out to matter.
-  Bits undefined(std::uint32_t width, const std::string& what);
+  Bits undefined(std::uint32_t width, const std::string& what) { return nothing(kUndefinedPort, width, what); }
+  /// The same, but a multiplexer does not take its other side for it: it matters if it is left on any path.
+  Bits unset(std::uint32_t width, const std::string& what) { return nothing(kUnsetPort, width, what); }
   Bits rom(std::uint32_t port, const Bits& address, std::uint32_t width);
 
   static Bits constant(std::uint64_t value, std::size_t width);
@@ -80,6 +82,7 @@ class Builder {
   void name(const Bits& bits, const std::string& name);
 
  private:
+  Bits nothing(std::uint32_t port, std::uint32_t width, const std::string& what);
   Bits bitwise(Op op, const Bits& a, const Bits& b);
   Bits make(Op op, std::uint32_t width, std::vector<Bits> operands, std::uint32_t port = 0);
   [[nodiscard]] bool complementary(Bit a, Bit b) const;

@@ -13,6 +13,9 @@ namespace hlsc {
 inline constexpr char kConstructFunction[] = "__hlsc_construct";
 /// void __hlsc_step(Stage*, const In*, const Config*, Out*).
 inline constexpr char kStepFunction[] = "__hlsc_step";
+inline constexpr char kDefaultOutFunction[] = "__hlsc_default_out";
+/// A global Out without contents: what a local one holds before it is set.
+inline constexpr char kUnsetOut[] = "__hlsc_unset_out";
 
 /// The stage does not compile as C++; `what()` is clang's own text.
 class ClangError : public std::runtime_error {

@@ -8,7 +8,8 @@
 
 namespace hlsc {
 
-/// Nodes that are kInput with port kUndefinedPort stand for values nobody has set: finish() refuses those that matter.
+/// Nodes that are kInput with port kUndefinedPort or kUnsetPort stand for values nobody has set: finish() refuses those
+/// that matter.
 struct Draft {
   Graph graph;
   std::vector<std::vector<bool>> uninitialised;  ///< per state, per bit: the constructor leaves it open

@@ -11,6 +11,12 @@
 
 namespace hlsc {
 
+/// Fills every local Out with kUnsetOut: LLVM takes a value that is set on one path only for one that is set on all.
+void mark_unset(llvm::Module& module);
+
+/// Of the entry points only this one remains, with what it needs.
+void keep_only(llvm::Module& module, const Options& options, const char* function);
+
 /// Throws CompileError for calls and loops that cannot be removed.
 void prepare(llvm::Module& module, const Options& options);
 

@@ -30,6 +30,8 @@ class Symbolic {
  public:
   Symbolic(Builder& builder, Memory& memory, RamPorts& rams, const llvm::Module& module);
 
+  /// What `variable` is, which hlsc's own code declares.
+  void bind(const llvm::GlobalVariable& variable, ObjectId object) { globals_[&variable] = object; }
   /// Contents after `function` with these pointer arguments.
   Contents run(const llvm::Function& function, const std::vector<Bits>& arguments, Contents contents);
 
