@@ -462,6 +462,7 @@ std::set<std::string> faults_of_scenes() {
   machine.settings().on_skin_cells = 255;
   machine.settings().one_camera_segments = 0;  // both see the same but for noise
   machine.settings().sum_limit *= 4;           // which makes no holes
+  machine.settings().texture_limit = 0;
   const int never = machine.settings().alarm_limit;
   for (const std::uint32_t needed : {1U, 2U}) {
     machine.alarm_frames = reg::alarm_frames::kNeeded.put(needed) | reg::alarm_frames::kOf.put(3);
