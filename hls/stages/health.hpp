@@ -6,8 +6,9 @@
 //         dark_limit, bright_limit: pixels; contrast_limit: grey levels; frozen_limit: repetitions, 0 switches it off.
 // Out     one beat per frame, with its last pixel:
 //         black, white: more than the limit of pixels are; constant: the frame's grey levels span at most
-//         contrast_limit, and it is neither black nor white; frozen: its signature has equalled that of the frame
-//         before, for at least frozen_limit frames in a row; signature: the frame's. The signature is that of a
+//         contrast_limit, and it is neither black nor white; frozen: its signature has equalled that of one of
+//         the two frames before (the two fields of an image are frames in turn), for at least frozen_limit frames in a
+//         row; signature: the frame's. The signature is that of a
 //         multiple-input shift register (MISR; Williams, Daehn, Gruetzner, Starke, IEEE Trans. CAD 7(2), 1988) with the
 //         polynomial of CRC-32: equal frames have equal ones, and two noisy frames by chance once in 2^32.
 //         torn: its rows do not belong together. What is compared is which of two pixels a pixel is more like, by 2 grey
@@ -127,10 +128,12 @@ class CameraHealth {
     Out out;
     out.valid = in.end;
     if (in.end) [[unlikely]] {
-      const bool same = has_previous_ && signature_ == previous_signature_;
+      const bool same =
+          (frames_.bit(0) && signature_ == previous_signature_) || (frames_.bit(1) && signature_ == signature_before_);
       repeats_ = !same ? u<8>(0) : repeats_ == 255 ? repeats_ : u<8>(repeats_ + lit<1>());
+      signature_before_ = previous_signature_;
       previous_signature_ = signature_;
-      has_previous_ = true;
+      frames_ = u<2>(cat(frames_, true));
       out.black = dark_ > config.dark_limit;
       out.white = bright_ > config.bright_limit;
       out.constant = u<8>(brightest_ - darkest_) <= config.contrast_limit && !out.black && !out.white;
@@ -263,8 +266,8 @@ class CameraHealth {
 #endif
 
   u<32> signature_{0};
-  u<32> previous_signature_{0};
-  bool has_previous_ = false;
+  u<32> previous_signature_{0}, signature_before_{0};  // of the frame before, and of the one before that
+  u<2> frames_{0};                                     // bit n: more than n have come
   u<8> repeats_{0};
   u<8> darkest_{0};
   u<8> brightest_{0};

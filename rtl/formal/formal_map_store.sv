@@ -183,7 +183,7 @@ module formal_map_store (
     // The bus: a start's slot and the selection were there before it counts; a begin makes the selected slot the active one.
     if (\dut.start_q )
       assume (slot == past_slot && selected_slot == past_selected && past_selected == before_selected && running == past_running && past_running == before_running);
-    assume (active_slot == past_active || active_slot == past_selected);
+    assume (active_slot == past_active || active_slot == past_selected || (active_slot == 4'd15 && !past_running));
 
     if (past_valid) begin
       // --- invariants that lead to the properties ---

@@ -154,12 +154,18 @@ module formal_safe (
   logic [1:0] left_checked = 2'b00, right_checked = 2'b00, ended = 2'b00;
   logic left_slot, right_slot, opened = 1'b0, opened_slot, identical;
   logic [1:0] checks = 2'b00;  // that have just come
+  logic [1:0] empty = 2'b11;  // nothing is in the camera's image; that is another fault than blind
+  logic [1:0] past_silent = 2'b00, past_late = 2'b00;
   assign identical = same_image && ((checks[0] && right_checked[left_slot]) || (checks[1] && left_checked[right_slot]));
   always @(posedge clk_i) begin
     checks <= rst_ni ? health_valid : 2'b00;
     opened <= rst_ni && open;
     opened_slot <= open_slot;
     ended <= ended | health_end;
+    if (rst_ni && health_valid[0]) empty[0] <= left_health.image.black || left_health.image.white || left_health.image.constant;
+    if (rst_ni && health_valid[1]) empty[1] <= right_health.image.black || right_health.image.white || right_health.image.constant;
+    past_silent <= rst_ni ? silent : 2'b00;
+    past_late <= {past_late[0], late};
     if (health_end[0]) left_slot <= open_slot;
     if (health_end[1]) right_slot <= open_slot;
     if (!rst_ni) begin
@@ -182,7 +188,8 @@ module formal_safe (
   assign fault_now = {left_stream, right_stream, skew, bad_upload, refused_upload, silence, parity_error, internal, settings, contactors_bad, miss} != '0 || identical
       || (health_valid[0] && left_health != '0) || (health_valid[1] && right_health != '0)
       || (object_alarm && alarm_frames.needed <= 3'd1) || (objects_ended && objects_overflow) || (begun[4] && teaching)
-      || (counts_valid && (too_undecidable || too_unsupervised)) || (verdict_valid && other_verdict != '0);
+      || (counts_valid && (too_undecidable || too_unsupervised)) || (verdict_valid && other_verdict != '0)
+      || (judged && (still != 2'b00 || (one_camera && !same_image) || (blind & ~empty) != 2'b00)) || (begun[4] && !table_ok);
   always @(posedge clk_i) begin
     past_valid <= 1'b1;
     past_reset <= !rst_ni;
@@ -229,6 +236,7 @@ module formal_safe (
     assert (safe != unsafe);
     if (past_valid) begin
       if (past_reset) assert (!safe);
+      if (past_silent != 2'b00 || past_late == 2'b11) assert (!safe);
       // Rises only with a good frame.
       if (safe && !past_safe) assert (frame_done && frame_safe && frame_faults == '0 && !frame_alarm && good_before);
       if (safe && !past_safe && !interlock.by_itself) begin

@@ -223,13 +223,15 @@ module horopter_frame_control (
   assign set_now = set_q != '0 || told_q;
   horopter_csr_pkg::faults_t fault_set;
   assign fault_set = set_record0 | set_record1 | set_event | transient_q;
+  logic seen, counts, passes;  // a frame that shows an alarm may be one of too few
+  assign seen = alarm_q || object_alarm_q;
   assign read_faults = (read_slot_i ? faults1_q : faults0_q) | event_q;
   // A frame without its image checks or without all its rows, and without a fault of a camera's stream that explains it,
   // was not checked: not safe.
   always_comb begin
     unchecked = '0;
     unchecked.machine.internal = !read_faults.machine.skew && unexplained_q != 2'b00;
-    unchecked.machine.overlooked = overlooked_q && !(alarm_q || object_alarm_q);  // with an alarm it is none
+    unchecked.machine.overlooked = overlooked_q && !(seen && counts);  // with an alarm it is none
   end
   assign incomplete = ~({right_checked_q[read_slot_i], left_checked_q[read_slot_i]} & whole_i);
   always_ff @(posedge clk_i) begin
@@ -281,8 +283,7 @@ module horopter_frame_control (
   logic state_first_q, first_seen_q;
   logic [23:0] skin_q, undecidable_q, unsupervised_q, misses_q;
   logic [31:0] next_sequence_q;
-  logic good, seen, counts, passes;  // a frame that shows an alarm may be one of too few
-  assign seen = alarm_q || object_alarm_q;
+  logic good;
   assign good = faulty_q == '0 && !(seen && counts) && table_ok_i;
   always_ff @(posedge clk_i) begin
     publish_q <= 1'b0;

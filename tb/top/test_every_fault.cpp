@@ -483,6 +483,12 @@ std::set<std::string> faults_of_scenes() {
     };
     if (needed == 2) {
       bench.raise("overlooked", after_alarm);
+      bench.raise("overlooked", [&] {
+        machine.settings().alarm_limit = 5;
+        machine.write_limits();
+        flip_overlooked();
+        bench.send_scene();
+      });
     } else {
       bench.restart();
       bench.until_safe();

@@ -125,7 +125,7 @@ struct Answer {
   double seen_share = 0;
   double nearer_share = 0;
   std::array<double, kSmall.height> seen_of_row{};  ///< share of the pixels of a row of the image
-  int places = 0;  // of a round at full resolution
+  int places = 0;                                   // of a round at full resolution
   double across_px = 0;
   int displaced = 0;  // more than half of them, by one of three ways
 };

@@ -457,16 +457,18 @@ TEST_CASE("Something large on the skin is overlooked where the rule is blind, an
   CHECK(faults.has(Fault::overlooked) == blind);
 }
 
+/// What has texture lies on the skin.
+Image textured_above(int row) {
+  Image image = textured(320, 240, 1);
+  std::fill(image.pixels.begin() + row * image.width, image.pixels.end(), std::uint8_t{128});
+  return image;
+}
+
 TEST_CASE("An alarm that does not count hides nothing that is overlooked") {
   const MachineProfile& profile = find_profile("vga");
   constexpr int kW = 320, kH = 240, kFrames = 120, kDecide = 24;
-  // Where there is texture, it lies on the skin; only where that is much of the image it is an alarm, in every third frame.
-  const auto view = [](int textured_rows) {
-    Image image = textured(kW, kH, 1);
-    std::fill(image.pixels.begin() + textured_rows * kW, image.pixels.end(), std::uint8_t{128});
-    return image;
-  };
-  const Image few = view(96), many = view(160);
+  // Only where that is much of the image it is an alarm, in every third frame.
+  const Image few = textured_above(96), many = textured_above(160);
   SkinFile skin;
   skin.path = "skin";
   skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -6, 0, 1, 0, 0, 0, 1});
@@ -490,6 +492,31 @@ TEST_CASE("An alarm that does not count hides nothing that is overlooked") {
   CAPTURE(faults.names());
   CHECK(seen == kFrames / 3);
   CHECK(faults.has(Fault::overlooked) == (needed == 2));
+}
+
+TEST_CASE("So it does in its own frame") {
+  const MachineProfile& profile = find_profile("vga");
+  const Image few = textured_above(60), many = textured_above(180);
+  SkinFile skin;
+  skin.path = "skin";
+  skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -6, 0, 1, 0, 0, 0, 1});
+  const int needed = GENERATE(1, 2);
+  CAPTURE(needed);
+  Settings settings;
+  settings.object_px = 1e4;
+  settings.alarm_percent = 30;
+  settings.alarm_frames = {needed, 3};
+  settings.undecidable_percent = 100;
+  settings.blind_share = settings.still_limit = settings.frozen_limit = 0;
+  Supervisor supervisor(make_native_device(profile), profile, compile_maps(skin, profile, many.width, many.height),
+                        settings);
+  FrameResult result;
+  for (const Image* left : {&few, &few, &few, &many}) result = supervisor.process(*left, moved(*left, -6, 0)).front();
+  CAPTURE(result.faults.names());
+  CHECK(result.seen);
+  CHECK(!result.safe);
+  CHECK(result.alarm);
+  CHECK(result.faults.has(Fault::overlooked) == (needed == 2));
 }
 
 TEST_CASE("What changes in one image alone is out of step; with another table the right image is another one") {

@@ -652,6 +652,18 @@ TEST_CASE("health: black, white, constant and frozen images", "[stages]") {
   REQUIRE(none(first));  // nothing before it
   const auto second = frame(same);
   REQUIRE(second.frozen);
+  // Two in turn, as the fields of an image that repeats.
+  std::vector<int> other(512);
+  for (int& p : other) p = noise(0);
+  const auto second_field = [&](int i) { return other[static_cast<std::size_t>(i)]; };
+  REQUIRE(none(frame(second_field)));
+  REQUIRE(frame(same).frozen);
+  REQUIRE(frame(second_field).frozen);
+  REQUIRE(none(frame(noise)));
+  REQUIRE(frame(second_field).frozen);
+  REQUIRE(none(frame(noise)));
+  REQUIRE(none(frame(noise)));
+  REQUIRE(none(frame(same)));
   // The signature tells frames apart, whichever camera they are of.
   REQUIRE(second.signature == first.signature);
   picture[511] ^= 1;

@@ -516,7 +516,8 @@ FrameStreams NativeDevice::receive() {
   add(result.agreement.disagree, Fault::disagree);
   add(result.agreement.unproven, Fault::unproven);
   add(result.agreement.moved, Fault::moved);
-  add(result.agreement.overlooked && !result.alarm, Fault::overlooked);
+  const bool alarm = result.alarm && alarm_counts();
+  add(result.agreement.overlooked && !alarm, Fault::overlooked);
   add(result.agreement.out_of_step, Fault::out_of_step);
   add(result.agreement.hidden, Fault::hidden);
   add(result.agreement.unsharp_left, Fault::left_unsharp);
@@ -531,7 +532,7 @@ FrameStreams NativeDevice::receive() {
   }
   taught_before_ = teaches;
   forget_ = faults.has(Fault::teaching) && (result.alarm || faults.without(Fault::teaching).any());
-  const bool good = !faults.any() && !(result.alarm && alarm_counts());
+  const bool good = !faults.any() && !alarm;
   alarm_discounted_ = result.alarm && good;
   alarms_seen_ = faults.any() ? kAllSeen : alarms_seen_ << 1U | static_cast<std::uint32_t>(result.alarm);
   if (good) {

@@ -362,7 +362,7 @@ inline constexpr std::uint32_t kReset = 0x8;
 inline constexpr Field kGrey{0, 8};
 }  // namespace constant_limit
 
-/// Frozen image: the same frame again this many times is a fault.
+/// Frozen image: one of the two frames before again, this many times in a row, is a fault.
 namespace frozen_limit {
 inline constexpr std::uint32_t kAddress = 0x0B4;
 inline constexpr Access kAccess = Access::kReadWrite;
@@ -497,7 +497,8 @@ inline constexpr Field kLeftBlack{6, 1};
 inline constexpr Field kLeftWhite{7, 1};
 /// The left image is one grey level.
 inline constexpr Field kLeftConstant{8, 1};
-/// The left image is the same as before, noise and all; or frame after frame the same but for noise (STILL_LIMIT).
+/// The left image is the same as one of the two before, noise and all; or frame after frame the same but for noise
+/// (STILL_LIMIT).
 inline constexpr Field kLeftFrozen{9, 1};
 /// A bit of the left image's memory fell over.
 inline constexpr Field kLeftParity{10, 1};
@@ -531,7 +532,8 @@ inline constexpr Field kRightBlack{22, 1};
 inline constexpr Field kRightWhite{23, 1};
 /// The right image is one grey level.
 inline constexpr Field kRightConstant{24, 1};
-/// The right image is the same as before, noise and all; or frame after frame the same but for noise (STILL_LIMIT).
+/// The right image is the same as one of the two before, noise and all; or frame after frame the same but for noise
+/// (STILL_LIMIT).
 inline constexpr Field kRightFrozen{25, 1};
 /// A bit of the right image's memory fell over.
 inline constexpr Field kRightParity{26, 1};
@@ -667,7 +669,8 @@ inline constexpr Field kLeftBlack{6, 1};
 inline constexpr Field kLeftWhite{7, 1};
 /// The left image is one grey level.
 inline constexpr Field kLeftConstant{8, 1};
-/// The left image is the same as before, noise and all; or frame after frame the same but for noise (STILL_LIMIT).
+/// The left image is the same as one of the two before, noise and all; or frame after frame the same but for noise
+/// (STILL_LIMIT).
 inline constexpr Field kLeftFrozen{9, 1};
 /// A bit of the left image's memory fell over.
 inline constexpr Field kLeftParity{10, 1};
@@ -701,7 +704,8 @@ inline constexpr Field kRightBlack{22, 1};
 inline constexpr Field kRightWhite{23, 1};
 /// The right image is one grey level.
 inline constexpr Field kRightConstant{24, 1};
-/// The right image is the same as before, noise and all; or frame after frame the same but for noise (STILL_LIMIT).
+/// The right image is the same as one of the two before, noise and all; or frame after frame the same but for noise
+/// (STILL_LIMIT).
 inline constexpr Field kRightFrozen{25, 1};
 /// A bit of the right image's memory fell over.
 inline constexpr Field kRightParity{26, 1};
