@@ -85,6 +85,40 @@ std::size_t tiff_entry(const std::vector<std::uint8_t>& bytes, unsigned tag) {
   return 0;
 }
 
+/// A TIFF of one row in LZW: grey values 0, 1, … with a code of 9 bits for each, and an end of so many bits, or none.
+std::vector<std::uint8_t> lzw_tiff(unsigned width, unsigned codes, unsigned end_bits, unsigned fill_order = 1) {
+  constexpr unsigned kClear = 256, kEnd = 257, kBits = 9;
+  std::vector<bool> bits;
+  const auto add_code = [&](unsigned code, unsigned length) {
+    for (unsigned i = length; i-- > 0;) bits.push_back((code >> i & 1U) != 0);
+  };
+  add_code(kClear, kBits);
+  for (unsigned code = 0; code < codes; ++code) add_code(code, kBits);
+  if (end_bits != 0) add_code(kEnd, end_bits);
+  std::vector<std::uint8_t> strip((bits.size() + 7) / 8 + (end_bits != 0 ? 2 : 0));  // a writer may fill up with zeros
+  for (std::size_t i = 0; i < bits.size(); ++i) {
+    if (bits[i]) strip[i / 8] |= static_cast<std::uint8_t>(0x80U >> i % 8);
+  }
+  std::vector<std::uint8_t> bytes{'I', 'I', 42, 0};
+  const auto add = [&](std::size_t value, int length) {
+    for (int i = 0; i < length; ++i) bytes.push_back(static_cast<std::uint8_t>(value >> 8 * i));
+  };
+  const std::vector<std::pair<unsigned, std::size_t>> tags{{256, width}, {257, 1},           {258, 8}, {259, 5},
+                                                           {262, 1},     {266, fill_order},  {273, 8}, {277, 1},
+                                                           {278, 1},     {279, strip.size()}};
+  add(8 + strip.size(), 4);
+  bytes.insert(bytes.end(), strip.begin(), strip.end());
+  add(tags.size(), 2);
+  for (const auto& [tag, value] : tags) {
+    add(tag, 2);
+    add(4, 2);  // of type LONG
+    add(1, 4);
+    add(value, 4);
+  }
+  add(0, 4);
+  return bytes;
+}
+
 }  // namespace
 
 TEST_CASE("Images of every format become Rec. 601 luma") {
@@ -226,6 +260,20 @@ TEST_CASE("A TIFF with other bytes in its compressed data is refused, and so are
   auto shorter = plain;
   shorter[tiff_entry(shorter, 257) + 8] = 241;  // of 240 rows
   CHECK_THROWS_WITH(decode_image(shorter, "shorter"), Catch::Contains("TIFF"));
+}
+
+TEST_CASE("LZW in TIFF may end as older writers end it, but not before its last code") {
+  constexpr unsigned kPixels = 254;  // behind so many codes those that follow have a bit more
+  for (const unsigned end_bits : {0U, 9U, 10U}) {
+    CAPTURE(end_bits);
+    const Image image = decode_image(lzw_tiff(kPixels, kPixels, end_bits), "whole");
+    REQUIRE(image.width == kPixels);
+    for (int x = 0; x < image.width; ++x) CHECK(image.at(x, 0) == x);
+    CHECK_THROWS_WITH(decode_image(lzw_tiff(kPixels, kPixels - 1, end_bits), "cut"),
+                      Catch::Contains("a damaged TIFF strip"));
+  }
+  CHECK_THROWS_WITH(decode_image(lzw_tiff(kPixels, kPixels, 10, 2), "turned"),
+                    Catch::Contains("FillOrder 2; expected 1"));
 }
 
 TEST_CASE("Orientation is refused where a decoder would turn the image") {

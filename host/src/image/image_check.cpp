@@ -230,35 +230,47 @@ void check_bmp(const Reader& file) {
 // Of tag 259. Other kinds have no check that decoders look at.
 constexpr std::uint32_t kTiffPlain = 1, kTiffLzw = 5;
 
-/// How many bytes the LZW data of a TIFF stand for (TIFF 6.0, section 13). Nothing where a code stands for none, or where
-/// the end is missing. Decoders stop quietly at the bytes that they need.
-std::optional<std::uint64_t> lzw_length(Bytes data) {
+/// Whether the LZW data of a TIFF stand for so many bytes (TIFF 6.0, section 13), and each code for one or more. Decoders
+/// stop quietly at the bytes that they need.
+bool is_whole_lzw(Bytes data, std::uint64_t expected) {
   constexpr unsigned kClear = 256, kEnd = 257, kFirst = 258, kFewestBits = 9, kMostBits = 12;
   std::array<std::uint32_t, 1U << kMostBits> lengths{};
   std::fill_n(lengths.begin(), kClear, 1);
   std::uint64_t sum = 0;
   std::size_t at_bit = 0;
   unsigned next = kFirst, bits = kFewestBits;
+  bool wider = false;      // since the last code
   std::uint32_t last = 0;  // none
-  while (at_bit + bits <= data.size() * 8) {
+  const auto code_of = [&](unsigned length) -> std::optional<unsigned> {
+    if (at_bit + length > data.size() * 8) return std::nullopt;
     unsigned code = 0;
-    for (unsigned i = 0; i < bits; ++i, ++at_bit) code = code << 1 | (data[at_bit / 8] >> (7 - at_bit % 8) & 1U);
-    if (code == kEnd) return sum;
-    if (code == kClear) {
+    for (std::size_t bit = at_bit; bit < at_bit + length; ++bit)
+      code = code << 1 | (data[bit / 8] >> (7 - bit % 8) & 1U);
+    return code;
+  };
+  while (true) {
+    const auto code = code_of(bits);
+    if (sum == expected) {  // some writers leave the end out, and older ones of libtiff do not widen it
+      if (!code || *code == kEnd || (wider && code_of(bits - 1) == kEnd)) return true;
+    }
+    if (!code || *code == kEnd) return false;
+    at_bit += bits;
+    wider = false;
+    if (*code == kClear) {
       next = kFirst;
       bits = kFewestBits;
       last = 0;
       continue;
     }
-    if (last == 0 ? code > kClear : code > next || next == lengths.size()) return std::nullopt;
+    if (last == 0 ? *code > kClear : *code > next || next == lengths.size()) return false;
     if (last != 0) {
       lengths[next++] = last + 1;
-      if (next + 1 == 1U << bits && bits < kMostBits) ++bits;
+      wider = next + 1 == 1U << bits && bits < kMostBits;
+      if (wider) ++bits;
     }
-    last = lengths[code];
+    last = lengths[*code];
     sum += last;
   }
-  return std::nullopt;
 }
 
 void check_tiff(const Reader& file, std::uint8_t version) {
@@ -297,6 +309,9 @@ void check_tiff(const Reader& file, std::uint8_t version) {
     if (tag == 256) width = file.number(at, size);
     if (tag == 257) height = file.number(at, size);
     if (tag == 259) compression = file.number(at, size);
+    if (tag == 266 && file.number(at, size) != 1) {  // decoders turn the bits of each byte
+      file.bad(entry, fmt::format("a TIFF with FillOrder {}", file.number(at, size)), "1, the highest bit first");
+    }
     if (tag == 274 && file.number(at, size) != 1) {  // decoders turn it, each in its own way
       file.bad(entry, fmt::format("a TIFF with orientation {}", file.number(at, size)),
                "orientation 1, the first pixel at the top left");
@@ -336,7 +351,7 @@ void check_tiff(const Reader& file, std::uint8_t version) {
     const std::uint64_t row = i % parts;  // tiles are always whole
     const std::uint64_t rows = tiles ? part_height : std::min<std::uint64_t>(part_height, height - row * part_height);
     const std::uint64_t pixels = rows * part_width * (planes ? 1 : samples);
-    const bool whole = compression == kTiffLzw ? lzw_length(file.part(begin, length)) == pixels : length >= pixels;
+    const bool whole = compression == kTiffLzw ? is_whole_lzw(file.part(begin, length), pixels) : length >= pixels;
     if (!whole) file.bad(begin, "a damaged TIFF strip or tile", fmt::format("{} bytes of pixels", pixels));
   }
 }
