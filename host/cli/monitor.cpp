@@ -216,6 +216,10 @@ ExitStatus run_monitor(const MonitorOptions& options) {
     service.run(asked_to_stop, options.frames);
     monitor::SystemdNotice::stopping();
   }
+  if (service.status().frame == 0 && !asked_to_stop()) {
+    throw FileError(cell.path.string(), "cameras", "all images were over before the first pair was judged",
+                    "a longer recording, or `repeat: true`");
+  }
   return ExitStatus::done;
 }
 
@@ -235,7 +239,7 @@ void add_monitor(CLI::App& app, Outcome& outcome) {
   command->footer(
       monitor::cell_help() +
       "\nSIGINT or SIGTERM ends it: the outputs go unsafe first, and the exit status is 0. It is 3 for a bad\n"
-      "file, and 4 where the machine has failed.\n\n"
+      "file and where the files end before a pair was judged, and 4 where the machine has failed.\n\n"
       "Example: horopter monitor cell.yaml");
   command->callback([options, &outcome] { outcome.status = run_monitor(*options); });
 }

@@ -184,6 +184,19 @@ TEST_CASE("it ends after so many pairs") {
   CHECK(monitor.wait() == 0);
 }
 
+TEST_CASE("files of which no pair was judged are an error") {
+  const Sandbox box;
+  box.write("skin.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -10], [0, 1, 0], [0, 0, 1]]\n");
+  // Without a rig the first pair only tells the size, where it is not over before its file is open.
+  box.write("cell.yaml", "cameras: {left: {source: 'files:" + kData + "left01.jpg'}, right: {source: 'files:" + kData +
+                             "right01.jpg'}, frames_per_s: 2, largest_skew_ms: 10}\nskin: skin.yaml\n" +
+                             "restart: by_itself\nlimits: {object: 100px, decision_ms: 30000}\n");
+  const auto result = box.run({"monitor", "cell.yaml"});
+  CHECK(result.status == 3);
+  CHECK_THAT(result.err, Catch::Contains("cell.yaml: cameras") &&
+                             Catch::Contains("all images were over before the first pair was judged"));
+}
+
 TEST_CASE("the same by GStreamer, until a camera is gone: named, and not safe") {
   const CellBox box;
   const int port = free_port();
