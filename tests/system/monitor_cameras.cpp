@@ -19,6 +19,7 @@
 #include "../unit/video_hole.hpp"
 #include "camera/grabbers.hpp"
 #include "camera/succession.hpp"
+#include "horopter/base/error.hpp"
 #include "horopter/monitor/camera.hpp"
 
 using namespace horopter::monitor;
@@ -405,6 +406,38 @@ TEST_CASE("files that are opened late, or again, show the image of the moment, a
   const auto over = open_grabber(late);
   CHECK_FALSE(over->next(10s));
   CHECK(over->ended());
+}
+
+TEST_CASE("files of which one cannot be read go on behind it when they are opened again, each under its number") {
+  const horopter::TemporaryDirectory directory;
+  constexpr std::uint64_t kImages = 5, kDamaged = 1;
+  for (std::uint64_t i = 0; i < kImages; ++i) {
+    const std::string grey = std::to_string(40 * i);
+    directory.write("i" + std::to_string(i) + ".pgm", "P2 2 1 255 " + grey + (i == kDamaged ? "" : " " + grey) + "\n");
+  }
+  auto late = settings("files:" + directory.path().string(), 50);
+  late.camera.repeat = true;
+  late.begin = Clock::now() - 1h;
+  std::vector<CameraFrame> frames;
+  for (const auto give_up = Clock::now() + 60s; frames.size() < 3 * kImages && Clock::now() < give_up;) {
+    try {
+      for (const auto grabber = open_grabber(late); frames.size() < 3 * kImages && Clock::now() < give_up;) {
+        if (auto frame = grabber->next(100ms)) frames.push_back(std::move(*frame));
+      }
+    } catch (const horopter::FileError& error) {  // in time the damaged one is told
+      CHECK_THAT(error.what(), Catch::Contains("i1.pgm"));
+    }
+  }
+  REQUIRE(frames.size() == 3 * kImages);
+  for (const CameraFrame& frame : frames) {
+    const std::uint64_t number = frame.number.value();
+    CHECK(number % kImages != kDamaged);
+    CHECK(frame.image.at(0, 0) == 40 * (number % kImages));
+    CHECK(frame.taken == (late.begin + number * 20ms).time_since_epoch());
+  }
+  for (std::uint64_t i = 0; i < kImages; ++i) directory.write("i" + std::to_string(i) + ".pgm", "P2 2 1 255 7\n");
+  late.camera.repeat = false;
+  CHECK_FALSE(open_grabber(late)->next(10s));  // all of them are over
 }
 
 TEST_CASE("an image that is shorter than its size is lost; JPEG in pieces is an error") {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // files: recorded images, shown at a rate.
 #include <filesystem>
+#include <string>
 #include <thread>
 #include <utility>
 
 #include "camera/grabbers.hpp"
+#include "horopter/base/error.hpp"
 #include "horopter/image/frames.hpp"
 
 namespace horopter::monitor {
@@ -44,18 +46,31 @@ class FilesGrabber : public Grabber {
   Clock::time_point due_of(std::uint64_t number) const { return begin_ + static_cast<Duration::rep>(number) * period_; }
 
   /// Opened again, or late, it passes over what would have been shown by now: an image has the same number in each round,
-  /// and beside the other camera.
+  /// and beside the other camera. Also an image that cannot be read: it would be met each time.
   void read() {
-    auto image = frames_->next();
-    if (!image && repeat_) {
-      begin_again();
+    std::optional<NamedImage> image;
+    try {
       image = frames_->next();
-    }
-    if (!image) {
-      ended_ = true;
+    } catch (const FileError& error) {
+      // A list goes on behind it. A video may stay there, and say the same again.
+      if (in_time_ || due_of(number_) > Clock::now() || error.what() == unreadable_) throw;
+      unreadable_ = error.what();
+      ++unreadable_images_;
+      ++number_;
       return;
     }
-    if (image->time) number_ += image->time->left_out;  // lost when it was recorded
+    if (!image) {
+      if (repeat_ && number_ != round_begin_) {
+        begin_again();
+      } else {
+        ended_ = true;
+      }
+      return;
+    }
+    const std::uint64_t left_out = image->time ? image->time->left_out : 0;  // lost when it was recorded
+    number_ += left_out - std::min(left_out, unreadable_images_);            // by its time those are left out, too
+    unreadable_.clear();
+    unreadable_images_ = 0;
     in_time_ = in_time_ || due_of(number_) > Clock::now();
     if (in_time_) {
       next_ = std::move(image->image);
@@ -66,9 +81,10 @@ class FilesGrabber : public Grabber {
 
   void begin_again() {
     frames_ = open_frames({pattern_});
+    unreadable_images_ = 0;
     const std::uint64_t round = number_ - round_begin_;
     round_begin_ = number_;
-    if (in_time_ || round == 0) return;
+    if (in_time_) return;
     const auto now = Clock::now();
     if (now <= due_of(number_)) return;
     const auto late = static_cast<std::uint64_t>((now - due_of(number_)) / period_);
@@ -82,6 +98,8 @@ class FilesGrabber : public Grabber {
   std::unique_ptr<FrameSource> frames_;
   std::optional<Image> next_;
   std::uint64_t number_ = 0, round_begin_ = 0;
+  std::string unreadable_;  ///< what the last one's error said, up to the next image
+  std::uint64_t unreadable_images_ = 0;
   bool in_time_ = false;  ///< from now on none is passed over
   bool ended_ = false;
 };
