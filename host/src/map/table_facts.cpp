@@ -331,12 +331,12 @@ void SkinScale::look_between(const Surface& surface, Areas& areas) const {
     for (std::size_t column = 0; column + 1 < columns_.size(); ++column) {
       const std::size_t upper = row * columns_.size() + column;
       const std::size_t lower = upper + columns_.size();
-      const double first = areas.fine[upper];
-      // NaN differs from nothing.
-      if (!areas_differ(first, areas.fine[upper + 1]) && !areas_differ(first, areas.fine[lower]) &&
-          !areas_differ(first, areas.fine[lower + 1])) {
-        continue;
+      double smallest = std::nan(""), largest = std::nan("");
+      for (const std::size_t place : {upper, upper + 1, lower, lower + 1}) {  // NaN counts for neither
+        smallest = std::fmin(smallest, areas.fine[place]);
+        largest = std::fmax(largest, areas.fine[place]);
       }
+      if (!areas_differ(smallest, largest)) continue;
       const double width = columns_[column + 1] - columns_[column];
       const double height = rows_[row + 1] - rows_[row];
       for (int y = rows_[row]; y <= rows_[row + 1]; ++y) {
