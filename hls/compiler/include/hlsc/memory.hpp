@@ -52,7 +52,8 @@ struct AddressForm {
   };
   std::int64_t base = 0;
   /// What `base` was when the first term was added. It tells the array; `base` may be outside of it. None: two ways to
-  /// the same address began at different places.
+  /// the same address began at different places. LLVM must add constants before variable indices, as it does; where
+  /// it no longer did, the kernels LoadsAroundBegin and StoresAroundBegin would tell.
   std::optional<std::int64_t> start = 0;
   bool base_known = true;  ///< false: where the pointer started is part of the terms
   std::vector<Term> terms;
