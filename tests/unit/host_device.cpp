@@ -103,6 +103,16 @@ struct Small {
   Monitor monitor;
 };
 
+/// What MAP_STATUS says of it.
+std::uint32_t upload_words(Device& device, std::uint32_t slot, std::uint32_t base_word64,
+                           const std::vector<std::uint32_t>& words) {
+  device.write(reg::map_slot::kAddress, slot);
+  device.write(reg::map_base::kAddress, base_word64);
+  device.write(reg::map_control::kAddress, 1);
+  for (const auto word : words) device.write(reg::map_data::kAddress, word);
+  return reg::map_status::kError.get(device.read(reg::map_status::kAddress));
+}
+
 }  // namespace
 
 TEST_CASE("What lies on the skin is in the skin, and beside it is not") {
@@ -628,12 +638,8 @@ TEST_CASE("A table is expanded when it is uploaded, and no frame waits for it") 
 TEST_CASE("Uploads are refused as the hardware refuses them") {
   Small small;
   Device& device = small.monitor.device();
-  const auto upload = [&](int slot, std::uint32_t base, const std::vector<std::uint32_t>& words) {
-    device.write(reg::map_slot::kAddress, static_cast<std::uint32_t>(slot));
-    device.write(reg::map_base::kAddress, base);
-    device.write(reg::map_control::kAddress, 1);
-    for (const auto word : words) device.write(reg::map_data::kAddress, word);
-    return reg::map_status::kError.get(device.read(reg::map_status::kAddress));
+  const auto upload = [&](std::uint32_t slot, std::uint32_t base_word64, const std::vector<std::uint32_t>& words) {
+    return upload_words(device, slot, base_word64, words);
   };
   const auto words = shift_table(small.profile, kWidth, kHeight, 3, 3).words();
   CHECK(upload(4, 1000, words) == 0);
@@ -833,6 +839,19 @@ MapSet small_maps(int shift) {
   MapSet set{"vga", kWidth, kHeight, "", "", {{table, {}}}};
   set.maps[0].report.lookahead = 8;
   return set;
+}
+
+/// Nothing of good_frame is in it.
+MapSet maps_beside() {
+  MapSet set{"vga", kWidth, kHeight, "", "", {{shift_table(find_profile("vga"), kWidth, kHeight, 5, 2), {}}}};
+  set.maps[0].report.lookahead = 8;
+  return set;
+}
+
+void good_frame(Device& device, unsigned seed) {
+  const Image left = textured(kWidth, kHeight, seed);
+  device.send(left, moved(left, -6, 2));
+  device.receive();
 }
 
 }  // namespace
@@ -1049,6 +1068,38 @@ TEST_CASE("After an error an upload says of the machine what is certain, and tha
   settings.live = false;
   CHECK_THAT(fails(reg::mode::kAddress), Catch::Contains("the machine is stopped, and says not safe"));
   CHECK_FALSE(read_status(device).running());
+}
+
+TEST_CASE("A failed upload to a machine that is stopped is no fault of its first frame") {
+  const auto device = make_native_device(find_profile("vga"));
+  load(*device, find_build(*device), maps_beside(), Settings{}.without_proof(), false, kNoFrames);
+  device->write(reg::control::kAddress, 0);
+  auto words = maps_beside().maps[0].table.words();
+  words.back() ^= 1U;
+  CHECK(upload_words(*device, 5, 2000, words) == 4);
+  words.back() ^= 1U;
+  CHECK(upload_words(*device, 5, 2000, words) == 0);
+  CHECK(read_status(*device).faults().has(Fault::map_crc));
+  device->write(reg::control::kAddress, 1);
+  good_frame(*device, 1);
+  CHECK_FALSE(read_status(*device).frame_faults().has(Fault::map_crc));
+}
+
+TEST_CASE("With the test input good frames are not safe") {
+  const auto device = make_native_device(find_profile("vga"));
+  Settings settings = Settings{}.without_proof();
+  settings.interlock.by_itself = true;
+  load(*device, find_build(*device), maps_beside(), settings, false, kNoFrames);
+  unsigned seed = 0;
+  for (const std::uint32_t test_input : {1U, 0U}) {
+    CAPTURE(test_input);
+    device->write(reg::control::kAddress, 0);
+    device->write(reg::mode::kAddress, reg::mode::kTestInput.put(test_input));
+    device->write(reg::control::kAddress, 1);
+    for (int frame = 0; frame < 3; ++frame) good_frame(*device, ++seed);
+    CHECK(reg::frame_status::kSafe.get(device->read(reg::frame_status::kAddress)) == 1);
+    CHECK(read_status(*device).safe() == (test_input == 0));
+  }
 }
 
 TEST_CASE("What is left of an upset in AGREEMENT_LIMITS is not written anew") {

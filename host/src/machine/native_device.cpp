@@ -369,7 +369,7 @@ void NativeDevice::end_upload(UploadError error) {
   if (error == UploadError::none) return;
   const Fault fault = error == UploadError::in_use ? Fault::map_busy : Fault::map_crc;
   faults_ |= fault;
-  frame_faults_pending_ |= fault;
+  if (running()) frame_faults_pending_ |= fault;
   hold();
 }
 
@@ -535,7 +535,8 @@ FrameStreams NativeDevice::receive() {
   const bool good = !faults.any() && !alarm;
   alarm_discounted_ = result.alarm && good;
   alarms_seen_ = faults.any() ? kAllSeen : alarms_seen_ << 1U | static_cast<std::uint32_t>(result.alarm);
-  if (good) {
+  const bool test_input = reg::mode::kTestInput.get(stored(reg::mode::kAddress)) != 0;
+  if (good && !test_input) {
     safe_ = good_before_ && released();
     good_before_ = true;
     good_frames_ = std::min(good_frames_ + 1, 15U);
