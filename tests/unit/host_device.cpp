@@ -1070,6 +1070,22 @@ TEST_CASE("After an error an upload says of the machine what is certain, and tha
   CHECK_FALSE(read_status(device).running());
 }
 
+TEST_CASE("An upload finds a place beside the table in use without a fault, and a machine that is safe stays safe") {
+  const auto device = make_native_device(find_profile("vga"));
+  const Build build = find_build(*device);
+  Settings settings = Settings{}.without_proof();
+  settings.interlock.by_itself = true;
+  unsigned seed = 0;
+  for (int upload = 0; upload < 3; ++upload) {
+    CAPTURE(upload);
+    CHECK_FALSE(load(*device, build, maps_beside(), settings, false, kNoFrames).stopped);
+    CHECK(read_status(*device).safe() == (upload > 0));
+    for (int frame = 0; frame < 3; ++frame) good_frame(*device, ++seed);
+    CHECK(read_status(*device).safe());
+    CHECK_FALSE(read_status(*device).faults().has(Fault::map_busy));
+  }
+}
+
 TEST_CASE("A failed upload to a machine that is stopped is no fault of its first frame") {
   const auto device = make_native_device(find_profile("vga"));
   load(*device, find_build(*device), maps_beside(), Settings{}.without_proof(), false, kNoFrames);

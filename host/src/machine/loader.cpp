@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <thread>
 
@@ -16,17 +17,48 @@ namespace {
 
 namespace reg = registers;
 
+/// That a table takes in the pool.
+std::size_t extent_words64(std::uint32_t extent) {
+  const std::uint32_t words = reg::map_extent::kEndWord64.get(extent) - reg::map_extent::kBaseWord64.get(extent);
+  return (words - 1) % 0x10000U + 1;  // all of the largest pool is 0
+}
+
 bool is_running(Device& device) { return reg::status::kRunning.get(device.read(reg::status::kAddress)) != 0; }
 
-/// Slots that no frame is made with, and that are not selected.
+/// The slot that frames are made with, and the selected one.
+std::array<std::uint32_t, 2> slots_in_use(Device& device) {
+  return {reg::map_status::kActiveSlot.get(device.read(reg::map_status::kAddress)),
+          reg::table_select::kSlot.get(device.read(reg::table_select::kAddress))};
+}
+
 std::vector<int> free_slots(Device& device) {
-  const auto active = reg::map_status::kActiveSlot.get(device.read(reg::map_status::kAddress));
-  const auto selected = reg::table_select::kSlot.get(device.read(reg::table_select::kAddress));
+  const auto [active, selected] = slots_in_use(device);
   std::vector<int> slots;
   for (std::uint32_t slot = 0; slot < reg::kNoSlot; ++slot) {
     if (slot != active && slot != selected) slots.push_back(static_cast<int>(slot));
   }
   return slots;
+}
+
+/// A place in the pool.
+struct Place {
+  std::size_t base_word64 = 0;
+  std::size_t end_word64 = 0;
+};
+
+/// Where a machine that runs refuses tables. It must not be asked by trying: what it refuses is a fault.
+std::vector<Place> places_in_use(Device& device) {
+  std::vector<Place> places;
+  if (!is_running(device)) return places;
+  const auto valid = device.read(reg::map_valid::kAddress);
+  for (const std::uint32_t slot : slots_in_use(device)) {
+    if (slot == reg::kNoSlot || (valid >> slot & 1U) == 0) continue;
+    write_checked(device, {reg::map_slot::kAddress, slot});
+    const auto extent = device.read(reg::map_extent::kAddress);
+    const std::size_t base = reg::map_extent::kBaseWord64.get(extent);
+    places.push_back({base, base + extent_words64(extent)});
+  }
+  return places;
 }
 
 /// All tables from `base_word64` on. False: one of them would be in the place of one in use.
@@ -53,9 +85,13 @@ void upload_all(Device& device, const Build& build, const MapSet& maps, const st
     throw DeviceError(fmt::format("the tables take {} bytes, the machine's pool has {}; expected tables that fit",
                                   bytes, build.pool_bytes));
   }
+  const auto in_use = places_in_use(device);
   // Where one table is in use there is room below it, or above it, or nowhere.
   for (const std::size_t base : {std::size_t{0}, (build.pool_bytes - bytes) / 8}) {
-    if (upload_from(device, base, maps, slots, settings)) return;
+    const auto overlaps = [&](const Place& place) {
+      return place.base_word64 < base + bytes / 8 && base < place.end_word64;
+    };
+    if (std::ranges::none_of(in_use, overlaps) && upload_from(device, base, maps, slots, settings)) return;
   }
   throw DeviceError(
       fmt::format("the tables of {} bytes have no room in the pool of {} beside the one in use; expected smaller ones, "
