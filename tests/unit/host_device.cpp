@@ -1086,6 +1086,37 @@ TEST_CASE("An upload finds a place beside the table in use without a fault, and 
   }
 }
 
+TEST_CASE("Another limit on undecidable pixels stops the machine as any setting, also after an upload that failed") {
+  Deaf device;
+  const Build build = find_build(device);
+  Settings settings = Settings{}.without_proof();
+  settings.interlock.by_itself = GENERATE(false, true);
+  unsigned seed = 0;
+  const auto load_at = [&](double percent) {
+    settings.undecidable_percent = percent;
+    LoadReport report = load(device, build, maps_beside(), settings, false, std::chrono::milliseconds(1));
+    good_frame(device, ++seed);
+    return report;
+  };
+  const auto names_limit = [](const LoadReport& report) {
+    return std::ranges::find(report.changed, "MAP_UNDECIDABLE_LIMIT") != report.changed.end();
+  };
+  const auto is_changed = [&](double percent) {
+    const LoadReport report = load_at(percent);
+    CHECK(report.stopped == names_limit(report));
+    return report.stopped;
+  };
+  CHECK(names_limit(load_at(80)));
+  CHECK(is_changed(100));
+  CHECK_FALSE(is_changed(100));
+  const auto limit = device.read(reg::map_undecidable_limit::kAddress);
+  device.fail_at(reg::map_control::kAddress, false);
+  CHECK_THROWS_AS(load_at(80), DeviceError);
+  CHECK(device.read(reg::map_undecidable_limit::kAddress) == limit);
+  CHECK(is_changed(80));
+  CHECK_FALSE(is_changed(80));
+}
+
 TEST_CASE("A failed upload to a machine that is stopped is no fault of its first frame") {
   const auto device = make_native_device(find_profile("vga"));
   load(*device, find_build(*device), maps_beside(), Settings{}.without_proof(), false, kNoFrames);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <optional>
 #include <thread>
 
 #include "horopter/base/error.hpp"
@@ -109,6 +110,24 @@ bool must_stop_for(Device& device, const std::vector<LoadReport::Table>& tables)
   return std::ranges::find(tables, in_use, &LoadReport::Table::crc) == tables.end();
 }
 
+/// MAP_UNDECIDABLE_LIMIT is that of the table uploaded last. Each table has a limit of its own: where frames are made with
+/// another one than those that come, it says nothing of what is set.
+bool is_other_limit(Device& device, const std::vector<LoadReport::Table>& tables, std::uint32_t before,
+                    std::uint32_t limit) {
+  if (before == limit) return false;
+  const auto in_use = device.read(reg::frame_table_crc::kAddress);
+  return in_use == 0 || std::ranges::find(tables, in_use, &LoadReport::Table::crc) != tables.end();
+}
+
+/// Best effort, after an upload that failed: the next one compares with it.
+void put_limit_back(Device& device, std::uint32_t limit) {
+  try {
+    device.write(reg::map_undecidable_limit::kAddress, limit);
+  } catch (const DeviceError&) {
+    // The error before it is told.
+  }
+}
+
 /// Whether a frame begins with the table while we wait for it.
 bool wait_for_table(Device& device, int slot, std::chrono::milliseconds time) {
   const auto end = std::chrono::steady_clock::now() + time;
@@ -143,23 +162,29 @@ LoadReport load(Device& device, const Build& build, const MapSet& maps, const Se
     if (running) state = "the machine is stopped, and says not safe, until an upload is complete";
     running = false;
   };
+  std::optional<std::uint32_t> limit_before;
   try {
     if (stop_first) stop();
     const auto slots = free_slots(device);
+    const ScanGeometry& geometry = maps.maps.at(0).table.geometry();
+    // Before the tables: where a setting has no such value, none is touched.
+    auto words = configuration(device, *build.profile, settings_for(settings, *build.profile, maps),
+                               {geometry.width, geometry.height, maps.lookahead()});
+    limit_before = device.read(reg::map_undecidable_limit::kAddress);
     upload_all(device, build, maps, slots, settings);
     for (std::size_t i = 0; i < maps.maps.size(); ++i) {
       const MapTable& table = maps.maps[i].table;
       report.tables.push_back({slots[i], table.crc(), table.pool_bytes()});
     }
 
-    const ScanGeometry& geometry = maps.maps.at(0).table.geometry();
-    auto words = configuration(device, *build.profile, settings_for(settings, *build.profile, maps),
-                               {geometry.width, geometry.height, maps.lookahead()});
     // Whether the machine watches for what goes blind is decided by who teaches it.
     std::erase_if(words, [&](const RegisterWord& word) {
       return word.address == reg::blocks::kAddress || device.read(word.address) == word.value;
     });
-    if (!words.empty() || must_stop_for(device, report.tables)) stop();
+    const bool other_limit =
+        is_other_limit(device, report.tables, *limit_before, undecidable_limit(maps.maps.back().table, settings));
+    if (!words.empty() || other_limit || must_stop_for(device, report.tables)) stop();
+    if (other_limit) report.changed.push_back(register_name(reg::map_undecidable_limit::kAddress));
     for (const RegisterWord& word : words) {
       write_checked(device, word);
       report.changed.push_back(register_name(word.address));
@@ -183,6 +208,7 @@ LoadReport load(Device& device, const Build& build, const MapSet& maps, const Se
   } catch (const ResetError& error) {
     throw DeviceError(fmt::format("{}; {}", error.what(), kNotKnown));
   } catch (const DeviceError& error) {
+    if (limit_before) put_limit_back(device, *limit_before);
     throw DeviceError(fmt::format("{}; {}", error.what(), state));
   }
 }

@@ -29,6 +29,7 @@ struct LoadReport {
 /// First the tables, beside the one in use, which stays in use. Only when they are there, complete, by their CRCs, the
 /// settings, and the selection of the first table. Where a setting changes, the machine is stopped in between (it says
 /// not safe): no frame is made by old settings and a new table, or the other way round. All is read back.
+/// The limit on undecidable pixels belongs to its table: it is a setting where frames are made with the same one.
 ///
 /// `stop_first`: the machine is stopped before the tables, which may then take the place of the one in use.
 /// `frame_timeout`: so long it waits for a frame with the new table (LoadReport::active).
