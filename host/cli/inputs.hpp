@@ -57,7 +57,7 @@ void check_alarm_limit(const std::string& skin, const std::vector<const MapTable
                        const MachineProfile& profile, Decision decision, double alarm_percent);
 
 /// Says on standard error what is not told of the cameras: where little of the images can be compared, where epipolar lines
-/// are too steep, or without a rig. `rig`: its text, or empty.
+/// are too steep, without a rig, or of fields. `rig`: its text, or empty.
 void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& tables, const MachineProfile& profile,
                    int lookahead, const Settings& settings, const std::string& rig);
 
