@@ -39,12 +39,6 @@ void read_block(Device& device, const Block& block, MachineStatus& status) {
     status.words[block.address + static_cast<std::uint32_t>(4 * i)] = words[i];
 }
 
-/// That a table takes in the pool.
-std::size_t extent_bytes(std::uint32_t extent) {
-  const std::uint32_t words = reg::map_extent::kEndWord64.get(extent) - reg::map_extent::kBaseWord64.get(extent);
-  return std::size_t{8} * ((words - 1) % 0x10000U + 1);  // all of the largest pool is 0
-}
-
 std::vector<StoredTable> read_tables(Device& device, const MachineStatus& status) {
   std::vector<StoredTable> tables;
   const std::uint32_t valid = status.word(reg::map_valid::kAddress);
@@ -81,6 +75,11 @@ bool MachineStatus::running() const { return reg::status::kRunning.get(word(reg:
 bool MachineStatus::live() const { return reg::mode::kLive.get(word(reg::mode::kAddress)) != 0; }
 
 bool MachineStatus::test_input() const { return reg::mode::kTestInput.get(word(reg::mode::kAddress)) != 0; }
+
+std::size_t extent_bytes(std::uint32_t extent) {
+  const std::uint32_t words = reg::map_extent::kEndWord64.get(extent) - reg::map_extent::kBaseWord64.get(extent);
+  return std::size_t{8} * ((words - 1) % 0x10000U + 1);  // all of the largest pool is 0
+}
 
 bool says_safe(std::uint32_t status) {
   return reg::status::kSafe.get(status) != 0 && reg::status::kUnsafe.get(status) == 0;

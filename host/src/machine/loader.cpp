@@ -11,18 +11,13 @@
 
 #include "horopter/base/error.hpp"
 #include "horopter/machine/configuration.hpp"
+#include "horopter/machine/inspection.hpp"
 #include "horopter/machine/registers.hpp"
 
 namespace horopter {
 namespace {
 
 namespace reg = registers;
-
-/// That a table takes in the pool.
-std::size_t extent_words64(std::uint32_t extent) {
-  const std::uint32_t words = reg::map_extent::kEndWord64.get(extent) - reg::map_extent::kBaseWord64.get(extent);
-  return (words - 1) % 0x10000U + 1;  // all of the largest pool is 0
-}
 
 bool is_running(Device& device) { return reg::status::kRunning.get(device.read(reg::status::kAddress)) != 0; }
 
@@ -57,7 +52,7 @@ std::vector<Place> places_in_use(Device& device) {
     write_checked(device, {reg::map_slot::kAddress, slot});
     const auto extent = device.read(reg::map_extent::kAddress);
     const std::size_t base = reg::map_extent::kBaseWord64.get(extent);
-    places.push_back({base, base + extent_words64(extent)});
+    places.push_back({base, base + extent_bytes(extent) / 8});
   }
   return places;
 }

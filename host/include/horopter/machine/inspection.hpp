@@ -22,6 +22,9 @@ struct StoredTable {
   std::size_t bytes = 0;  ///< of the pool
 };
 
+/// Of the pool, that a table takes by MAP_EXTENT.
+std::size_t extent_bytes(std::uint32_t extent);
+
 /// Both pins, as STATUS has them, say safe. Equal ones do not.
 bool says_safe(std::uint32_t status);
 
