@@ -3,7 +3,7 @@
 //
 // Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 272 bits, pipeline 29 bits, memories 2048 bits.
+// State 305 bits, pipeline 29 bits, memories 2048 bits.
 module horopter_health (
   input  logic clk_i,
   input  logic rst_ni,
@@ -44,20 +44,20 @@ module horopter_health (
   logic [7:0] left_3_q;
   logic [9:0] x_q;
   logic [3:0] y_q;
-  // hls/stages/health.hpp:206
+  // hls/stages/health.hpp:209
   logic [9:0] place;
   assign place = first_i ? 10'h0 : x_q;
+  // hls/stages/health.hpp:214
+  logic equal_33;
+  assign equal_33 = place[3:0] == 4'hf;
   // hls/stages/health.hpp:211
-  logic equal_32;
-  assign equal_32 = place[3:0] == 4'hf;
-  // hls/stages/health.hpp:208
   logic [3:0] y;
   assign y = first_i ? 4'h0 : y_q;
-  // hls/stages/health.hpp:213
-  logic [1:0] sum_93;
-  assign sum_93 = y[1:0] + y[3:2];
+  // hls/stages/health.hpp:216
+  logic [1:0] sum_98;
+  assign sum_98 = y[1:0] + y[3:2];
 
-  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:273; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:276; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -69,7 +69,7 @@ module horopter_health (
   assign above_raddr = place[9:4];
 `ifndef SYNTHESIS
   logic above_re;
-  assign above_re = s0_en & equal_32;
+  assign above_re = s0_en & equal_33;
 `endif
   logic [31:0] above_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -99,9 +99,9 @@ module horopter_health (
   logic last_s1_q;
   logic [7:0] left_3_s1_q;
   logic [5:0] place_s1_q;
-  logic equal_32_s1_q;
+  logic equal_33_s1_q;
   logic y_s1_q;
-  logic and_97_s1_q;
+  logic and_102_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       first_s1_q <= first_i;
@@ -109,9 +109,9 @@ module horopter_health (
       last_s1_q <= last_i;
       left_3_s1_q <= left_3_q;
       place_s1_q <= place[9:4];
-      equal_32_s1_q <= equal_32;
+      equal_33_s1_q <= equal_33;
       y_s1_q <= y[0];
-      and_97_s1_q <= (place[3:0] == {sum_93, y[1:0]}) & (~(place[9:2] == 8'h0));
+      and_102_s1_q <= (place[3:0] == {sum_98, y[1:0]}) & (~(place[9:2] == 8'h0));
     end
   end
 
@@ -127,145 +127,145 @@ module horopter_health (
   logic [19:0] level_q;
   logic [19:0] pair_q;
   logic [15:0] even_less_odd_q;
-  // hls/stages/health.hpp:120
-  logic [31:0] select_34;
-  assign select_34 = first_s1_q ? 32'h0 : signature_q;
-  logic [12:0] xor_35;
-  assign xor_35 = {13{select_34[0]}} ^ {select_34[31:30], select_34[28:27], select_34[25:24], select_34[22:20], select_34[16], select_34[10:9], select_34[6]};
-  logic [7:0] xor_36;
-  assign xor_36 = left_0_q ^ {select_34[8:7], xor_35[0], select_34[5:1]};
-  logic parity_37;
-  assign parity_37 = ^{select_34[6], select_34[0], left_0_q[5]};
-  // hls/stages/health.hpp:122
-  logic [7:0] select_49;
-  assign select_49 = first_s1_q ? left_0_q : ((left_0_q < darkest_q) ? left_0_q : darkest_q);
+  // hls/stages/health.hpp:121
+  logic [31:0] select_35;
+  assign select_35 = first_s1_q ? 32'h0 : signature_q;
+  logic [12:0] xor_36;
+  assign xor_36 = {13{select_35[0]}} ^ {select_35[31:30], select_35[28:27], select_35[25:24], select_35[22:20], select_35[16], select_35[10:9], select_35[6]};
+  logic [7:0] xor_37;
+  assign xor_37 = left_0_q ^ {select_35[8:7], xor_36[0], select_35[5:1]};
+  logic parity_38;
+  assign parity_38 = ^{select_35[6], select_35[0], left_0_q[5]};
   // hls/stages/health.hpp:123
-  logic [7:0] select_52;
-  assign select_52 = first_s1_q ? left_0_q : ((brightest_q < left_0_q) ? left_0_q : brightest_q);
-  logic not_54;
-  assign not_54 = ~(cfg_dark_level_i < left_0_q);
+  logic [7:0] select_54;
+  assign select_54 = first_s1_q ? left_0_q : ((left_0_q < darkest_q) ? left_0_q : darkest_q);
   // hls/stages/health.hpp:124
-  logic not_58;
-  assign not_58 = ~(left_0_q < cfg_bright_level_i);
-  // hls/stages/health.hpp:207
+  logic [7:0] select_57;
+  assign select_57 = first_s1_q ? left_0_q : ((brightest_q < left_0_q) ? left_0_q : brightest_q);
+  logic not_59;
+  assign not_59 = ~(cfg_dark_level_i < left_0_q);
+  // hls/stages/health.hpp:125
+  logic not_63;
+  assign not_63 = ~(left_0_q < cfg_bright_level_i);
+  // hls/stages/health.hpp:210
   logic [2:0] rows;
   assign rows = first_s1_q ? 3'h0 : rows_q;
-  // hls/stages/health.hpp:190
-  logic equal_73;
-  assign equal_73 = rows[2:1] == 2'h0;
-  // hls/stages/health.hpp:170
-  logic [8:0] difference_74;
-  assign difference_74 = {1'b0, left_0_q} - {1'b0, above_rdata_q[7:0]};
-  logic [7:0] xor_75;
-  assign xor_75 = difference_74[7:0] ^ {8{difference_74[8]}};
-  logic [8:0] sum_76;
-  assign sum_76 = {8'h0, difference_74[8]} + {1'b0, xor_75};
-  // hls/stages/health.hpp:172
-  logic [8:0] sum_77;
-  assign sum_77 = sum_76 + 9'h1;
-  // hls/stages/health.hpp:171
-  logic [8:0] difference_78;
-  assign difference_78 = {1'b0, left_0_q} - {1'b0, above_rdata_q[15:8]};
-  logic [7:0] xor_79;
-  assign xor_79 = difference_78[7:0] ^ {8{difference_78[8]}};
-  logic [8:0] sum_80;
-  assign sum_80 = {8'h0, difference_78[8]} + {1'b0, xor_79};
-  // hls/stages/health.hpp:172
+  // hls/stages/health.hpp:193
+  logic equal_78;
+  assign equal_78 = rows[2:1] == 2'h0;
+  // hls/stages/health.hpp:173
+  logic [8:0] difference_79;
+  assign difference_79 = {1'b0, left_0_q} - {1'b0, above_rdata_q[7:0]};
+  logic [7:0] xor_80;
+  assign xor_80 = difference_79[7:0] ^ {8{difference_79[8]}};
+  logic [8:0] sum_81;
+  assign sum_81 = {8'h0, difference_79[8]} + {1'b0, xor_80};
+  // hls/stages/health.hpp:175
   logic [8:0] sum_82;
-  assign sum_82 = sum_80 + 9'h1;
-  logic less_83;
-  assign less_83 = sum_82 < sum_76;
-  // hls/stages/health.hpp:125
+  assign sum_82 = sum_81 + 9'h1;
+  // hls/stages/health.hpp:174
+  logic [8:0] difference_83;
+  assign difference_83 = {1'b0, left_0_q} - {1'b0, above_rdata_q[15:8]};
+  logic [7:0] xor_84;
+  assign xor_84 = difference_83[7:0] ^ {8{difference_83[8]}};
+  logic [8:0] sum_85;
+  assign sum_85 = {8'h0, difference_83[8]} + {1'b0, xor_84};
+  // hls/stages/health.hpp:175
+  logic [8:0] sum_87;
+  assign sum_87 = sum_85 + 9'h1;
+  logic less_88;
+  assign less_88 = sum_87 < sum_81;
+  // hls/stages/health.hpp:126
   logic [1:0] like;
-  assign like = equal_32_s1_q ? (equal_73 ? 2'h0 : ((sum_77 < sum_80) ? 2'h1 : {2{less_83}})) : 2'h0;
-  // hls/stages/health.hpp:178
-  logic equal_87;
-  assign equal_87 = like == 2'h1;
-  logic equal_88;
-  assign equal_88 = like == 2'h3;
-  logic or_89;
-  assign or_89 = equal_87 | equal_88;
-  // hls/stages/health.hpp:196
-  logic [19:0] sum_90;
-  assign sum_90 = (first_s1_q ? 20'h0 : turn_q) + {{15{equal_87}}, 1'b0, {4{or_89}}};
-  // hls/stages/health.hpp:178
-  logic [1:0] select_92;
-  assign select_92 = equal_87 ? 2'h1 : {2{equal_88}};
-  // hls/stages/health.hpp:170
-  logic [8:0] difference_98;
-  assign difference_98 = {1'b0, left_0_q} - {1'b0, left_2_q};
-  logic [7:0] xor_99;
-  assign xor_99 = difference_98[7:0] ^ {8{difference_98[8]}};
-  logic [8:0] sum_100;
-  assign sum_100 = {8'h0, difference_98[8]} + {1'b0, xor_99};
-  logic [8:0] difference_102;
-  assign difference_102 = {1'b0, left_0_q} - {1'b0, left_3_s1_q};
-  logic [7:0] xor_103;
-  assign xor_103 = difference_102[7:0] ^ {8{difference_102[8]}};
-  logic [8:0] sum_104;
-  assign sum_104 = {8'h0, difference_102[8]} + {1'b0, xor_103};
-  // hls/stages/health.hpp:172
-  logic [8:0] sum_106;
-  assign sum_106 = sum_104 + 9'h1;
-  logic less_107;
-  assign less_107 = sum_106 < sum_100;
-  // hls/stages/health.hpp:125
-  logic [1:0] like_2;
-  assign like_2 = and_97_s1_q ? (((sum_100 + 9'h1) < sum_104) ? 2'h1 : {2{less_107}}) : 2'h0;
-  // hls/stages/health.hpp:178
-  logic equal_111;
-  assign equal_111 = like_2 == 2'h3;
-  // hls/stages/health.hpp:198
-  logic [1:0] select_112;
-  assign select_112 = (like_2 == 2'h1) ? 2'h1 : {2{equal_111}};
-  logic [8:0] sum_113;
-  assign sum_113 = {{2{equal_87}}, select_92[1], equal_87, 1'b0, {4{select_92[0]}}} + {{3{select_112[1]}}, 1'b0, {5{select_112[0]}}};
-  // hls/stages/health.hpp:172
-  logic less_117;
-  assign less_117 = sum_77 < sum_104;
-  // hls/stages/health.hpp:125
-  logic [1:0] like_3;
-  assign like_3 = equal_32_s1_q ? (equal_73 ? 2'h0 : ((sum_106 < sum_76) ? 2'h1 : {2{less_117}})) : 2'h0;
-  // hls/stages/health.hpp:178
-  logic equal_122;
-  assign equal_122 = like_3 == 2'h3;
-  logic [1:0] select_123;
-  assign select_123 = (like_3 == 2'h1) ? 2'h1 : {2{equal_122}};
+  assign like = equal_33_s1_q ? (equal_78 ? 2'h0 : ((sum_82 < sum_85) ? 2'h1 : {2{less_88}})) : 2'h0;
+  // hls/stages/health.hpp:181
+  logic equal_92;
+  assign equal_92 = like == 2'h1;
+  logic equal_93;
+  assign equal_93 = like == 2'h3;
+  logic or_94;
+  assign or_94 = equal_92 | equal_93;
   // hls/stages/health.hpp:199
-  logic [19:0] sum_124;
-  assign sum_124 = (first_s1_q ? 20'h0 : level_q) + {{15{select_123[1]}}, 1'b0, {4{select_123[0]}}};
-  // hls/stages/health.hpp:171
-  logic [8:0] difference_126;
-  assign difference_126 = {1'b0, left_0_q} - {1'b0, above_rdata_q[31:24]};
-  logic [7:0] xor_127;
-  assign xor_127 = difference_126[7:0] ^ {8{difference_126[8]}};
-  logic [8:0] sum_128;
-  assign sum_128 = {8'h0, difference_126[8]} + {1'b0, xor_127};
-  // hls/stages/health.hpp:172
-  logic less_131;
-  assign less_131 = (sum_128 + 9'h1) < sum_80;
-  // hls/stages/health.hpp:125
-  logic [1:0] select_134;
-  assign select_134 = equal_32_s1_q ? (rows[2] ? ((sum_82 < sum_128) ? 2'h1 : {2{less_131}}) : 2'h0) : 2'h0;
-  // hls/stages/health.hpp:178
-  logic equal_136;
-  assign equal_136 = select_134 == 2'h1;
-  // hls/stages/health.hpp:200
-  logic or_137;
-  assign or_137 = (select_134 == 2'h3) | equal_136;
-  logic [19:0] sum_138;
-  assign sum_138 = (first_s1_q ? 20'h0 : pair_q) + {{15{equal_136}}, 1'b0, {4{or_137}}};
+  logic [19:0] sum_95;
+  assign sum_95 = (first_s1_q ? 20'h0 : turn_q) + {{15{equal_92}}, 1'b0, {4{or_94}}};
+  // hls/stages/health.hpp:181
+  logic [1:0] select_97;
+  assign select_97 = equal_92 ? 2'h1 : {2{equal_93}};
+  // hls/stages/health.hpp:173
+  logic [8:0] difference_103;
+  assign difference_103 = {1'b0, left_0_q} - {1'b0, left_2_q};
+  logic [7:0] xor_104;
+  assign xor_104 = difference_103[7:0] ^ {8{difference_103[8]}};
+  logic [8:0] sum_105;
+  assign sum_105 = {8'h0, difference_103[8]} + {1'b0, xor_104};
+  logic [8:0] difference_107;
+  assign difference_107 = {1'b0, left_0_q} - {1'b0, left_3_s1_q};
+  logic [7:0] xor_108;
+  assign xor_108 = difference_107[7:0] ^ {8{difference_107[8]}};
+  logic [8:0] sum_109;
+  assign sum_109 = {8'h0, difference_107[8]} + {1'b0, xor_108};
+  // hls/stages/health.hpp:175
+  logic [8:0] sum_111;
+  assign sum_111 = sum_109 + 9'h1;
+  logic less_112;
+  assign less_112 = sum_111 < sum_105;
+  // hls/stages/health.hpp:126
+  logic [1:0] select_114;
+  assign select_114 = and_102_s1_q ? (((sum_105 + 9'h1) < sum_109) ? 2'h1 : {2{less_112}}) : 2'h0;
+  // hls/stages/health.hpp:181
+  logic equal_116;
+  assign equal_116 = select_114 == 2'h3;
+  // hls/stages/health.hpp:201
+  logic [1:0] select_117;
+  assign select_117 = (select_114 == 2'h1) ? 2'h1 : {2{equal_116}};
+  logic [8:0] sum_118;
+  assign sum_118 = {{2{equal_92}}, select_97[1], equal_92, 1'b0, {4{select_97[0]}}} + {{3{select_117[1]}}, 1'b0, {5{select_117[0]}}};
+  // hls/stages/health.hpp:175
+  logic less_122;
+  assign less_122 = sum_82 < sum_109;
+  // hls/stages/health.hpp:126
+  logic [1:0] like_2;
+  assign like_2 = equal_33_s1_q ? (equal_78 ? 2'h0 : ((sum_111 < sum_81) ? 2'h1 : {2{less_122}})) : 2'h0;
+  // hls/stages/health.hpp:181
+  logic equal_127;
+  assign equal_127 = like_2 == 2'h3;
+  logic [1:0] select_128;
+  assign select_128 = (like_2 == 2'h1) ? 2'h1 : {2{equal_127}};
   // hls/stages/health.hpp:202
-  logic [2:0] select_141;
-  assign select_141 = y_s1_q ? (3'h0 - {like[1], like}) : {like[1], like};
-  logic [15:0] sum_142;
-  assign sum_142 = (first_s1_q ? 16'h0 : even_less_odd_q) + {{13{select_141[2]}}, select_141};
+  logic [19:0] sum_129;
+  assign sum_129 = (first_s1_q ? 20'h0 : level_q) + {{15{select_128[1]}}, 1'b0, {4{select_128[0]}}};
+  // hls/stages/health.hpp:174
+  logic [8:0] difference_131;
+  assign difference_131 = {1'b0, left_0_q} - {1'b0, above_rdata_q[31:24]};
+  logic [7:0] xor_132;
+  assign xor_132 = difference_131[7:0] ^ {8{difference_131[8]}};
+  logic [8:0] sum_133;
+  assign sum_133 = {8'h0, difference_131[8]} + {1'b0, xor_132};
+  // hls/stages/health.hpp:175
+  logic less_136;
+  assign less_136 = (sum_133 + 9'h1) < sum_85;
+  // hls/stages/health.hpp:126
+  logic [1:0] select_139;
+  assign select_139 = equal_33_s1_q ? (rows[2] ? ((sum_87 < sum_133) ? 2'h1 : {2{less_136}}) : 2'h0) : 2'h0;
+  // hls/stages/health.hpp:181
+  logic equal_141;
+  assign equal_141 = select_139 == 2'h1;
+  // hls/stages/health.hpp:203
+  logic or_142;
+  assign or_142 = (select_139 == 2'h3) | equal_141;
+  logic [19:0] sum_143;
+  assign sum_143 = (first_s1_q ? 20'h0 : pair_q) + {{15{equal_141}}, 1'b0, {4{or_142}}};
+  // hls/stages/health.hpp:205
+  logic [2:0] select_146;
+  assign select_146 = y_s1_q ? (3'h0 - {like[1], like}) : {like[1], like};
+  logic [15:0] sum_147;
+  assign sum_147 = (first_s1_q ? 16'h0 : even_less_odd_q) + {{13{select_146[2]}}, select_146};
 
   // Memory above, write
   logic [5:0] above_waddr;
   assign above_waddr = place_s1_q;
   logic above_we;
-  assign above_we = s1_en & equal_32_s1_q;
+  assign above_we = s1_en & equal_33_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (above_we) above_mem[above_waddr] <= {above_rdata_q[23:0], left_0_q};
   end
@@ -293,17 +293,17 @@ module horopter_health (
       pair_q <= 20'h0;
       even_less_odd_q <= 16'h0;
     end else if (s1_en) begin
-      signature_q <= {select_34[0], xor_35[12:11], select_34[29], xor_35[10:9], select_34[26], xor_35[8:7], select_34[23], xor_35[6:4], select_34[19:17], xor_35[3], select_34[15:11], xor_35[2:1], xor_36[7:6], parity_37, xor_36[4:0]};
-      darkest_q <= select_49;
-      brightest_q <= select_52;
-      dark_q <= {17'h0, not_54} + (first_s1_q ? 18'h0 : dark_q);
-      bright_q <= {17'h0, not_58} + (first_s1_q ? 18'h0 : bright_q);
+      signature_q <= {select_35[0], xor_36[12:11], select_35[29], xor_36[10:9], select_35[26], xor_36[8:7], select_35[23], xor_36[6:4], select_35[19:17], xor_36[3], select_35[15:11], xor_36[2:1], xor_37[7:6], parity_38, xor_37[4:0]};
+      darkest_q <= select_54;
+      brightest_q <= select_57;
+      dark_q <= {17'h0, not_59} + (first_s1_q ? 18'h0 : dark_q);
+      bright_q <= {17'h0, not_63} + (first_s1_q ? 18'h0 : bright_q);
       rows_q <= (last_s1_q & (~(rows == 3'h4))) ? (rows + 3'h1) : rows;
-      turn_q <= sum_90;
-      aside_q <= (first_s1_q ? 22'h0 : aside_q) + {{13{sum_113[8]}}, sum_113};
-      level_q <= sum_124;
-      pair_q <= sum_138;
-      even_less_odd_q <= sum_142;
+      turn_q <= sum_95;
+      aside_q <= (first_s1_q ? 22'h0 : aside_q) + {{13{sum_118[8]}}, sum_118};
+      level_q <= sum_129;
+      pair_q <= sum_143;
+      even_less_odd_q <= sum_147;
     end
   end
 
@@ -316,70 +316,75 @@ module horopter_health (
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic [31:0] previous_signature_q;
-  logic has_previous_q;
+  logic [31:0] signature_before_q;
+  logic [1:0] frames_q;
   logic [7:0] repeats_q;
-  // hls/stages/health.hpp:131
-  logic [7:0] select_44;
-  assign select_44 = (previous_signature_q == signature_q) ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
+  // hls/stages/health.hpp:133
   logic [7:0] select_45;
-  assign select_45 = has_previous_q ? select_44 : 8'h0;
-  // hls/stages/health.hpp:134
-  logic less_143;
-  assign less_143 = cfg_dark_limit_i < dark_q;
-  // hls/stages/health.hpp:135
-  logic less_144;
-  assign less_144 = cfg_bright_limit_i < bright_q;
-  // hls/stages/health.hpp:136
-  logic or_148;
-  assign or_148 = less_144 | (less_143 | (cfg_contrast_limit_i < (brightest_q - darkest_q)));
-  logic not_149;
-  assign not_149 = ~or_148;
+  assign select_45 = (repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1);
+  logic [7:0] select_48;
+  assign select_48 = frames_q[1] ? ((signature_before_q == signature_q) ? select_45 : 8'h0) : 8'h0;
+  logic [7:0] select_50;
+  assign select_50 = frames_q[0] ? ((previous_signature_q == signature_q) ? select_45 : select_48) : select_48;
   // hls/stages/health.hpp:137
-  logic less_151;
-  assign less_151 = (cfg_frozen_limit_i + 8'hff) < select_45;
+  logic less_148;
+  assign less_148 = cfg_dark_limit_i < dark_q;
+  // hls/stages/health.hpp:138
+  logic less_149;
+  assign less_149 = cfg_bright_limit_i < bright_q;
+  // hls/stages/health.hpp:139
+  logic or_153;
+  assign or_153 = less_149 | (less_148 | (cfg_contrast_limit_i < (brightest_q - darkest_q)));
+  logic not_154;
+  assign not_154 = ~or_153;
   // hls/stages/health.hpp:140
-  logic and_155;
-  assign and_155 = ($signed(22'h1f40) < $signed(aside_q)) & ($signed(20'h640) < $signed(level_q));
-  // hls/stages/health.hpp:141
-  logic [20:0] sum_157;
-  assign sum_157 = {pair_q[19], pair_q} + {{2{pair_q[19]}}, pair_q[19:1]};
-  logic [14:0] xor_158;
-  assign xor_158 = even_less_odd_q[14:0] ^ {15{even_less_odd_q[15]}};
-  logic [15:0] sum_159;
-  assign sum_159 = {15'h0, even_less_odd_q[15]} + {1'b0, xor_158};
-  logic less_160;
-  assign less_160 = $signed({{2{sum_157[20]}}, sum_157[20:6]}) < $signed({1'b0, sum_159});
+  logic less_156;
+  assign less_156 = (cfg_frozen_limit_i + 8'hff) < select_50;
+  // hls/stages/health.hpp:143
+  logic and_160;
+  assign and_160 = ($signed(22'h1f40) < $signed(aside_q)) & ($signed(20'h640) < $signed(level_q));
   // hls/stages/health.hpp:144
-  logic or_163;
-  assign or_163 = ($signed(20'h300) < $signed(turn_q)) | (and_155 | (($signed(20'h640) < $signed(pair_q)) & less_160));
-  logic [4:0] select_164;
-  assign select_164 = end_v_s2_q ? {or_163, less_151, not_149, less_144, less_143} : 5'h0;
+  logic [20:0] sum_162;
+  assign sum_162 = {pair_q[19], pair_q} + {{2{pair_q[19]}}, pair_q[19:1]};
+  logic [14:0] xor_163;
+  assign xor_163 = even_less_odd_q[14:0] ^ {15{even_less_odd_q[15]}};
+  logic [15:0] sum_164;
+  assign sum_164 = {15'h0, even_less_odd_q[15]} + {1'b0, xor_163};
+  logic less_165;
+  assign less_165 = $signed({{2{sum_162[20]}}, sum_162[20:6]}) < $signed({1'b0, sum_164});
+  // hls/stages/health.hpp:147
+  logic or_168;
+  assign or_168 = ($signed(20'h300) < $signed(turn_q)) | (and_160 | (($signed(20'h640) < $signed(pair_q)) & less_165));
+  logic [4:0] select_169;
+  assign select_169 = end_v_s2_q ? {or_168, less_156, not_154, less_149, less_148} : 5'h0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       previous_signature_q <= 32'h0;
-      has_previous_q <= 1'b0;
+      signature_before_q <= 32'h0;
+      frames_q <= 2'h0;
       repeats_q <= 8'h0;
     end else if (s2_en) begin
       previous_signature_q <= end_v_s2_q ? signature_q : previous_signature_q;
-      has_previous_q <= end_v_s2_q | has_previous_q;
-      repeats_q <= end_v_s2_q ? select_45 : repeats_q;
+      signature_before_q <= end_v_s2_q ? previous_signature_q : signature_before_q;
+      frames_q <= end_v_s2_q ? {frames_q[0], 1'b1} : frames_q;
+      repeats_q <= end_v_s2_q ? select_50 : repeats_q;
     end
   end
 
-  logic [4:0] select_164_s3_q;
+  logic [4:0] select_169_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
-      select_164_s3_q <= select_164;
+      select_169_s3_q <= select_169;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign black_o = select_164_s3_q[0];
-  assign white_o = select_164_s3_q[1];
-  assign constant_o = select_164_s3_q[2];
-  assign frozen_o = select_164_s3_q[3];
-  assign torn_o = select_164_s3_q[4];
+  assign black_o = select_169_s3_q[0];
+  assign white_o = select_169_s3_q[1];
+  assign constant_o = select_169_s3_q[2];
+  assign frozen_o = select_169_s3_q[3];
+  assign torn_o = select_169_s3_q[4];
   assign signature_o = previous_signature_q;
   assign valid_o = valid_s3_q;
 
@@ -397,6 +402,6 @@ module horopter_health (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_157[5:0], xor_36[5]};
+  assign unused_bits = ^{sum_162[5:0], xor_37[5]};
 
 endmodule

@@ -3,7 +3,7 @@
 //
 // Latency 3 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 262 bits, pipeline 29 bits, memories 2048 bits.
+// State 295 bits, pipeline 29 bits, memories 2048 bits.
 module horopter_health (
   input  logic clk_i,
   input  logic rst_ni,
@@ -42,20 +42,20 @@ module horopter_health (
   logic [7:0] left_1_q;
   logic [9:0] x_q;
   logic [3:0] y_q;
-  // hls/stages/health.hpp:206
+  // hls/stages/health.hpp:209
   logic [9:0] place;
   assign place = first_i ? 10'h0 : x_q;
+  // hls/stages/health.hpp:214
+  logic equal_31;
+  assign equal_31 = place[3:0] == 4'hf;
   // hls/stages/health.hpp:211
-  logic equal_30;
-  assign equal_30 = place[3:0] == 4'hf;
-  // hls/stages/health.hpp:208
   logic [3:0] y;
   assign y = first_i ? 4'h0 : y_q;
-  // hls/stages/health.hpp:213
-  logic [1:0] sum_91;
-  assign sum_91 = y[1:0] + y[3:2];
+  // hls/stages/health.hpp:216
+  logic [1:0] sum_96;
+  assign sum_96 = y[1:0] + y[3:2];
 
-  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:273; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:276; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -67,7 +67,7 @@ module horopter_health (
   assign above_raddr = place[9:4];
 `ifndef SYNTHESIS
   logic above_re;
-  assign above_re = s0_en & equal_30;
+  assign above_re = s0_en & equal_31;
 `endif
   logic [31:0] above_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -93,9 +93,9 @@ module horopter_health (
   logic last_s1_q;
   logic [7:0] left_1_s1_q;
   logic [5:0] place_s1_q;
-  logic equal_30_s1_q;
+  logic equal_31_s1_q;
   logic y_s1_q;
-  logic and_95_s1_q;
+  logic and_100_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       first_s1_q <= first_i;
@@ -103,9 +103,9 @@ module horopter_health (
       last_s1_q <= last_i;
       left_1_s1_q <= left_1_q;
       place_s1_q <= place[9:4];
-      equal_30_s1_q <= equal_30;
+      equal_31_s1_q <= equal_31;
       y_s1_q <= y[0];
-      and_95_s1_q <= (place[3:0] == {sum_91, y[1:0]}) & (~(place[9:1] == 9'h0));
+      and_100_s1_q <= (place[3:0] == {sum_96, y[1:0]}) & (~(place[9:1] == 9'h0));
     end
   end
 
@@ -121,145 +121,145 @@ module horopter_health (
   logic [20:0] level_q;
   logic [20:0] pair_q;
   logic [15:0] even_less_odd_q;
-  // hls/stages/health.hpp:120
-  logic [31:0] select_32;
-  assign select_32 = first_s1_q ? 32'h0 : signature_q;
-  logic [12:0] xor_33;
-  assign xor_33 = {13{select_32[0]}} ^ {select_32[31:30], select_32[28:27], select_32[25:24], select_32[22:20], select_32[16], select_32[10:9], select_32[6]};
-  logic [7:0] xor_34;
-  assign xor_34 = left_0_q ^ {select_32[8:7], xor_33[0], select_32[5:1]};
-  logic parity_35;
-  assign parity_35 = ^{select_32[6], select_32[0], left_0_q[5]};
-  // hls/stages/health.hpp:122
-  logic [7:0] select_47;
-  assign select_47 = first_s1_q ? left_0_q : ((left_0_q < darkest_q) ? left_0_q : darkest_q);
+  // hls/stages/health.hpp:121
+  logic [31:0] select_33;
+  assign select_33 = first_s1_q ? 32'h0 : signature_q;
+  logic [12:0] xor_34;
+  assign xor_34 = {13{select_33[0]}} ^ {select_33[31:30], select_33[28:27], select_33[25:24], select_33[22:20], select_33[16], select_33[10:9], select_33[6]};
+  logic [7:0] xor_35;
+  assign xor_35 = left_0_q ^ {select_33[8:7], xor_34[0], select_33[5:1]};
+  logic parity_36;
+  assign parity_36 = ^{select_33[6], select_33[0], left_0_q[5]};
   // hls/stages/health.hpp:123
-  logic [7:0] select_50;
-  assign select_50 = first_s1_q ? left_0_q : ((brightest_q < left_0_q) ? left_0_q : brightest_q);
-  logic not_52;
-  assign not_52 = ~(cfg_dark_level_i < left_0_q);
+  logic [7:0] select_52;
+  assign select_52 = first_s1_q ? left_0_q : ((left_0_q < darkest_q) ? left_0_q : darkest_q);
   // hls/stages/health.hpp:124
-  logic not_56;
-  assign not_56 = ~(left_0_q < cfg_bright_level_i);
-  // hls/stages/health.hpp:207
+  logic [7:0] select_55;
+  assign select_55 = first_s1_q ? left_0_q : ((brightest_q < left_0_q) ? left_0_q : brightest_q);
+  logic not_57;
+  assign not_57 = ~(cfg_dark_level_i < left_0_q);
+  // hls/stages/health.hpp:125
+  logic not_61;
+  assign not_61 = ~(left_0_q < cfg_bright_level_i);
+  // hls/stages/health.hpp:210
   logic [2:0] rows;
   assign rows = first_s1_q ? 3'h0 : rows_q;
-  // hls/stages/health.hpp:190
-  logic equal_71;
-  assign equal_71 = rows[2:1] == 2'h0;
-  // hls/stages/health.hpp:170
-  logic [8:0] difference_72;
-  assign difference_72 = {1'b0, left_0_q} - {1'b0, above_rdata_q[7:0]};
-  logic [7:0] xor_73;
-  assign xor_73 = difference_72[7:0] ^ {8{difference_72[8]}};
-  logic [8:0] sum_74;
-  assign sum_74 = {8'h0, difference_72[8]} + {1'b0, xor_73};
-  // hls/stages/health.hpp:172
-  logic [8:0] sum_75;
-  assign sum_75 = sum_74 + 9'h1;
-  // hls/stages/health.hpp:171
-  logic [8:0] difference_76;
-  assign difference_76 = {1'b0, left_0_q} - {1'b0, above_rdata_q[15:8]};
-  logic [7:0] xor_77;
-  assign xor_77 = difference_76[7:0] ^ {8{difference_76[8]}};
-  logic [8:0] sum_78;
-  assign sum_78 = {8'h0, difference_76[8]} + {1'b0, xor_77};
-  // hls/stages/health.hpp:172
+  // hls/stages/health.hpp:193
+  logic equal_76;
+  assign equal_76 = rows[2:1] == 2'h0;
+  // hls/stages/health.hpp:173
+  logic [8:0] difference_77;
+  assign difference_77 = {1'b0, left_0_q} - {1'b0, above_rdata_q[7:0]};
+  logic [7:0] xor_78;
+  assign xor_78 = difference_77[7:0] ^ {8{difference_77[8]}};
+  logic [8:0] sum_79;
+  assign sum_79 = {8'h0, difference_77[8]} + {1'b0, xor_78};
+  // hls/stages/health.hpp:175
   logic [8:0] sum_80;
-  assign sum_80 = sum_78 + 9'h1;
-  logic less_81;
-  assign less_81 = sum_80 < sum_74;
-  // hls/stages/health.hpp:125
+  assign sum_80 = sum_79 + 9'h1;
+  // hls/stages/health.hpp:174
+  logic [8:0] difference_81;
+  assign difference_81 = {1'b0, left_0_q} - {1'b0, above_rdata_q[15:8]};
+  logic [7:0] xor_82;
+  assign xor_82 = difference_81[7:0] ^ {8{difference_81[8]}};
+  logic [8:0] sum_83;
+  assign sum_83 = {8'h0, difference_81[8]} + {1'b0, xor_82};
+  // hls/stages/health.hpp:175
+  logic [8:0] sum_85;
+  assign sum_85 = sum_83 + 9'h1;
+  logic less_86;
+  assign less_86 = sum_85 < sum_79;
+  // hls/stages/health.hpp:126
   logic [1:0] like;
-  assign like = equal_30_s1_q ? (equal_71 ? 2'h0 : ((sum_75 < sum_78) ? 2'h1 : {2{less_81}})) : 2'h0;
-  // hls/stages/health.hpp:178
-  logic equal_85;
-  assign equal_85 = like == 2'h1;
-  logic equal_86;
-  assign equal_86 = like == 2'h3;
-  logic or_87;
-  assign or_87 = equal_85 | equal_86;
-  // hls/stages/health.hpp:196
-  logic [20:0] sum_88;
-  assign sum_88 = (first_s1_q ? 21'h0 : turn_q) + {{16{equal_85}}, 1'b0, {4{or_87}}};
-  // hls/stages/health.hpp:178
-  logic [1:0] select_90;
-  assign select_90 = equal_85 ? 2'h1 : {2{equal_86}};
-  // hls/stages/health.hpp:170
-  logic [8:0] difference_96;
-  assign difference_96 = {1'b0, left_0_q} - {1'b0, left_1_q};
-  logic [7:0] xor_97;
-  assign xor_97 = difference_96[7:0] ^ {8{difference_96[8]}};
-  logic [8:0] sum_98;
-  assign sum_98 = {8'h0, difference_96[8]} + {1'b0, xor_97};
-  logic [8:0] difference_100;
-  assign difference_100 = {1'b0, left_0_q} - {1'b0, left_1_s1_q};
-  logic [7:0] xor_101;
-  assign xor_101 = difference_100[7:0] ^ {8{difference_100[8]}};
-  logic [8:0] sum_102;
-  assign sum_102 = {8'h0, difference_100[8]} + {1'b0, xor_101};
-  // hls/stages/health.hpp:172
-  logic [8:0] sum_104;
-  assign sum_104 = sum_102 + 9'h1;
-  logic less_105;
-  assign less_105 = sum_104 < sum_98;
-  // hls/stages/health.hpp:125
-  logic [1:0] like_2;
-  assign like_2 = and_95_s1_q ? (((sum_98 + 9'h1) < sum_102) ? 2'h1 : {2{less_105}}) : 2'h0;
-  // hls/stages/health.hpp:178
-  logic equal_109;
-  assign equal_109 = like_2 == 2'h3;
-  // hls/stages/health.hpp:198
-  logic [1:0] select_110;
-  assign select_110 = (like_2 == 2'h1) ? 2'h1 : {2{equal_109}};
-  logic [8:0] sum_111;
-  assign sum_111 = {{2{equal_85}}, select_90[1], equal_85, 1'b0, {4{select_90[0]}}} + {{3{select_110[1]}}, 1'b0, {5{select_110[0]}}};
-  // hls/stages/health.hpp:172
-  logic less_115;
-  assign less_115 = sum_75 < sum_102;
-  // hls/stages/health.hpp:125
-  logic [1:0] like_3;
-  assign like_3 = equal_30_s1_q ? (equal_71 ? 2'h0 : ((sum_104 < sum_74) ? 2'h1 : {2{less_115}})) : 2'h0;
-  // hls/stages/health.hpp:178
-  logic equal_120;
-  assign equal_120 = like_3 == 2'h3;
-  logic [1:0] select_121;
-  assign select_121 = (like_3 == 2'h1) ? 2'h1 : {2{equal_120}};
+  assign like = equal_31_s1_q ? (equal_76 ? 2'h0 : ((sum_80 < sum_83) ? 2'h1 : {2{less_86}})) : 2'h0;
+  // hls/stages/health.hpp:181
+  logic equal_90;
+  assign equal_90 = like == 2'h1;
+  logic equal_91;
+  assign equal_91 = like == 2'h3;
+  logic or_92;
+  assign or_92 = equal_90 | equal_91;
   // hls/stages/health.hpp:199
-  logic [20:0] sum_122;
-  assign sum_122 = (first_s1_q ? 21'h0 : level_q) + {{16{select_121[1]}}, 1'b0, {4{select_121[0]}}};
-  // hls/stages/health.hpp:171
-  logic [8:0] difference_124;
-  assign difference_124 = {1'b0, left_0_q} - {1'b0, above_rdata_q[31:24]};
-  logic [7:0] xor_125;
-  assign xor_125 = difference_124[7:0] ^ {8{difference_124[8]}};
-  logic [8:0] sum_126;
-  assign sum_126 = {8'h0, difference_124[8]} + {1'b0, xor_125};
-  // hls/stages/health.hpp:172
-  logic less_129;
-  assign less_129 = (sum_126 + 9'h1) < sum_78;
-  // hls/stages/health.hpp:125
-  logic [1:0] select_132;
-  assign select_132 = equal_30_s1_q ? (rows[2] ? ((sum_80 < sum_126) ? 2'h1 : {2{less_129}}) : 2'h0) : 2'h0;
-  // hls/stages/health.hpp:178
-  logic equal_134;
-  assign equal_134 = select_132 == 2'h1;
-  // hls/stages/health.hpp:200
-  logic or_135;
-  assign or_135 = (select_132 == 2'h3) | equal_134;
-  logic [20:0] sum_136;
-  assign sum_136 = (first_s1_q ? 21'h0 : pair_q) + {{16{equal_134}}, 1'b0, {4{or_135}}};
+  logic [20:0] sum_93;
+  assign sum_93 = (first_s1_q ? 21'h0 : turn_q) + {{16{equal_90}}, 1'b0, {4{or_92}}};
+  // hls/stages/health.hpp:181
+  logic [1:0] select_95;
+  assign select_95 = equal_90 ? 2'h1 : {2{equal_91}};
+  // hls/stages/health.hpp:173
+  logic [8:0] difference_101;
+  assign difference_101 = {1'b0, left_0_q} - {1'b0, left_1_q};
+  logic [7:0] xor_102;
+  assign xor_102 = difference_101[7:0] ^ {8{difference_101[8]}};
+  logic [8:0] sum_103;
+  assign sum_103 = {8'h0, difference_101[8]} + {1'b0, xor_102};
+  logic [8:0] difference_105;
+  assign difference_105 = {1'b0, left_0_q} - {1'b0, left_1_s1_q};
+  logic [7:0] xor_106;
+  assign xor_106 = difference_105[7:0] ^ {8{difference_105[8]}};
+  logic [8:0] sum_107;
+  assign sum_107 = {8'h0, difference_105[8]} + {1'b0, xor_106};
+  // hls/stages/health.hpp:175
+  logic [8:0] sum_109;
+  assign sum_109 = sum_107 + 9'h1;
+  logic less_110;
+  assign less_110 = sum_109 < sum_103;
+  // hls/stages/health.hpp:126
+  logic [1:0] select_112;
+  assign select_112 = and_100_s1_q ? (((sum_103 + 9'h1) < sum_107) ? 2'h1 : {2{less_110}}) : 2'h0;
+  // hls/stages/health.hpp:181
+  logic equal_114;
+  assign equal_114 = select_112 == 2'h3;
+  // hls/stages/health.hpp:201
+  logic [1:0] select_115;
+  assign select_115 = (select_112 == 2'h1) ? 2'h1 : {2{equal_114}};
+  logic [8:0] sum_116;
+  assign sum_116 = {{2{equal_90}}, select_95[1], equal_90, 1'b0, {4{select_95[0]}}} + {{3{select_115[1]}}, 1'b0, {5{select_115[0]}}};
+  // hls/stages/health.hpp:175
+  logic less_120;
+  assign less_120 = sum_80 < sum_107;
+  // hls/stages/health.hpp:126
+  logic [1:0] like_2;
+  assign like_2 = equal_31_s1_q ? (equal_76 ? 2'h0 : ((sum_109 < sum_79) ? 2'h1 : {2{less_120}})) : 2'h0;
+  // hls/stages/health.hpp:181
+  logic equal_125;
+  assign equal_125 = like_2 == 2'h3;
+  logic [1:0] select_126;
+  assign select_126 = (like_2 == 2'h1) ? 2'h1 : {2{equal_125}};
   // hls/stages/health.hpp:202
-  logic [2:0] select_139;
-  assign select_139 = y_s1_q ? (3'h0 - {like[1], like}) : {like[1], like};
-  logic [15:0] sum_140;
-  assign sum_140 = (first_s1_q ? 16'h0 : even_less_odd_q) + {{13{select_139[2]}}, select_139};
+  logic [20:0] sum_127;
+  assign sum_127 = (first_s1_q ? 21'h0 : level_q) + {{16{select_126[1]}}, 1'b0, {4{select_126[0]}}};
+  // hls/stages/health.hpp:174
+  logic [8:0] difference_129;
+  assign difference_129 = {1'b0, left_0_q} - {1'b0, above_rdata_q[31:24]};
+  logic [7:0] xor_130;
+  assign xor_130 = difference_129[7:0] ^ {8{difference_129[8]}};
+  logic [8:0] sum_131;
+  assign sum_131 = {8'h0, difference_129[8]} + {1'b0, xor_130};
+  // hls/stages/health.hpp:175
+  logic less_134;
+  assign less_134 = (sum_131 + 9'h1) < sum_83;
+  // hls/stages/health.hpp:126
+  logic [1:0] select_137;
+  assign select_137 = equal_31_s1_q ? (rows[2] ? ((sum_85 < sum_131) ? 2'h1 : {2{less_134}}) : 2'h0) : 2'h0;
+  // hls/stages/health.hpp:181
+  logic equal_139;
+  assign equal_139 = select_137 == 2'h1;
+  // hls/stages/health.hpp:203
+  logic or_140;
+  assign or_140 = (select_137 == 2'h3) | equal_139;
+  logic [20:0] sum_141;
+  assign sum_141 = (first_s1_q ? 21'h0 : pair_q) + {{16{equal_139}}, 1'b0, {4{or_140}}};
+  // hls/stages/health.hpp:205
+  logic [2:0] select_144;
+  assign select_144 = y_s1_q ? (3'h0 - {like[1], like}) : {like[1], like};
+  logic [15:0] sum_145;
+  assign sum_145 = (first_s1_q ? 16'h0 : even_less_odd_q) + {{13{select_144[2]}}, select_144};
 
   // Memory above, write
   logic [5:0] above_waddr;
   assign above_waddr = place_s1_q;
   logic above_we;
-  assign above_we = s1_en & equal_30_s1_q;
+  assign above_we = s1_en & equal_31_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (above_we) above_mem[above_waddr] <= {above_rdata_q[23:0], left_0_q};
   end
@@ -287,17 +287,17 @@ module horopter_health (
       pair_q <= 21'h0;
       even_less_odd_q <= 16'h0;
     end else if (s1_en) begin
-      signature_q <= {select_32[0], xor_33[12:11], select_32[29], xor_33[10:9], select_32[26], xor_33[8:7], select_32[23], xor_33[6:4], select_32[19:17], xor_33[3], select_32[15:11], xor_33[2:1], xor_34[7:6], parity_35, xor_34[4:0]};
-      darkest_q <= select_47;
-      brightest_q <= select_50;
-      dark_q <= {18'h0, not_52} + (first_s1_q ? 19'h0 : dark_q);
-      bright_q <= {18'h0, not_56} + (first_s1_q ? 19'h0 : bright_q);
+      signature_q <= {select_33[0], xor_34[12:11], select_33[29], xor_34[10:9], select_33[26], xor_34[8:7], select_33[23], xor_34[6:4], select_33[19:17], xor_34[3], select_33[15:11], xor_34[2:1], xor_35[7:6], parity_36, xor_35[4:0]};
+      darkest_q <= select_52;
+      brightest_q <= select_55;
+      dark_q <= {18'h0, not_57} + (first_s1_q ? 19'h0 : dark_q);
+      bright_q <= {18'h0, not_61} + (first_s1_q ? 19'h0 : bright_q);
       rows_q <= (last_s1_q & (~(rows == 3'h4))) ? (rows + 3'h1) : rows;
-      turn_q <= sum_88;
-      aside_q <= (first_s1_q ? 23'h0 : aside_q) + {{14{sum_111[8]}}, sum_111};
-      level_q <= sum_122;
-      pair_q <= sum_136;
-      even_less_odd_q <= sum_140;
+      turn_q <= sum_93;
+      aside_q <= (first_s1_q ? 23'h0 : aside_q) + {{14{sum_116[8]}}, sum_116};
+      level_q <= sum_127;
+      pair_q <= sum_141;
+      even_less_odd_q <= sum_145;
     end
   end
 
@@ -310,70 +310,75 @@ module horopter_health (
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   logic [31:0] previous_signature_q;
-  logic has_previous_q;
+  logic [31:0] signature_before_q;
+  logic [1:0] frames_q;
   logic [7:0] repeats_q;
-  // hls/stages/health.hpp:131
-  logic [7:0] select_42;
-  assign select_42 = (previous_signature_q == signature_q) ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
+  // hls/stages/health.hpp:133
   logic [7:0] select_43;
-  assign select_43 = has_previous_q ? select_42 : 8'h0;
-  // hls/stages/health.hpp:134
-  logic less_141;
-  assign less_141 = cfg_dark_limit_i < dark_q;
-  // hls/stages/health.hpp:135
-  logic less_142;
-  assign less_142 = cfg_bright_limit_i < bright_q;
-  // hls/stages/health.hpp:136
-  logic or_146;
-  assign or_146 = less_142 | (less_141 | (cfg_contrast_limit_i < (brightest_q - darkest_q)));
-  logic not_147;
-  assign not_147 = ~or_146;
+  assign select_43 = (repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1);
+  logic [7:0] select_46;
+  assign select_46 = frames_q[1] ? ((signature_before_q == signature_q) ? select_43 : 8'h0) : 8'h0;
+  logic [7:0] select_48;
+  assign select_48 = frames_q[0] ? ((previous_signature_q == signature_q) ? select_43 : select_46) : select_46;
   // hls/stages/health.hpp:137
-  logic less_149;
-  assign less_149 = (cfg_frozen_limit_i + 8'hff) < select_43;
+  logic less_146;
+  assign less_146 = cfg_dark_limit_i < dark_q;
+  // hls/stages/health.hpp:138
+  logic less_147;
+  assign less_147 = cfg_bright_limit_i < bright_q;
+  // hls/stages/health.hpp:139
+  logic or_151;
+  assign or_151 = less_147 | (less_146 | (cfg_contrast_limit_i < (brightest_q - darkest_q)));
+  logic not_152;
+  assign not_152 = ~or_151;
   // hls/stages/health.hpp:140
-  logic and_153;
-  assign and_153 = ($signed(23'h1f40) < $signed(aside_q)) & ($signed(21'h640) < $signed(level_q));
-  // hls/stages/health.hpp:141
-  logic [21:0] sum_155;
-  assign sum_155 = {pair_q[20], pair_q} + {{2{pair_q[20]}}, pair_q[20:1]};
-  logic [14:0] xor_156;
-  assign xor_156 = even_less_odd_q[14:0] ^ {15{even_less_odd_q[15]}};
-  logic [15:0] sum_157;
-  assign sum_157 = {15'h0, even_less_odd_q[15]} + {1'b0, xor_156};
+  logic less_154;
+  assign less_154 = (cfg_frozen_limit_i + 8'hff) < select_48;
+  // hls/stages/health.hpp:143
+  logic and_158;
+  assign and_158 = ($signed(23'h1f40) < $signed(aside_q)) & ($signed(21'h640) < $signed(level_q));
   // hls/stages/health.hpp:144
-  logic and_159;
-  assign and_159 = ($signed(21'h640) < $signed(pair_q)) & ($signed({sum_155[21], sum_155[21:6]}) < $signed({1'b0, sum_157}));
-  logic or_161;
-  assign or_161 = ($signed(21'h300) < $signed(turn_q)) | (and_153 | and_159);
-  logic [4:0] select_162;
-  assign select_162 = end_v_s2_q ? {or_161, less_149, not_147, less_142, less_141} : 5'h0;
+  logic [21:0] sum_160;
+  assign sum_160 = {pair_q[20], pair_q} + {{2{pair_q[20]}}, pair_q[20:1]};
+  logic [14:0] xor_161;
+  assign xor_161 = even_less_odd_q[14:0] ^ {15{even_less_odd_q[15]}};
+  logic [15:0] sum_162;
+  assign sum_162 = {15'h0, even_less_odd_q[15]} + {1'b0, xor_161};
+  // hls/stages/health.hpp:147
+  logic and_164;
+  assign and_164 = ($signed(21'h640) < $signed(pair_q)) & ($signed({sum_160[21], sum_160[21:6]}) < $signed({1'b0, sum_162}));
+  logic or_166;
+  assign or_166 = ($signed(21'h300) < $signed(turn_q)) | (and_158 | and_164);
+  logic [4:0] select_167;
+  assign select_167 = end_v_s2_q ? {or_166, less_154, not_152, less_147, less_146} : 5'h0;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       previous_signature_q <= 32'h0;
-      has_previous_q <= 1'b0;
+      signature_before_q <= 32'h0;
+      frames_q <= 2'h0;
       repeats_q <= 8'h0;
     end else if (s2_en) begin
       previous_signature_q <= end_v_s2_q ? signature_q : previous_signature_q;
-      has_previous_q <= end_v_s2_q | has_previous_q;
-      repeats_q <= end_v_s2_q ? select_43 : repeats_q;
+      signature_before_q <= end_v_s2_q ? previous_signature_q : signature_before_q;
+      frames_q <= end_v_s2_q ? {frames_q[0], 1'b1} : frames_q;
+      repeats_q <= end_v_s2_q ? select_48 : repeats_q;
     end
   end
 
-  logic [4:0] select_162_s3_q;
+  logic [4:0] select_167_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
-      select_162_s3_q <= select_162;
+      select_167_s3_q <= select_167;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign black_o = select_162_s3_q[0];
-  assign white_o = select_162_s3_q[1];
-  assign constant_o = select_162_s3_q[2];
-  assign frozen_o = select_162_s3_q[3];
-  assign torn_o = select_162_s3_q[4];
+  assign black_o = select_167_s3_q[0];
+  assign white_o = select_167_s3_q[1];
+  assign constant_o = select_167_s3_q[2];
+  assign frozen_o = select_167_s3_q[3];
+  assign torn_o = select_167_s3_q[4];
   assign signature_o = previous_signature_q;
   assign valid_o = valid_s3_q;
 
@@ -391,6 +396,6 @@ module horopter_health (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_155[5:0], xor_34[5]};
+  assign unused_bits = ^{sum_160[5:0], xor_35[5]};
 
 endmodule
