@@ -128,8 +128,10 @@ class CameraHealth {
     Out out;
     out.valid = in.end;
     if (in.end) [[unlikely]] {
-      const bool same =
-          (frames_.bit(0) && signature_ == previous_signature_) || (frames_.bit(1) && signature_ == signature_before_);
+      // Without branches: the way from repeats_ to itself is short.
+      const u<1> is_previous = u<1>(frames_.bit(0)) & u<1>(signature_ == previous_signature_);
+      const u<1> is_before = u<1>(frames_.bit(1)) & u<1>(signature_ == signature_before_);
+      const bool same = (is_previous | is_before) != 0;
       repeats_ = !same ? u<8>(0) : repeats_ == 255 ? repeats_ : u<8>(repeats_ + lit<1>());
       signature_before_ = previous_signature_;
       previous_signature_ = signature_;

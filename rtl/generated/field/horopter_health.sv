@@ -44,20 +44,20 @@ module horopter_health (
   logic [7:0] left_3_q;
   logic [9:0] x_q;
   logic [3:0] y_q;
-  // hls/stages/health.hpp:209
+  // hls/stages/health.hpp:211
   logic [9:0] place;
   assign place = first_i ? 10'h0 : x_q;
-  // hls/stages/health.hpp:214
+  // hls/stages/health.hpp:216
   logic equal_33;
   assign equal_33 = place[3:0] == 4'hf;
-  // hls/stages/health.hpp:211
+  // hls/stages/health.hpp:213
   logic [3:0] y;
   assign y = first_i ? 4'h0 : y_q;
-  // hls/stages/health.hpp:216
+  // hls/stages/health.hpp:218
   logic [1:0] sum_98;
   assign sum_98 = y[1:0] + y[3:2];
 
-  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:276; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:278; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -147,30 +147,30 @@ module horopter_health (
   // hls/stages/health.hpp:125
   logic not_63;
   assign not_63 = ~(left_0_q < cfg_bright_level_i);
-  // hls/stages/health.hpp:210
+  // hls/stages/health.hpp:212
   logic [2:0] rows;
   assign rows = first_s1_q ? 3'h0 : rows_q;
-  // hls/stages/health.hpp:193
+  // hls/stages/health.hpp:195
   logic equal_78;
   assign equal_78 = rows[2:1] == 2'h0;
-  // hls/stages/health.hpp:173
+  // hls/stages/health.hpp:175
   logic [8:0] difference_79;
   assign difference_79 = {1'b0, left_0_q} - {1'b0, above_rdata_q[7:0]};
   logic [7:0] xor_80;
   assign xor_80 = difference_79[7:0] ^ {8{difference_79[8]}};
   logic [8:0] sum_81;
   assign sum_81 = {8'h0, difference_79[8]} + {1'b0, xor_80};
-  // hls/stages/health.hpp:175
+  // hls/stages/health.hpp:177
   logic [8:0] sum_82;
   assign sum_82 = sum_81 + 9'h1;
-  // hls/stages/health.hpp:174
+  // hls/stages/health.hpp:176
   logic [8:0] difference_83;
   assign difference_83 = {1'b0, left_0_q} - {1'b0, above_rdata_q[15:8]};
   logic [7:0] xor_84;
   assign xor_84 = difference_83[7:0] ^ {8{difference_83[8]}};
   logic [8:0] sum_85;
   assign sum_85 = {8'h0, difference_83[8]} + {1'b0, xor_84};
-  // hls/stages/health.hpp:175
+  // hls/stages/health.hpp:177
   logic [8:0] sum_87;
   assign sum_87 = sum_85 + 9'h1;
   logic less_88;
@@ -178,20 +178,20 @@ module horopter_health (
   // hls/stages/health.hpp:126
   logic [1:0] like;
   assign like = equal_33_s1_q ? (equal_78 ? 2'h0 : ((sum_82 < sum_85) ? 2'h1 : {2{less_88}})) : 2'h0;
-  // hls/stages/health.hpp:181
+  // hls/stages/health.hpp:183
   logic equal_92;
   assign equal_92 = like == 2'h1;
   logic equal_93;
   assign equal_93 = like == 2'h3;
   logic or_94;
   assign or_94 = equal_92 | equal_93;
-  // hls/stages/health.hpp:199
+  // hls/stages/health.hpp:201
   logic [19:0] sum_95;
   assign sum_95 = (first_s1_q ? 20'h0 : turn_q) + {{15{equal_92}}, 1'b0, {4{or_94}}};
-  // hls/stages/health.hpp:181
+  // hls/stages/health.hpp:183
   logic [1:0] select_97;
   assign select_97 = equal_92 ? 2'h1 : {2{equal_93}};
-  // hls/stages/health.hpp:173
+  // hls/stages/health.hpp:175
   logic [8:0] difference_103;
   assign difference_103 = {1'b0, left_0_q} - {1'b0, left_2_q};
   logic [7:0] xor_104;
@@ -204,58 +204,58 @@ module horopter_health (
   assign xor_108 = difference_107[7:0] ^ {8{difference_107[8]}};
   logic [8:0] sum_109;
   assign sum_109 = {8'h0, difference_107[8]} + {1'b0, xor_108};
-  // hls/stages/health.hpp:175
+  // hls/stages/health.hpp:177
   logic [8:0] sum_111;
   assign sum_111 = sum_109 + 9'h1;
   logic less_112;
   assign less_112 = sum_111 < sum_105;
   // hls/stages/health.hpp:126
-  logic [1:0] select_114;
-  assign select_114 = and_102_s1_q ? (((sum_105 + 9'h1) < sum_109) ? 2'h1 : {2{less_112}}) : 2'h0;
-  // hls/stages/health.hpp:181
+  logic [1:0] like_2;
+  assign like_2 = and_102_s1_q ? (((sum_105 + 9'h1) < sum_109) ? 2'h1 : {2{less_112}}) : 2'h0;
+  // hls/stages/health.hpp:183
   logic equal_116;
-  assign equal_116 = select_114 == 2'h3;
-  // hls/stages/health.hpp:201
+  assign equal_116 = like_2 == 2'h3;
+  // hls/stages/health.hpp:203
   logic [1:0] select_117;
-  assign select_117 = (select_114 == 2'h1) ? 2'h1 : {2{equal_116}};
+  assign select_117 = (like_2 == 2'h1) ? 2'h1 : {2{equal_116}};
   logic [8:0] sum_118;
   assign sum_118 = {{2{equal_92}}, select_97[1], equal_92, 1'b0, {4{select_97[0]}}} + {{3{select_117[1]}}, 1'b0, {5{select_117[0]}}};
-  // hls/stages/health.hpp:175
+  // hls/stages/health.hpp:177
   logic less_122;
   assign less_122 = sum_82 < sum_109;
   // hls/stages/health.hpp:126
-  logic [1:0] like_2;
-  assign like_2 = equal_33_s1_q ? (equal_78 ? 2'h0 : ((sum_111 < sum_81) ? 2'h1 : {2{less_122}})) : 2'h0;
-  // hls/stages/health.hpp:181
+  logic [1:0] like_3;
+  assign like_3 = equal_33_s1_q ? (equal_78 ? 2'h0 : ((sum_111 < sum_81) ? 2'h1 : {2{less_122}})) : 2'h0;
+  // hls/stages/health.hpp:183
   logic equal_127;
-  assign equal_127 = like_2 == 2'h3;
+  assign equal_127 = like_3 == 2'h3;
   logic [1:0] select_128;
-  assign select_128 = (like_2 == 2'h1) ? 2'h1 : {2{equal_127}};
-  // hls/stages/health.hpp:202
+  assign select_128 = (like_3 == 2'h1) ? 2'h1 : {2{equal_127}};
+  // hls/stages/health.hpp:204
   logic [19:0] sum_129;
   assign sum_129 = (first_s1_q ? 20'h0 : level_q) + {{15{select_128[1]}}, 1'b0, {4{select_128[0]}}};
-  // hls/stages/health.hpp:174
+  // hls/stages/health.hpp:176
   logic [8:0] difference_131;
   assign difference_131 = {1'b0, left_0_q} - {1'b0, above_rdata_q[31:24]};
   logic [7:0] xor_132;
   assign xor_132 = difference_131[7:0] ^ {8{difference_131[8]}};
   logic [8:0] sum_133;
   assign sum_133 = {8'h0, difference_131[8]} + {1'b0, xor_132};
-  // hls/stages/health.hpp:175
+  // hls/stages/health.hpp:177
   logic less_136;
   assign less_136 = (sum_133 + 9'h1) < sum_85;
   // hls/stages/health.hpp:126
   logic [1:0] select_139;
   assign select_139 = equal_33_s1_q ? (rows[2] ? ((sum_87 < sum_133) ? 2'h1 : {2{less_136}}) : 2'h0) : 2'h0;
-  // hls/stages/health.hpp:181
+  // hls/stages/health.hpp:183
   logic equal_141;
   assign equal_141 = select_139 == 2'h1;
-  // hls/stages/health.hpp:203
+  // hls/stages/health.hpp:205
   logic or_142;
   assign or_142 = (select_139 == 2'h3) | equal_141;
   logic [19:0] sum_143;
   assign sum_143 = (first_s1_q ? 20'h0 : pair_q) + {{15{equal_141}}, 1'b0, {4{or_142}}};
-  // hls/stages/health.hpp:205
+  // hls/stages/health.hpp:207
   logic [2:0] select_146;
   assign select_146 = y_s1_q ? (3'h0 - {like[1], like}) : {like[1], like};
   logic [15:0] sum_147;
@@ -319,31 +319,30 @@ module horopter_health (
   logic [31:0] signature_before_q;
   logic [1:0] frames_q;
   logic [7:0] repeats_q;
-  // hls/stages/health.hpp:133
-  logic [7:0] select_45;
-  assign select_45 = (repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1);
-  logic [7:0] select_48;
-  assign select_48 = frames_q[1] ? ((signature_before_q == signature_q) ? select_45 : 8'h0) : 8'h0;
+  // hls/stages/health.hpp:134
+  logic or_46;
+  assign or_46 = (frames_q[0] & (previous_signature_q == signature_q)) | (frames_q[1] & (signature_before_q == signature_q));
+  // hls/stages/health.hpp:135
   logic [7:0] select_50;
-  assign select_50 = frames_q[0] ? ((previous_signature_q == signature_q) ? select_45 : select_48) : select_48;
-  // hls/stages/health.hpp:137
+  assign select_50 = or_46 ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
+  // hls/stages/health.hpp:139
   logic less_148;
   assign less_148 = cfg_dark_limit_i < dark_q;
-  // hls/stages/health.hpp:138
+  // hls/stages/health.hpp:140
   logic less_149;
   assign less_149 = cfg_bright_limit_i < bright_q;
-  // hls/stages/health.hpp:139
+  // hls/stages/health.hpp:141
   logic or_153;
   assign or_153 = less_149 | (less_148 | (cfg_contrast_limit_i < (brightest_q - darkest_q)));
   logic not_154;
   assign not_154 = ~or_153;
-  // hls/stages/health.hpp:140
+  // hls/stages/health.hpp:142
   logic less_156;
   assign less_156 = (cfg_frozen_limit_i + 8'hff) < select_50;
-  // hls/stages/health.hpp:143
+  // hls/stages/health.hpp:145
   logic and_160;
   assign and_160 = ($signed(22'h1f40) < $signed(aside_q)) & ($signed(20'h640) < $signed(level_q));
-  // hls/stages/health.hpp:144
+  // hls/stages/health.hpp:146
   logic [20:0] sum_162;
   assign sum_162 = {pair_q[19], pair_q} + {{2{pair_q[19]}}, pair_q[19:1]};
   logic [14:0] xor_163;
@@ -352,7 +351,7 @@ module horopter_health (
   assign sum_164 = {15'h0, even_less_odd_q[15]} + {1'b0, xor_163};
   logic less_165;
   assign less_165 = $signed({{2{sum_162[20]}}, sum_162[20:6]}) < $signed({1'b0, sum_164});
-  // hls/stages/health.hpp:147
+  // hls/stages/health.hpp:149
   logic or_168;
   assign or_168 = ($signed(20'h300) < $signed(turn_q)) | (and_160 | (($signed(20'h640) < $signed(pair_q)) & less_165));
   logic [4:0] select_169;

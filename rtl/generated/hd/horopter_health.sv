@@ -3,7 +3,7 @@
 //
 // Latency 11 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 274 bits, pipeline 394 bits, memories 2048 bits.
+// State 307 bits, pipeline 394 bits, memories 2048 bits.
 module horopter_health (
   input  logic clk_i,
   input  logic rst_ni,
@@ -45,15 +45,15 @@ module horopter_health (
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [10:0] x_q;
   logic [4:0] y_q;
-  // hls/stages/health.hpp:206
+  // hls/stages/health.hpp:211
   logic [10:0] place;
   assign place = first_i ? 11'h0 : x_q;
-  // hls/stages/health.hpp:208
+  // hls/stages/health.hpp:213
   logic [4:0] y;
   assign y = first_i ? 5'h0 : y_q;
-  // hls/stages/health.hpp:213
-  logic [2:0] sum_91;
-  assign sum_91 = y[2:0] + y[4:2];
+  // hls/stages/health.hpp:218
+  logic [2:0] sum_96;
+  assign sum_96 = y[2:0] + y[4:2];
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -70,10 +70,10 @@ module horopter_health (
   logic end_v_s1_q;
   logic last_s1_q;
   logic [5:0] place_s1_q;
-  logic equal_30_s1_q;
+  logic equal_31_s1_q;
   logic y_s1_q;
-  logic equal_92_s1_q;
-  logic not_94_s1_q;
+  logic equal_97_s1_q;
+  logic not_99_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_s1_q <= pixel_i;
@@ -81,16 +81,16 @@ module horopter_health (
       end_v_s1_q <= end_v_i;
       last_s1_q <= last_i;
       place_s1_q <= place[10:5];
-      equal_30_s1_q <= place[4:0] == 5'h1f;
+      equal_31_s1_q <= place[4:0] == 5'h1f;
       y_s1_q <= y[0];
-      equal_92_s1_q <= place[4:0] == {sum_91, y[1:0]};
-      not_94_s1_q <= ~(place[10:1] == 10'h0);
+      equal_97_s1_q <= place[4:0] == {sum_96, y[1:0]};
+      not_99_s1_q <= ~(place[10:1] == 10'h0);
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
 
-  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:273; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
+  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:278; read in stage 1, written in stage 3: 1 < 3 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -102,7 +102,7 @@ module horopter_health (
   assign above_raddr = place_s1_q;
 `ifndef SYNTHESIS
   logic above_re;
-  assign above_re = s1_en & equal_30_s1_q;
+  assign above_re = s1_en & equal_31_s1_q;
 `endif
   logic [31:0] above_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -114,9 +114,9 @@ module horopter_health (
   logic end_v_s2_q;
   logic last_s2_q;
   logic [5:0] place_s2_q;
-  logic equal_30_s2_q;
+  logic equal_31_s2_q;
   logic y_s2_q;
-  logic and_95_s2_q;
+  logic and_100_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_s2_q <= pixel_s1_q;
@@ -124,9 +124,9 @@ module horopter_health (
       end_v_s2_q <= end_v_s1_q;
       last_s2_q <= last_s1_q;
       place_s2_q <= place_s1_q;
-      equal_30_s2_q <= equal_30_s1_q;
+      equal_31_s2_q <= equal_31_s1_q;
       y_s2_q <= y_s1_q;
-      and_95_s2_q <= equal_92_s1_q & not_94_s1_q;
+      and_100_s2_q <= equal_97_s1_q & not_99_s1_q;
     end
   end
 
@@ -137,10 +137,10 @@ module horopter_health (
   logic end_v_s3_q;
   logic last_s3_q;
   logic [5:0] place_s3_q;
-  logic equal_30_s3_q;
+  logic equal_31_s3_q;
   logic [31:0] above_rdata_s3_q;
   logic y_s3_q;
-  logic and_95_s3_q;
+  logic and_100_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_s3_q <= pixel_s2_q;
@@ -148,36 +148,36 @@ module horopter_health (
       end_v_s3_q <= end_v_s2_q;
       last_s3_q <= last_s2_q;
       place_s3_q <= place_s2_q;
-      equal_30_s3_q <= equal_30_s2_q;
+      equal_31_s3_q <= equal_31_s2_q;
       above_rdata_s3_q <= above_rdata_q;
       y_s3_q <= y_s2_q;
-      and_95_s3_q <= and_95_s2_q;
+      and_100_s3_q <= and_100_s2_q;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   logic [7:0] left_0_q;
   logic [7:0] left_1_q;
-  // hls/stages/health.hpp:170
-  logic [8:0] difference_72;
-  assign difference_72 = {1'b0, pixel_s3_q} - {1'b0, above_rdata_s3_q[7:0]};
-  // hls/stages/health.hpp:171
-  logic [8:0] difference_76;
-  assign difference_76 = {1'b0, pixel_s3_q} - {1'b0, above_rdata_s3_q[15:8]};
-  // hls/stages/health.hpp:170
-  logic [8:0] difference_96;
-  assign difference_96 = {1'b0, pixel_s3_q} - {1'b0, left_0_q};
-  logic [8:0] difference_100;
-  assign difference_100 = {1'b0, pixel_s3_q} - {1'b0, left_1_q};
-  // hls/stages/health.hpp:171
-  logic [8:0] difference_124;
-  assign difference_124 = {1'b0, pixel_s3_q} - {1'b0, above_rdata_s3_q[31:24]};
+  // hls/stages/health.hpp:175
+  logic [8:0] difference_77;
+  assign difference_77 = {1'b0, pixel_s3_q} - {1'b0, above_rdata_s3_q[7:0]};
+  // hls/stages/health.hpp:176
+  logic [8:0] difference_81;
+  assign difference_81 = {1'b0, pixel_s3_q} - {1'b0, above_rdata_s3_q[15:8]};
+  // hls/stages/health.hpp:175
+  logic [8:0] difference_101;
+  assign difference_101 = {1'b0, pixel_s3_q} - {1'b0, left_0_q};
+  logic [8:0] difference_105;
+  assign difference_105 = {1'b0, pixel_s3_q} - {1'b0, left_1_q};
+  // hls/stages/health.hpp:176
+  logic [8:0] difference_129;
+  assign difference_129 = {1'b0, pixel_s3_q} - {1'b0, above_rdata_s3_q[31:24]};
 
   // Memory above, write
   logic [5:0] above_waddr;
   assign above_waddr = place_s3_q;
   logic above_we;
-  assign above_we = s3_en & equal_30_s3_q;
+  assign above_we = s3_en & equal_31_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (above_we) above_mem[above_waddr] <= {above_rdata_s3_q[23:0], pixel_s3_q};
   end
@@ -217,37 +217,37 @@ module horopter_health (
   logic first_s4_q;
   logic end_v_s4_q;
   logic last_s4_q;
-  logic equal_30_s4_q;
+  logic equal_31_s4_q;
   logic y_s4_q;
-  logic difference_72_s4_q;
-  logic [7:0] xor_73_s4_q;
-  logic difference_76_s4_q;
-  logic [7:0] xor_77_s4_q;
-  logic and_95_s4_q;
-  logic difference_96_s4_q;
-  logic [7:0] xor_97_s4_q;
-  logic difference_100_s4_q;
-  logic [7:0] xor_101_s4_q;
-  logic difference_124_s4_q;
-  logic [7:0] xor_125_s4_q;
+  logic difference_77_s4_q;
+  logic [7:0] xor_78_s4_q;
+  logic difference_81_s4_q;
+  logic [7:0] xor_82_s4_q;
+  logic and_100_s4_q;
+  logic difference_101_s4_q;
+  logic [7:0] xor_102_s4_q;
+  logic difference_105_s4_q;
+  logic [7:0] xor_106_s4_q;
+  logic difference_129_s4_q;
+  logic [7:0] xor_130_s4_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       first_s4_q <= first_s3_q;
       end_v_s4_q <= end_v_s3_q;
       last_s4_q <= last_s3_q;
-      equal_30_s4_q <= equal_30_s3_q;
+      equal_31_s4_q <= equal_31_s3_q;
       y_s4_q <= y_s3_q;
-      difference_72_s4_q <= difference_72[8];
-      xor_73_s4_q <= difference_72[7:0] ^ {8{difference_72[8]}};
-      difference_76_s4_q <= difference_76[8];
-      xor_77_s4_q <= difference_76[7:0] ^ {8{difference_76[8]}};
-      and_95_s4_q <= and_95_s3_q;
-      difference_96_s4_q <= difference_96[8];
-      xor_97_s4_q <= difference_96[7:0] ^ {8{difference_96[8]}};
-      difference_100_s4_q <= difference_100[8];
-      xor_101_s4_q <= difference_100[7:0] ^ {8{difference_100[8]}};
-      difference_124_s4_q <= difference_124[8];
-      xor_125_s4_q <= difference_124[7:0] ^ {8{difference_124[8]}};
+      difference_77_s4_q <= difference_77[8];
+      xor_78_s4_q <= difference_77[7:0] ^ {8{difference_77[8]}};
+      difference_81_s4_q <= difference_81[8];
+      xor_82_s4_q <= difference_81[7:0] ^ {8{difference_81[8]}};
+      and_100_s4_q <= and_100_s3_q;
+      difference_101_s4_q <= difference_101[8];
+      xor_102_s4_q <= difference_101[7:0] ^ {8{difference_101[8]}};
+      difference_105_s4_q <= difference_105[8];
+      xor_106_s4_q <= difference_105[7:0] ^ {8{difference_105[8]}};
+      difference_129_s4_q <= difference_129[8];
+      xor_130_s4_q <= difference_129[7:0] ^ {8{difference_129[8]}};
     end
   end
 
@@ -257,43 +257,43 @@ module horopter_health (
   logic first_s5_q;
   logic end_v_s5_q;
   logic last_s5_q;
-  logic equal_30_s5_q;
+  logic equal_31_s5_q;
   logic y_s5_q;
-  logic [8:0] sum_74_s5_q;
-  logic [8:0] sum_78_s5_q;
-  logic and_95_s5_q;
-  logic [8:0] sum_98_s5_q;
-  logic [8:0] sum_102_s5_q;
-  logic [8:0] sum_126_s5_q;
+  logic [8:0] sum_79_s5_q;
+  logic [8:0] sum_83_s5_q;
+  logic and_100_s5_q;
+  logic [8:0] sum_103_s5_q;
+  logic [8:0] sum_107_s5_q;
+  logic [8:0] sum_131_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_s5_q <= left_0_q;
       first_s5_q <= first_s4_q;
       end_v_s5_q <= end_v_s4_q;
       last_s5_q <= last_s4_q;
-      equal_30_s5_q <= equal_30_s4_q;
+      equal_31_s5_q <= equal_31_s4_q;
       y_s5_q <= y_s4_q;
-      sum_74_s5_q <= {8'h0, difference_72_s4_q} + {1'b0, xor_73_s4_q};
-      sum_78_s5_q <= {8'h0, difference_76_s4_q} + {1'b0, xor_77_s4_q};
-      and_95_s5_q <= and_95_s4_q;
-      sum_98_s5_q <= {8'h0, difference_96_s4_q} + {1'b0, xor_97_s4_q};
-      sum_102_s5_q <= {8'h0, difference_100_s4_q} + {1'b0, xor_101_s4_q};
-      sum_126_s5_q <= {8'h0, difference_124_s4_q} + {1'b0, xor_125_s4_q};
+      sum_79_s5_q <= {8'h0, difference_77_s4_q} + {1'b0, xor_78_s4_q};
+      sum_83_s5_q <= {8'h0, difference_81_s4_q} + {1'b0, xor_82_s4_q};
+      and_100_s5_q <= and_100_s4_q;
+      sum_103_s5_q <= {8'h0, difference_101_s4_q} + {1'b0, xor_102_s4_q};
+      sum_107_s5_q <= {8'h0, difference_105_s4_q} + {1'b0, xor_106_s4_q};
+      sum_131_s5_q <= {8'h0, difference_129_s4_q} + {1'b0, xor_130_s4_q};
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   logic [2:0] rows_q;
-  // hls/stages/health.hpp:207
+  // hls/stages/health.hpp:212
   logic [2:0] rows;
   assign rows = first_s5_q ? 3'h0 : rows_q;
-  // hls/stages/health.hpp:172
-  logic [8:0] sum_75;
-  assign sum_75 = sum_74_s5_q + 9'h1;
+  // hls/stages/health.hpp:177
   logic [8:0] sum_80;
-  assign sum_80 = sum_78_s5_q + 9'h1;
-  logic [8:0] sum_104;
-  assign sum_104 = sum_102_s5_q + 9'h1;
+  assign sum_80 = sum_79_s5_q + 9'h1;
+  logic [8:0] sum_85;
+  assign sum_85 = sum_83_s5_q + 9'h1;
+  logic [8:0] sum_109;
+  assign sum_109 = sum_107_s5_q + 9'h1;
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -306,86 +306,86 @@ module horopter_health (
   logic [7:0] pixel_s6_q;
   logic first_s6_q;
   logic end_v_s6_q;
-  logic equal_30_s6_q;
+  logic equal_31_s6_q;
   logic y_s6_q;
   logic rows_s6_q;
-  logic equal_71_s6_q;
-  logic less_79_s6_q;
-  logic less_81_s6_q;
-  logic and_95_s6_q;
-  logic less_103_s6_q;
-  logic less_105_s6_q;
-  logic less_114_s6_q;
-  logic less_115_s6_q;
-  logic less_127_s6_q;
-  logic less_129_s6_q;
+  logic equal_76_s6_q;
+  logic less_84_s6_q;
+  logic less_86_s6_q;
+  logic and_100_s6_q;
+  logic less_108_s6_q;
+  logic less_110_s6_q;
+  logic less_119_s6_q;
+  logic less_120_s6_q;
+  logic less_132_s6_q;
+  logic less_134_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_s6_q <= pixel_s5_q;
       first_s6_q <= first_s5_q;
       end_v_s6_q <= end_v_s5_q;
-      equal_30_s6_q <= equal_30_s5_q;
+      equal_31_s6_q <= equal_31_s5_q;
       y_s6_q <= y_s5_q;
       rows_s6_q <= rows[2];
-      equal_71_s6_q <= rows[2:1] == 2'h0;
-      less_79_s6_q <= sum_75 < sum_78_s5_q;
-      less_81_s6_q <= sum_80 < sum_74_s5_q;
-      and_95_s6_q <= and_95_s5_q;
-      less_103_s6_q <= (sum_98_s5_q + 9'h1) < sum_102_s5_q;
-      less_105_s6_q <= sum_104 < sum_98_s5_q;
-      less_114_s6_q <= sum_104 < sum_74_s5_q;
-      less_115_s6_q <= sum_75 < sum_102_s5_q;
-      less_127_s6_q <= sum_80 < sum_126_s5_q;
-      less_129_s6_q <= (sum_126_s5_q + 9'h1) < sum_78_s5_q;
+      equal_76_s6_q <= rows[2:1] == 2'h0;
+      less_84_s6_q <= sum_80 < sum_83_s5_q;
+      less_86_s6_q <= sum_85 < sum_79_s5_q;
+      and_100_s6_q <= and_100_s5_q;
+      less_108_s6_q <= (sum_103_s5_q + 9'h1) < sum_107_s5_q;
+      less_110_s6_q <= sum_109 < sum_103_s5_q;
+      less_119_s6_q <= sum_109 < sum_79_s5_q;
+      less_120_s6_q <= sum_80 < sum_107_s5_q;
+      less_132_s6_q <= sum_85 < sum_131_s5_q;
+      less_134_s6_q <= (sum_131_s5_q + 9'h1) < sum_83_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/health.hpp:125
+  // hls/stages/health.hpp:126
   logic [1:0] like;
-  assign like = equal_30_s6_q ? (equal_71_s6_q ? 2'h0 : (less_79_s6_q ? 2'h1 : {2{less_81_s6_q}})) : 2'h0;
+  assign like = equal_31_s6_q ? (equal_76_s6_q ? 2'h0 : (less_84_s6_q ? 2'h1 : {2{less_86_s6_q}})) : 2'h0;
   logic [1:0] like_2;
-  assign like_2 = and_95_s6_q ? (less_103_s6_q ? 2'h1 : {2{less_105_s6_q}}) : 2'h0;
-  // hls/stages/health.hpp:178
-  logic equal_109;
-  assign equal_109 = like_2 == 2'h3;
-  // hls/stages/health.hpp:125
-  logic [1:0] select_117;
-  assign select_117 = equal_71_s6_q ? 2'h0 : (less_114_s6_q ? 2'h1 : {2{less_115_s6_q}});
+  assign like_2 = and_100_s6_q ? (less_108_s6_q ? 2'h1 : {2{less_110_s6_q}}) : 2'h0;
+  // hls/stages/health.hpp:183
+  logic equal_114;
+  assign equal_114 = like_2 == 2'h3;
+  // hls/stages/health.hpp:126
+  logic [1:0] select_122;
+  assign select_122 = equal_76_s6_q ? 2'h0 : (less_119_s6_q ? 2'h1 : {2{less_120_s6_q}});
   logic [1:0] like_3;
-  assign like_3 = equal_30_s6_q ? select_117 : 2'h0;
-  // hls/stages/health.hpp:178
-  logic equal_120;
-  assign equal_120 = like_3 == 2'h3;
-  // hls/stages/health.hpp:125
-  logic [1:0] select_132;
-  assign select_132 = equal_30_s6_q ? (rows_s6_q ? (less_127_s6_q ? 2'h1 : {2{less_129_s6_q}}) : 2'h0) : 2'h0;
-  // hls/stages/health.hpp:178
-  logic equal_134;
-  assign equal_134 = select_132 == 2'h1;
+  assign like_3 = equal_31_s6_q ? select_122 : 2'h0;
+  // hls/stages/health.hpp:183
+  logic equal_125;
+  assign equal_125 = like_3 == 2'h3;
+  // hls/stages/health.hpp:126
+  logic [1:0] select_137;
+  assign select_137 = equal_31_s6_q ? (rows_s6_q ? (less_132_s6_q ? 2'h1 : {2{less_134_s6_q}}) : 2'h0) : 2'h0;
+  // hls/stages/health.hpp:183
+  logic equal_139;
+  assign equal_139 = select_137 == 2'h1;
 
   logic [7:0] pixel_s7_q;
   logic first_s7_q;
   logic end_v_s7_q;
-  logic equal_85_s7_q;
-  logic equal_86_s7_q;
-  logic [1:0] select_110_s7_q;
-  logic [1:0] select_121_s7_q;
-  logic equal_134_s7_q;
-  logic or_135_s7_q;
-  logic [2:0] select_139_s7_q;
+  logic equal_90_s7_q;
+  logic equal_91_s7_q;
+  logic [1:0] select_115_s7_q;
+  logic [1:0] select_126_s7_q;
+  logic equal_139_s7_q;
+  logic or_140_s7_q;
+  logic [2:0] select_144_s7_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_s7_q <= pixel_s6_q;
       first_s7_q <= first_s6_q;
       end_v_s7_q <= end_v_s6_q;
-      equal_85_s7_q <= like == 2'h1;
-      equal_86_s7_q <= like == 2'h3;
-      select_110_s7_q <= (like_2 == 2'h1) ? 2'h1 : {2{equal_109}};
-      select_121_s7_q <= (like_3 == 2'h1) ? 2'h1 : {2{equal_120}};
-      equal_134_s7_q <= equal_134;
-      or_135_s7_q <= (select_132 == 2'h3) | equal_134;
-      select_139_s7_q <= y_s6_q ? (3'h0 - {like[1], like}) : {like[1], like};
+      equal_90_s7_q <= like == 2'h1;
+      equal_91_s7_q <= like == 2'h3;
+      select_115_s7_q <= (like_2 == 2'h1) ? 2'h1 : {2{equal_114}};
+      select_126_s7_q <= (like_3 == 2'h1) ? 2'h1 : {2{equal_125}};
+      equal_139_s7_q <= equal_139;
+      or_140_s7_q <= (select_137 == 2'h3) | equal_139;
+      select_144_s7_q <= y_s6_q ? (3'h0 - {like[1], like}) : {like[1], like};
     end
   end
 
@@ -397,42 +397,42 @@ module horopter_health (
   logic [21:0] level_q;
   logic [21:0] pair_q;
   logic [17:0] even_less_odd_q;
-  // hls/stages/health.hpp:120
-  logic [31:0] select_32;
-  assign select_32 = first_s7_q ? 32'h0 : signature_q;
-  logic [12:0] xor_33;
-  assign xor_33 = {13{select_32[0]}} ^ {select_32[31:30], select_32[28:27], select_32[25:24], select_32[22:20], select_32[16], select_32[10:9], select_32[6]};
-  logic [7:0] xor_34;
-  assign xor_34 = pixel_s7_q ^ {select_32[8:7], xor_33[0], select_32[5:1]};
-  logic parity_35;
-  assign parity_35 = ^{select_32[6], select_32[0], pixel_s7_q[5]};
-  // hls/stages/health.hpp:122
-  logic [7:0] select_47;
-  assign select_47 = first_s7_q ? pixel_s7_q : ((pixel_s7_q < darkest_q) ? pixel_s7_q : darkest_q);
+  // hls/stages/health.hpp:121
+  logic [31:0] select_33;
+  assign select_33 = first_s7_q ? 32'h0 : signature_q;
+  logic [12:0] xor_34;
+  assign xor_34 = {13{select_33[0]}} ^ {select_33[31:30], select_33[28:27], select_33[25:24], select_33[22:20], select_33[16], select_33[10:9], select_33[6]};
+  logic [7:0] xor_35;
+  assign xor_35 = pixel_s7_q ^ {select_33[8:7], xor_34[0], select_33[5:1]};
+  logic parity_36;
+  assign parity_36 = ^{select_33[6], select_33[0], pixel_s7_q[5]};
   // hls/stages/health.hpp:123
-  logic [7:0] select_50;
-  assign select_50 = first_s7_q ? pixel_s7_q : ((brightest_q < pixel_s7_q) ? pixel_s7_q : brightest_q);
-  // hls/stages/health.hpp:178
-  logic or_87;
-  assign or_87 = equal_85_s7_q | equal_86_s7_q;
-  // hls/stages/health.hpp:196
-  logic [21:0] sum_88;
-  assign sum_88 = (first_s7_q ? 22'h0 : turn_q) + {{17{equal_85_s7_q}}, 1'b0, {4{or_87}}};
-  // hls/stages/health.hpp:178
-  logic [1:0] select_90;
-  assign select_90 = equal_85_s7_q ? 2'h1 : {2{equal_86_s7_q}};
-  // hls/stages/health.hpp:198
-  logic [8:0] sum_111;
-  assign sum_111 = {{2{equal_85_s7_q}}, select_90[1], equal_85_s7_q, 1'b0, {4{select_90[0]}}} + {{3{select_110_s7_q[1]}}, 1'b0, {5{select_110_s7_q[0]}}};
-  // hls/stages/health.hpp:199
-  logic [21:0] sum_122;
-  assign sum_122 = (first_s7_q ? 22'h0 : level_q) + {{17{select_121_s7_q[1]}}, 1'b0, {4{select_121_s7_q[0]}}};
-  // hls/stages/health.hpp:200
-  logic [21:0] sum_136;
-  assign sum_136 = (first_s7_q ? 22'h0 : pair_q) + {{17{equal_134_s7_q}}, 1'b0, {4{or_135_s7_q}}};
-  // hls/stages/health.hpp:202
-  logic [17:0] sum_140;
-  assign sum_140 = (first_s7_q ? 18'h0 : even_less_odd_q) + {{15{select_139_s7_q[2]}}, select_139_s7_q};
+  logic [7:0] select_52;
+  assign select_52 = first_s7_q ? pixel_s7_q : ((pixel_s7_q < darkest_q) ? pixel_s7_q : darkest_q);
+  // hls/stages/health.hpp:124
+  logic [7:0] select_55;
+  assign select_55 = first_s7_q ? pixel_s7_q : ((brightest_q < pixel_s7_q) ? pixel_s7_q : brightest_q);
+  // hls/stages/health.hpp:183
+  logic or_92;
+  assign or_92 = equal_90_s7_q | equal_91_s7_q;
+  // hls/stages/health.hpp:201
+  logic [21:0] sum_93;
+  assign sum_93 = (first_s7_q ? 22'h0 : turn_q) + {{17{equal_90_s7_q}}, 1'b0, {4{or_92}}};
+  // hls/stages/health.hpp:183
+  logic [1:0] select_95;
+  assign select_95 = equal_90_s7_q ? 2'h1 : {2{equal_91_s7_q}};
+  // hls/stages/health.hpp:203
+  logic [8:0] sum_116;
+  assign sum_116 = {{2{equal_90_s7_q}}, select_95[1], equal_90_s7_q, 1'b0, {4{select_95[0]}}} + {{3{select_115_s7_q[1]}}, 1'b0, {5{select_115_s7_q[0]}}};
+  // hls/stages/health.hpp:204
+  logic [21:0] sum_127;
+  assign sum_127 = (first_s7_q ? 22'h0 : level_q) + {{17{select_126_s7_q[1]}}, 1'b0, {4{select_126_s7_q[0]}}};
+  // hls/stages/health.hpp:205
+  logic [21:0] sum_141;
+  assign sum_141 = (first_s7_q ? 22'h0 : pair_q) + {{17{equal_139_s7_q}}, 1'b0, {4{or_140_s7_q}}};
+  // hls/stages/health.hpp:207
+  logic [17:0] sum_145;
+  assign sum_145 = (first_s7_q ? 18'h0 : even_less_odd_q) + {{15{select_144_s7_q[2]}}, select_144_s7_q};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
@@ -444,154 +444,158 @@ module horopter_health (
       pair_q <= 22'h0;
       even_less_odd_q <= 18'h0;
     end else if (s7_en) begin
-      signature_q <= {select_32[0], xor_33[12:11], select_32[29], xor_33[10:9], select_32[26], xor_33[8:7], select_32[23], xor_33[6:4], select_32[19:17], xor_33[3], select_32[15:11], xor_33[2:1], xor_34[7:6], parity_35, xor_34[4:0]};
-      darkest_q <= select_47;
-      brightest_q <= select_50;
-      turn_q <= sum_88;
-      level_q <= sum_122;
-      pair_q <= sum_136;
-      even_less_odd_q <= sum_140;
+      signature_q <= {select_33[0], xor_34[12:11], select_33[29], xor_34[10:9], select_33[26], xor_34[8:7], select_33[23], xor_34[6:4], select_33[19:17], xor_34[3], select_33[15:11], xor_34[2:1], xor_35[7:6], parity_36, xor_35[4:0]};
+      darkest_q <= select_52;
+      brightest_q <= select_55;
+      turn_q <= sum_93;
+      level_q <= sum_127;
+      pair_q <= sum_141;
+      even_less_odd_q <= sum_145;
     end
   end
 
   logic first_s8_q;
   logic end_v_s8_q;
-  logic not_52_s8_q;
-  logic not_56_s8_q;
-  logic [8:0] sum_111_s8_q;
+  logic not_57_s8_q;
+  logic not_61_s8_q;
+  logic [8:0] sum_116_s8_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       first_s8_q <= first_s7_q;
       end_v_s8_q <= end_v_s7_q;
-      not_52_s8_q <= ~(cfg_dark_level_i < pixel_s7_q);
-      not_56_s8_q <= ~(pixel_s7_q < cfg_bright_level_i);
-      sum_111_s8_q <= sum_111;
+      not_57_s8_q <= ~(cfg_dark_level_i < pixel_s7_q);
+      not_61_s8_q <= ~(pixel_s7_q < cfg_bright_level_i);
+      sum_116_s8_q <= sum_116;
     end
   end
 
   // Stage 8 -----------------------------------------------------------------------------------------------------------
   logic [31:0] previous_signature_q;
+  logic [31:0] signature_before_q;
+  logic [1:0] frames_q;
   logic [20:0] dark_q;
   logic [20:0] bright_q;
   logic [23:0] aside_q;
-  // hls/stages/health.hpp:197
-  logic [23:0] sum_112;
-  assign sum_112 = (first_s8_q ? 24'h0 : aside_q) + {{15{sum_111_s8_q[8]}}, sum_111_s8_q};
-  // hls/stages/health.hpp:141
-  logic [22:0] sum_155;
-  assign sum_155 = {pair_q[21], pair_q} + {{2{pair_q[21]}}, pair_q[21:1]};
-  logic [16:0] xor_156;
-  assign xor_156 = even_less_odd_q[16:0] ^ {17{even_less_odd_q[17]}};
+  // hls/stages/health.hpp:134
+  logic or_44;
+  assign or_44 = (frames_q[0] & (previous_signature_q == signature_q)) | (frames_q[1] & (signature_before_q == signature_q));
+  // hls/stages/health.hpp:202
+  logic [23:0] sum_117;
+  assign sum_117 = (first_s8_q ? 24'h0 : aside_q) + {{15{sum_116_s8_q[8]}}, sum_116_s8_q};
+  // hls/stages/health.hpp:146
+  logic [22:0] sum_160;
+  assign sum_160 = {pair_q[21], pair_q} + {{2{pair_q[21]}}, pair_q[21:1]};
+  logic [16:0] xor_161;
+  assign xor_161 = even_less_odd_q[16:0] ^ {17{even_less_odd_q[17]}};
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       previous_signature_q <= 32'h0;
+      signature_before_q <= 32'h0;
+      frames_q <= 2'h0;
       dark_q <= 21'h0;
       bright_q <= 21'h0;
       aside_q <= 24'h0;
     end else if (s8_en) begin
       previous_signature_q <= end_v_s8_q ? signature_q : previous_signature_q;
-      dark_q <= {20'h0, not_52_s8_q} + (first_s8_q ? 21'h0 : dark_q);
-      bright_q <= {20'h0, not_56_s8_q} + (first_s8_q ? 21'h0 : bright_q);
-      aside_q <= sum_112;
+      signature_before_q <= end_v_s8_q ? previous_signature_q : signature_before_q;
+      frames_q <= end_v_s8_q ? {frames_q[0], 1'b1} : frames_q;
+      dark_q <= {20'h0, not_57_s8_q} + (first_s8_q ? 21'h0 : dark_q);
+      bright_q <= {20'h0, not_61_s8_q} + (first_s8_q ? 21'h0 : bright_q);
+      aside_q <= sum_117;
     end
   end
 
   logic end_v_s9_q;
-  logic equal_38_s9_q;
-  logic less_144_s9_q;
-  logic less_150_s9_q;
-  logic less_152_s9_q;
-  logic less_154_s9_q;
-  logic [16:0] sum_155_s9_q;
-  logic [17:0] sum_157_s9_q;
+  logic or_44_s9_q;
+  logic less_149_s9_q;
+  logic less_155_s9_q;
+  logic less_157_s9_q;
+  logic less_159_s9_q;
+  logic [16:0] sum_160_s9_q;
+  logic [17:0] sum_162_s9_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       end_v_s9_q <= end_v_s8_q;
-      equal_38_s9_q <= previous_signature_q == signature_q;
-      less_144_s9_q <= cfg_contrast_limit_i < (brightest_q - darkest_q);
-      less_150_s9_q <= $signed(22'h300) < $signed(turn_q);
-      less_152_s9_q <= $signed(22'h640) < $signed(level_q);
-      less_154_s9_q <= $signed(22'h640) < $signed(pair_q);
-      sum_155_s9_q <= sum_155[22:6];
-      sum_157_s9_q <= {17'h0, even_less_odd_q[17]} + {1'b0, xor_156};
+      or_44_s9_q <= or_44;
+      less_149_s9_q <= cfg_contrast_limit_i < (brightest_q - darkest_q);
+      less_155_s9_q <= $signed(22'h300) < $signed(turn_q);
+      less_157_s9_q <= $signed(22'h640) < $signed(level_q);
+      less_159_s9_q <= $signed(22'h640) < $signed(pair_q);
+      sum_160_s9_q <= sum_160[22:6];
+      sum_162_s9_q <= {17'h0, even_less_odd_q[17]} + {1'b0, xor_161};
     end
   end
 
   // Stage 9 -----------------------------------------------------------------------------------------------------------
-  logic has_previous_q;
   logic [7:0] repeats_q;
-  // hls/stages/health.hpp:131
-  logic [7:0] select_42;
-  assign select_42 = equal_38_s9_q ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
-  logic [7:0] select_43;
-  assign select_43 = has_previous_q ? select_42 : 8'h0;
-  // hls/stages/health.hpp:134
-  logic less_141;
-  assign less_141 = cfg_dark_limit_i < dark_q;
-  // hls/stages/health.hpp:141
-  logic less_158;
-  assign less_158 = $signed({{2{sum_155_s9_q[16]}}, sum_155_s9_q}) < $signed({1'b0, sum_157_s9_q});
-  // hls/stages/health.hpp:144
-  logic or_160;
-  assign or_160 = (($signed(24'h1f40) < $signed(aside_q)) & less_152_s9_q) | (less_154_s9_q & less_158);
+  // hls/stages/health.hpp:135
+  logic [7:0] select_48;
+  assign select_48 = or_44_s9_q ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
+  // hls/stages/health.hpp:139
+  logic less_146;
+  assign less_146 = cfg_dark_limit_i < dark_q;
+  // hls/stages/health.hpp:146
+  logic less_163;
+  assign less_163 = $signed({{2{sum_160_s9_q[16]}}, sum_160_s9_q}) < $signed({1'b0, sum_162_s9_q});
+  // hls/stages/health.hpp:149
+  logic or_165;
+  assign or_165 = (($signed(24'h1f40) < $signed(aside_q)) & less_157_s9_q) | (less_159_s9_q & less_163);
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      has_previous_q <= 1'b0;
       repeats_q <= 8'h0;
     end else if (s9_en) begin
-      has_previous_q <= end_v_s9_q | has_previous_q;
-      repeats_q <= end_v_s9_q ? select_43 : repeats_q;
+      repeats_q <= end_v_s9_q ? select_48 : repeats_q;
     end
   end
 
   logic end_v_s10_q;
-  logic [31:0] select_36_s10_q;
-  logic [7:0] select_43_s10_q;
-  logic less_141_s10_q;
-  logic less_142_s10_q;
-  logic or_145_s10_q;
-  logic or_161_s10_q;
+  logic [31:0] select_37_s10_q;
+  logic [7:0] select_48_s10_q;
+  logic less_146_s10_q;
+  logic less_147_s10_q;
+  logic or_150_s10_q;
+  logic or_166_s10_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       end_v_s10_q <= end_v_s9_q;
-      select_36_s10_q <= previous_signature_q;
-      select_43_s10_q <= select_43;
-      less_141_s10_q <= less_141;
-      less_142_s10_q <= cfg_bright_limit_i < bright_q;
-      or_145_s10_q <= less_141 | less_144_s9_q;
-      or_161_s10_q <= less_150_s9_q | or_160;
+      select_37_s10_q <= previous_signature_q;
+      select_48_s10_q <= select_48;
+      less_146_s10_q <= less_146;
+      less_147_s10_q <= cfg_bright_limit_i < bright_q;
+      or_150_s10_q <= less_146 | less_149_s9_q;
+      or_166_s10_q <= less_155_s9_q | or_165;
     end
   end
 
   // Stage 10 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/health.hpp:136
-  logic not_147;
-  assign not_147 = ~(less_142_s10_q | or_145_s10_q);
-  // hls/stages/health.hpp:137
-  logic less_149;
-  assign less_149 = (cfg_frozen_limit_i + 8'hff) < select_43_s10_q;
-  // hls/stages/health.hpp:144
-  logic [4:0] select_162;
-  assign select_162 = end_v_s10_q ? {or_161_s10_q, less_149, not_147, less_142_s10_q, less_141_s10_q} : 5'h0;
+  // hls/stages/health.hpp:141
+  logic not_152;
+  assign not_152 = ~(less_147_s10_q | or_150_s10_q);
+  // hls/stages/health.hpp:142
+  logic less_154;
+  assign less_154 = (cfg_frozen_limit_i + 8'hff) < select_48_s10_q;
+  // hls/stages/health.hpp:149
+  logic [4:0] select_167;
+  assign select_167 = end_v_s10_q ? {or_166_s10_q, less_154, not_152, less_147_s10_q, less_146_s10_q} : 5'h0;
 
-  logic [31:0] select_36_s11_q;
-  logic [4:0] select_162_s11_q;
+  logic [31:0] select_37_s11_q;
+  logic [4:0] select_167_s11_q;
   always_ff @(posedge clk_i) begin
     if (s10_en) begin
-      select_36_s11_q <= select_36_s10_q;
-      select_162_s11_q <= select_162;
+      select_37_s11_q <= select_37_s10_q;
+      select_167_s11_q <= select_167;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign black_o = select_162_s11_q[0];
-  assign white_o = select_162_s11_q[1];
-  assign constant_o = select_162_s11_q[2];
-  assign frozen_o = select_162_s11_q[3];
-  assign torn_o = select_162_s11_q[4];
-  assign signature_o = select_36_s11_q;
+  assign black_o = select_167_s11_q[0];
+  assign white_o = select_167_s11_q[1];
+  assign constant_o = select_167_s11_q[2];
+  assign frozen_o = select_167_s11_q[3];
+  assign torn_o = select_167_s11_q[4];
+  assign signature_o = select_37_s11_q;
   assign valid_o = valid_s11_q;
 
   always_ff @(posedge clk_i) begin
@@ -624,6 +628,6 @@ module horopter_health (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_155[5:0], xor_34[5]};
+  assign unused_bits = ^{sum_160[5:0], xor_35[5]};
 
 endmodule

@@ -42,20 +42,20 @@ module horopter_health (
   logic [7:0] left_1_q;
   logic [9:0] x_q;
   logic [3:0] y_q;
-  // hls/stages/health.hpp:209
+  // hls/stages/health.hpp:211
   logic [9:0] place;
   assign place = first_i ? 10'h0 : x_q;
-  // hls/stages/health.hpp:214
+  // hls/stages/health.hpp:216
   logic equal_31;
   assign equal_31 = place[3:0] == 4'hf;
-  // hls/stages/health.hpp:211
+  // hls/stages/health.hpp:213
   logic [3:0] y;
   assign y = first_i ? 4'h0 : y_q;
-  // hls/stages/health.hpp:216
+  // hls/stages/health.hpp:218
   logic [1:0] sum_96;
   assign sum_96 = y[1:0] + y[3:2];
 
-  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:276; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory above, 64 x 32, DISTANCE 16, hls/stages/health.hpp:278; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -141,30 +141,30 @@ module horopter_health (
   // hls/stages/health.hpp:125
   logic not_61;
   assign not_61 = ~(left_0_q < cfg_bright_level_i);
-  // hls/stages/health.hpp:210
+  // hls/stages/health.hpp:212
   logic [2:0] rows;
   assign rows = first_s1_q ? 3'h0 : rows_q;
-  // hls/stages/health.hpp:193
+  // hls/stages/health.hpp:195
   logic equal_76;
   assign equal_76 = rows[2:1] == 2'h0;
-  // hls/stages/health.hpp:173
+  // hls/stages/health.hpp:175
   logic [8:0] difference_77;
   assign difference_77 = {1'b0, left_0_q} - {1'b0, above_rdata_q[7:0]};
   logic [7:0] xor_78;
   assign xor_78 = difference_77[7:0] ^ {8{difference_77[8]}};
   logic [8:0] sum_79;
   assign sum_79 = {8'h0, difference_77[8]} + {1'b0, xor_78};
-  // hls/stages/health.hpp:175
+  // hls/stages/health.hpp:177
   logic [8:0] sum_80;
   assign sum_80 = sum_79 + 9'h1;
-  // hls/stages/health.hpp:174
+  // hls/stages/health.hpp:176
   logic [8:0] difference_81;
   assign difference_81 = {1'b0, left_0_q} - {1'b0, above_rdata_q[15:8]};
   logic [7:0] xor_82;
   assign xor_82 = difference_81[7:0] ^ {8{difference_81[8]}};
   logic [8:0] sum_83;
   assign sum_83 = {8'h0, difference_81[8]} + {1'b0, xor_82};
-  // hls/stages/health.hpp:175
+  // hls/stages/health.hpp:177
   logic [8:0] sum_85;
   assign sum_85 = sum_83 + 9'h1;
   logic less_86;
@@ -172,20 +172,20 @@ module horopter_health (
   // hls/stages/health.hpp:126
   logic [1:0] like;
   assign like = equal_31_s1_q ? (equal_76 ? 2'h0 : ((sum_80 < sum_83) ? 2'h1 : {2{less_86}})) : 2'h0;
-  // hls/stages/health.hpp:181
+  // hls/stages/health.hpp:183
   logic equal_90;
   assign equal_90 = like == 2'h1;
   logic equal_91;
   assign equal_91 = like == 2'h3;
   logic or_92;
   assign or_92 = equal_90 | equal_91;
-  // hls/stages/health.hpp:199
+  // hls/stages/health.hpp:201
   logic [20:0] sum_93;
   assign sum_93 = (first_s1_q ? 21'h0 : turn_q) + {{16{equal_90}}, 1'b0, {4{or_92}}};
-  // hls/stages/health.hpp:181
+  // hls/stages/health.hpp:183
   logic [1:0] select_95;
   assign select_95 = equal_90 ? 2'h1 : {2{equal_91}};
-  // hls/stages/health.hpp:173
+  // hls/stages/health.hpp:175
   logic [8:0] difference_101;
   assign difference_101 = {1'b0, left_0_q} - {1'b0, left_1_q};
   logic [7:0] xor_102;
@@ -198,58 +198,58 @@ module horopter_health (
   assign xor_106 = difference_105[7:0] ^ {8{difference_105[8]}};
   logic [8:0] sum_107;
   assign sum_107 = {8'h0, difference_105[8]} + {1'b0, xor_106};
-  // hls/stages/health.hpp:175
+  // hls/stages/health.hpp:177
   logic [8:0] sum_109;
   assign sum_109 = sum_107 + 9'h1;
   logic less_110;
   assign less_110 = sum_109 < sum_103;
   // hls/stages/health.hpp:126
-  logic [1:0] select_112;
-  assign select_112 = and_100_s1_q ? (((sum_103 + 9'h1) < sum_107) ? 2'h1 : {2{less_110}}) : 2'h0;
-  // hls/stages/health.hpp:181
+  logic [1:0] like_2;
+  assign like_2 = and_100_s1_q ? (((sum_103 + 9'h1) < sum_107) ? 2'h1 : {2{less_110}}) : 2'h0;
+  // hls/stages/health.hpp:183
   logic equal_114;
-  assign equal_114 = select_112 == 2'h3;
-  // hls/stages/health.hpp:201
+  assign equal_114 = like_2 == 2'h3;
+  // hls/stages/health.hpp:203
   logic [1:0] select_115;
-  assign select_115 = (select_112 == 2'h1) ? 2'h1 : {2{equal_114}};
+  assign select_115 = (like_2 == 2'h1) ? 2'h1 : {2{equal_114}};
   logic [8:0] sum_116;
   assign sum_116 = {{2{equal_90}}, select_95[1], equal_90, 1'b0, {4{select_95[0]}}} + {{3{select_115[1]}}, 1'b0, {5{select_115[0]}}};
-  // hls/stages/health.hpp:175
+  // hls/stages/health.hpp:177
   logic less_120;
   assign less_120 = sum_80 < sum_107;
   // hls/stages/health.hpp:126
-  logic [1:0] like_2;
-  assign like_2 = equal_31_s1_q ? (equal_76 ? 2'h0 : ((sum_109 < sum_79) ? 2'h1 : {2{less_120}})) : 2'h0;
-  // hls/stages/health.hpp:181
+  logic [1:0] like_3;
+  assign like_3 = equal_31_s1_q ? (equal_76 ? 2'h0 : ((sum_109 < sum_79) ? 2'h1 : {2{less_120}})) : 2'h0;
+  // hls/stages/health.hpp:183
   logic equal_125;
-  assign equal_125 = like_2 == 2'h3;
+  assign equal_125 = like_3 == 2'h3;
   logic [1:0] select_126;
-  assign select_126 = (like_2 == 2'h1) ? 2'h1 : {2{equal_125}};
-  // hls/stages/health.hpp:202
+  assign select_126 = (like_3 == 2'h1) ? 2'h1 : {2{equal_125}};
+  // hls/stages/health.hpp:204
   logic [20:0] sum_127;
   assign sum_127 = (first_s1_q ? 21'h0 : level_q) + {{16{select_126[1]}}, 1'b0, {4{select_126[0]}}};
-  // hls/stages/health.hpp:174
+  // hls/stages/health.hpp:176
   logic [8:0] difference_129;
   assign difference_129 = {1'b0, left_0_q} - {1'b0, above_rdata_q[31:24]};
   logic [7:0] xor_130;
   assign xor_130 = difference_129[7:0] ^ {8{difference_129[8]}};
   logic [8:0] sum_131;
   assign sum_131 = {8'h0, difference_129[8]} + {1'b0, xor_130};
-  // hls/stages/health.hpp:175
+  // hls/stages/health.hpp:177
   logic less_134;
   assign less_134 = (sum_131 + 9'h1) < sum_83;
   // hls/stages/health.hpp:126
   logic [1:0] select_137;
   assign select_137 = equal_31_s1_q ? (rows[2] ? ((sum_85 < sum_131) ? 2'h1 : {2{less_134}}) : 2'h0) : 2'h0;
-  // hls/stages/health.hpp:181
+  // hls/stages/health.hpp:183
   logic equal_139;
   assign equal_139 = select_137 == 2'h1;
-  // hls/stages/health.hpp:203
+  // hls/stages/health.hpp:205
   logic or_140;
   assign or_140 = (select_137 == 2'h3) | equal_139;
   logic [20:0] sum_141;
   assign sum_141 = (first_s1_q ? 21'h0 : pair_q) + {{16{equal_139}}, 1'b0, {4{or_140}}};
-  // hls/stages/health.hpp:205
+  // hls/stages/health.hpp:207
   logic [2:0] select_144;
   assign select_144 = y_s1_q ? (3'h0 - {like[1], like}) : {like[1], like};
   logic [15:0] sum_145;
@@ -313,38 +313,37 @@ module horopter_health (
   logic [31:0] signature_before_q;
   logic [1:0] frames_q;
   logic [7:0] repeats_q;
-  // hls/stages/health.hpp:133
-  logic [7:0] select_43;
-  assign select_43 = (repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1);
-  logic [7:0] select_46;
-  assign select_46 = frames_q[1] ? ((signature_before_q == signature_q) ? select_43 : 8'h0) : 8'h0;
+  // hls/stages/health.hpp:134
+  logic or_44;
+  assign or_44 = (frames_q[0] & (previous_signature_q == signature_q)) | (frames_q[1] & (signature_before_q == signature_q));
+  // hls/stages/health.hpp:135
   logic [7:0] select_48;
-  assign select_48 = frames_q[0] ? ((previous_signature_q == signature_q) ? select_43 : select_46) : select_46;
-  // hls/stages/health.hpp:137
+  assign select_48 = or_44 ? ((repeats_q == 8'hff) ? 8'hff : (repeats_q + 8'h1)) : 8'h0;
+  // hls/stages/health.hpp:139
   logic less_146;
   assign less_146 = cfg_dark_limit_i < dark_q;
-  // hls/stages/health.hpp:138
+  // hls/stages/health.hpp:140
   logic less_147;
   assign less_147 = cfg_bright_limit_i < bright_q;
-  // hls/stages/health.hpp:139
+  // hls/stages/health.hpp:141
   logic or_151;
   assign or_151 = less_147 | (less_146 | (cfg_contrast_limit_i < (brightest_q - darkest_q)));
   logic not_152;
   assign not_152 = ~or_151;
-  // hls/stages/health.hpp:140
+  // hls/stages/health.hpp:142
   logic less_154;
   assign less_154 = (cfg_frozen_limit_i + 8'hff) < select_48;
-  // hls/stages/health.hpp:143
+  // hls/stages/health.hpp:145
   logic and_158;
   assign and_158 = ($signed(23'h1f40) < $signed(aside_q)) & ($signed(21'h640) < $signed(level_q));
-  // hls/stages/health.hpp:144
+  // hls/stages/health.hpp:146
   logic [21:0] sum_160;
   assign sum_160 = {pair_q[20], pair_q} + {{2{pair_q[20]}}, pair_q[20:1]};
   logic [14:0] xor_161;
   assign xor_161 = even_less_odd_q[14:0] ^ {15{even_less_odd_q[15]}};
   logic [15:0] sum_162;
   assign sum_162 = {15'h0, even_less_odd_q[15]} + {1'b0, xor_161};
-  // hls/stages/health.hpp:147
+  // hls/stages/health.hpp:149
   logic and_164;
   assign and_164 = ($signed(21'h640) < $signed(pair_q)) & ($signed({sum_160[21], sum_160[21:6]}) < $signed({1'b0, sum_162}));
   logic or_166;
