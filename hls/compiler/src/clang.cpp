@@ -4,10 +4,12 @@
 #include <llvm/ADT/SmallString.h>
 #include <llvm/Support/FileSystem.h>
 #include <llvm/Support/Program.h>
+#include <llvm/Support/raw_ostream.h>
 
 #include <fstream>
 #include <optional>
 #include <sstream>
+#include <system_error>
 
 namespace hlsc {
 
@@ -70,7 +72,11 @@ TemporaryDirectory::TemporaryDirectory() {
   path_ = path.str().str();
 }
 
-TemporaryDirectory::~TemporaryDirectory() { (void)llvm::sys::fs::remove_directories(path_); }
+TemporaryDirectory::~TemporaryDirectory() {
+  if (const std::error_code error = llvm::sys::fs::remove_directories(path_)) {
+    llvm::errs() << "hlsc: " << path_ << " is left behind: " << error.message() << '\n';
+  }
+}
 
 std::string run_clang(const Options& options, const std::string& directory) {
   const llvm::ErrorOr<std::string> clang = llvm::sys::findProgramByName(options.clang);
