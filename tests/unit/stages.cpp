@@ -864,13 +864,13 @@ int torn_by_rows_as_by_pixels(int width, int height, int frames) {
     const auto row_of = [&](int y) {
       return std::span(image).subspan(static_cast<std::size_t>(y * width)).first(static_cast<std::size_t>(width));
     };
+    constexpr int kAcross = Stage::pixels_before / 2;
     for (int y = 0; y < height; ++y) {
       const int shift_px =
           static_cast<int>(random() % 100) * frames < 250 * k ? static_cast<int>(random() % 17) - 8 : 0;
       for (int x = 0; x < width; ++x)
         row_of(y)[static_cast<std::size_t>(x)] = static_cast<std::uint8_t>(
-            std::clamp(128 + 300 * scene(x + shift_px, Stage::pixels_before / 2 * y) + static_cast<int>(random() % 5),
-                       0.0, 255.0));
+            std::clamp(128 + 300 * scene(x + shift_px, kAcross * y) + static_cast<int>(random() % 5), 0.0, 255.0));
     }
     typename Stage::Config config;
     config.dark_level = static_cast<int>(random() % 128);
