@@ -100,6 +100,16 @@ TEST_CASE("what both cameras cannot see together is not seen") {
   CHECK(answer.seen_share < (what == "half covered" ? 0.6 : 0.3));
 }
 
+namespace {
+
+/// Of the lowest rows that have a result: the filters and their windows take those below.
+double seen_of_lowest(int rows, const Answer& answer, const Small::Config& config) {
+  const auto end = answer.seen_of_row.begin() + (config.compete != 0 ? 240 - 12 : 240 - 9);
+  return std::accumulate(end - rows, end, 0.0) / rows;
+}
+
+}  // namespace
+
 TEST_CASE("what is seen of the lowest rows is what both cameras see there") {
   Small::Config config = defaults(320, 240);
   config.compete = GENERATE(0, 1);
@@ -115,8 +125,6 @@ TEST_CASE("what is seen of the lowest rows is what both cameras see there") {
     std::copy(other.grey.begin() + from, other.grey.end(), picture.grey.begin() + from);
     return picture;
   };
-  // The filters and their windows take the last rows.
-  const std::size_t end = config.compete != 0 ? 240 - 12 : 240 - 9;
   const auto stage = std::make_unique<Small>();
   const auto mean_seen = [&](bool covers) {
     Answer answer;
@@ -124,9 +132,7 @@ TEST_CASE("what is seen of the lowest rows is what both cameras see there") {
       answer = frame(*stage, config, covers && left_covered ? covered(left) : left,
                      covers && !left_covered ? covered(right) : right);
     }
-    return std::accumulate(answer.seen_of_row.begin() + static_cast<std::ptrdiff_t>(end) - 24,
-                           answer.seen_of_row.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
-           24;
+    return seen_of_lowest(24, answer, config);
   };
   CHECK(mean_seen(false) > 0.8);
   CHECK(mean_seen(true) < 0.5);
@@ -159,11 +165,7 @@ TEST_CASE("where the lowest rows have nothing to tell by, the region above them 
   }
   const Answer answer = last_of(3, config, left, right);
   CHECK_FALSE(answer.verdict.disagree);
-  const std::size_t end = config.compete != 0 ? 240 - 12 : 240 - 9;
-  const double seen_there = std::accumulate(answer.seen_of_row.begin() + static_cast<std::ptrdiff_t>(end) - 12,
-                                            answer.seen_of_row.begin() + static_cast<std::ptrdiff_t>(end), 0.0) /
-                            12;
-  CHECK((seen_there > 0.5) != covers);
+  CHECK((seen_of_lowest(12, answer, config) > 0.5) != covers);
 }
 
 TEST_CASE("too little in all, in too many regions, or around too many places: each says that the cameras disagree") {
