@@ -126,7 +126,7 @@ class Agreement {
     u<5> on_skin_limit;     // largest share of places, or of cells, on the skin, in 1/32; 31 = never
     u<8> on_skin_cells;     // so many cells on the skin are never too many: 4
     u<1> alarm_before;      // the frame before showed an alarm, and that counted
-    u<1> same_table;        // the frame before had the same mapping table
+    u<1> same_table;        // the frame before of this field had the same mapping table
     s<16> epipolar_slope;   // displacement across the rows of a shift along them, at the first cell: 2^-15
     s<16> epipolar_column;  // its change from column to column: 2^-20
     s<16> epipolar_row;     // and from row to row: 2^-20
@@ -365,7 +365,7 @@ class Agreement {
   using Age = u<std::max(window, box) + 1>;
   static_assert(columns + half_window + gap < 256 && rows < 128);
   using OfImage = Registration<columns, rows, gap, !fast>;
-  using OfMoments = Moments<columns * rows>;
+  using OfMoments = Moments<columns * rows, P.fields_per_image()>;
   using OfPatches = Patches<P, cell, gap, AT_ONCE>;
   using Shift = typename OfImage::Shift;
   static constexpr int slots = OfImage::slots;  // beats of a cell where a row concludes
@@ -1010,7 +1010,10 @@ class Agreement {
   void match(const Looked& looked, const Step& left, const Step& right) {
     if (looked.explained) shown_right_.write(looked.partner, Shown{true, looked.nearer});
     if (!looked.inside) return;
-    const auto turned = moments_.take(row_ == 0 && x_ == 0, looked.explained && !late_, left, right);
+    // The first rows compared are the lowest ones of the frame before: of them no step counts.
+    const bool of_frame = row_ >= middle;
+    const auto turned = moments_.take(row_ == 0 && x_ == 0, looked.explained, Step{left.strong && of_frame, left.rises},
+                                      Step{right.strong && of_frame, right.rises});
     left_turns_.write(x_, turned[0]);
     right_turns_.write(x_, turned[1]);
   }

@@ -10,7 +10,10 @@
 // turn in the one image, and not a quarter as many in the other; and from then on, until many turn in both at once, of
 // whom hardly any had turned in the frame before: a motion begins, and both see it.
 //
-// Memory: the step of each cell, 2 bits of each camera.
+// The frame before of a field is the one of the same rows: with FIELDS of an image in turn, that many frames before. Each
+// field is in step or not by itself. After a field that was lost each is compared with the other one, until the next.
+//
+// Memory: the step of each cell, 2 bits of each camera, for each field.
 #pragma once
 
 #include <array>
@@ -36,10 +39,11 @@ struct Turn {
   bool turned = false;
 };
 
-/// CELLS: of a frame.
-template <int CELLS>
+/// CELLS: of a frame. FIELDS: that take turns, 1 or 2.
+template <int CELLS, int FIELDS>
 class Moments {
   static constexpr int least = 12;  // cells
+  static_assert(FIELDS == 1 || FIELDS == 2);
 
  public:
   using Turns = std::array<Turn, 2>;
@@ -48,7 +52,14 @@ class Moments {
   void begin_step() {
     memory_.begin_step();
     // Every beat, from registers: the way from beat to beat is short.
-    out_of_step_ = begins_alone_ || (out_of_step_ && !ends_);
+    const bool out_of_step = begins_alone_ || (out_of_step_ && !ends_);
+    if constexpr (FIELDS == 1) {
+      out_of_step_ = out_of_step;
+    } else {
+      out_of_step_ = ended_ ? other_field_.out_of_step : out_of_step;
+      if (ended_) other_field_.out_of_step = out_of_step;
+      ended_ = false;
+    }
     begins_alone_ = ends_ = false;
     for (std::size_t i = 0; i < 2; ++i) {
       turned_[i] = Count((starts_ ? Count(0) : turned_[i]) + u<1>(turns_[i]));
@@ -65,7 +76,8 @@ class Moments {
     taken_ = true;
     Turns turns;
     if (place >= CELLS) return turns;
-    const Steps before = memory_.read(place);
+    const Address address = address_of(place);
+    const Steps before = memory_.read(address);
     Steps now;
     now.step[0] = left;
     now.step[1] = right;
@@ -75,7 +87,7 @@ class Moments {
       turns_[i] = turns[i].turned;
     }
     now.step[0].strong = left.strong && explained;
-    memory_.write(place, now);
+    memory_.write(address, now);
     return turns;
   }
 
@@ -93,10 +105,25 @@ class Moments {
         (left_.alone && (left_.begins || left_.other_stops)) || (right_.alone && (right_.begins || right_.other_stops));
     begins_alone_ = watched && same_table && alone;
     ends_ = !watched || (same_table && left_.begins && right_.begins);
-    before_ = turned_;
-    has_before_ = true;
+    if constexpr (FIELDS == 1) {
+      before_ = turned_;
+      has_before_ = true;
+    } else {
+      before_ = other_field_.before;
+      has_before_ = other_field_.has_before;
+      other_field_.before = turned_;
+      other_field_.has_before = true;
+      other_field_.second = !other_field_.second;
+      ended_ = true;
+    }
   }
-  [[nodiscard]] bool out_of_step() const { return out_of_step_; }
+  [[nodiscard]] bool out_of_step() const {
+    if constexpr (FIELDS == 1) {
+      return out_of_step_;
+    } else {
+      return out_of_step_ || other_field_.out_of_step;
+    }
+  }
 
  private:
   using Place = u<bits_for(CELLS) + 1>;
@@ -114,12 +141,21 @@ class Moments {
     return {many(pairs, most_before_), many(pairs, other), many(other_before, other)};
   }
 
+  using Address = u<bits_for(FIELDS* CELLS) + 1>;
+  Address address_of(const Place& place) const {
+    if constexpr (FIELDS == 1) {
+      return place;
+    } else {
+      return select(other_field_.second, Address(place + lit<CELLS>()), Address(place));
+    }
+  }
+
   static bool many(const Count& these, const Count& those) { return these >= shl<2>(those) + lit<least>(); }
 
-  RAM<Steps, CELLS, min_row_beats> memory_;
+  RAM<Steps, FIELDS * CELLS, min_row_beats> memory_;
   Place place_{0};                 // of the next cell
   std::array<Count, 2> turned_{};  // in this frame, of all cells
-  std::array<Count, 2> before_{};  // in the frame before
+  std::array<Count, 2> before_{};  // in the frame before of this field
   bool has_before_ = false;        // there is one
   Count most_before_{0};
   Change left_, right_;
@@ -128,6 +164,15 @@ class Moments {
   bool taken_ = false, starts_ = false;
   std::array<bool, 2> turns_{};               // the cell of the beat before
   bool begins_alone_ = false, ends_ = false;  // with the next beat
+  // Of two fields: what the other one is to be compared with.
+  struct OtherField {
+    std::array<Count, 2> before{};
+    bool has_before = false;
+    bool out_of_step = false;
+    bool second = false;  // this field's steps are in the second half of the memory
+  };
+  OtherField other_field_;
+  bool ended_ = false;  // a frame, in the beat before
 };
 
 }  // namespace horopter::stages

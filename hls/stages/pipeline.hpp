@@ -41,7 +41,7 @@ using hls::CompeteSettings;
 struct Settings : hls::StageSettings {
   int lookahead = 0;         // rows
   int forget = 0;            // the frame before taught what went blind, but had a fault or an alarm
-  int same_table = 1;        // the frame before had the same one
+  int same_table = 1;        // the frame before of this field had the same one
   int alarm_discounted = 0;  // the frame before showed an alarm that ALARM_FRAMES did not count
 
   /// ⌊p · 15·k² / 100⌋.

@@ -394,12 +394,6 @@ void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& 
         "what is behind the skin lies too much higher or lower in the right image for a fine comparison",
         skin));
   }
-  if (profile.takes_fields()) {
-    warn(fmt::format(
-        "profile {}: a camera that is a frame late, or that is turned about its vertical axis while the machine watches, is "
-        "not found. Both fields have their own table, and out_of_step compares only frames of one table",
-        profile.name));
-  }
 }
 
 void report_rows(Decision decision, bool has_rig, nlohmann::ordered_json& summary, bool json) {

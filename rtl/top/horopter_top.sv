@@ -187,7 +187,7 @@ module horopter_top #(
   logic [11:0] width, height, lookahead;
   logic [31:0] timeout;
   logic [3:0] table_select, active_slot_q;
-  logic same_table_q;  // the frame before had the same one
+  logic same_table_q;  // the frame before of this field had the same one
   horopter_csr_pkg::irq_enable_t irq_enable;
   horopter_csr_pkg::irq_status_t irq_set, irq_status;
   logic [15:0] sum_limit, self_limit, texture_limit;
@@ -683,13 +683,26 @@ module horopter_top #(
   logic [MAP_ADDR_BITS-1:0] areas_addr;
   logic go, beat_parity_error;
 
+  // Two fields take turns, each with a table of its own: the slot of two frames ago.
+  logic [3:0] slot_before;
+  if (SUBSAMPLE == 1) begin : g_frames
+    assign slot_before = active_slot_q;
+  end else begin : g_fields
+    logic [3:0] slot_before_q;
+    always_ff @(posedge clk_i) begin
+      if (!core_rst_n) slot_before_q <= horopter_csr_pkg::NO_SLOT;
+      else if (lookup) slot_before_q <= active_slot_q;
+    end
+    assign slot_before = slot_before_q;
+  end
+
   always_ff @(posedge clk_i) begin
     if (!core_rst_n) begin
       active_slot_q <= horopter_csr_pkg::NO_SLOT;
       same_table_q <= 1'b0;
     end else if (lookup) begin
       active_slot_q <= table_select;
-      same_table_q <= table_select == active_slot_q;
+      same_table_q <= table_select == slot_before;
     end
   end
 

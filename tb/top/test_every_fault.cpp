@@ -413,6 +413,27 @@ void check_that_another_table_is_no_motion(SceneBench<Build>& bench) {
   }
 }
 
+/// Two tables take turns. A field is compared with the one before that has its table; a whole image is not.
+template <class Build>
+void check_tables_in_turn(SceneBench<Build>& bench) {
+  auto& machine = bench.machine;
+  const bool fields = machine.profile().takes_fields();
+  bench.restart();
+  machine.upload(1, 500, bench.table);
+  CHECK(machine.upload_error() == 0);
+  unsigned slot = 1;
+  const auto is_out_of_step = [&](int right) {
+    slot ^= 1U;
+    machine.select(slot);
+    machine.send({bench.view(0, 0), bench.view(right, 0)});
+    const Published p = machine.receive();
+    CHECK(p.table_crc == bench.table.back());
+    return p.fault_names().contains("out_of_step");
+  };
+  for (int frame = 0; frame < 4; ++frame) CHECK_FALSE(is_out_of_step(2));
+  for (int frame = 0; frame < 3; ++frame) CHECK(is_out_of_step(4) == fields);
+}
+
 /// What only a scene tells: whether both cameras see it, and from where.
 template <class Build>
 std::set<std::string> faults_of_scenes() {
@@ -443,6 +464,7 @@ std::set<std::string> faults_of_scenes() {
   });
   bench.raise("out_of_step", [&] { machine.send({bench.view(0, 0), bench.view(4, 0)}); });
   check_that_another_table_is_no_motion(bench);
+  check_tables_in_turn(bench);
   bench.raise("moved", [&] { machine.send({bench.view(0, 0), bench.view(2, -1)}); });
   bench.raise("hidden", [&] {
     for (int frame = 0; frame < 3; ++frame) machine.send({bench.view(0, 0), bench.view(-2, 0)});

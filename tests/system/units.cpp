@@ -160,19 +160,6 @@ TEST_CASE("A rig without image size is taken for images that it may be of") {
   check_bad_file(box, run(), "skin.yaml", "has its centre at (199.5, 119.5) px");
 }
 
-TEST_CASE("Of fields it is said that a camera that is late is not found") {
-  const Watched box;
-  for (const std::string profile : {"field", "vga"}) {
-    const auto result = box.run_proven(run() + Arguments{"--profile", profile, "--object", "40px"});
-    CAPTURE(profile, result.err);
-    CHECK((result.status == 0 || result.status == 4));
-    const bool is_said = result.err.find("a camera that is a frame late") != std::string::npos;
-    CHECK(is_said == (profile == "field"));
-    if (is_said) CHECK(json::parse(result.out).contains("warnings"));
-    fs::remove_all(box / "out");
-  }
-}
-
 TEST_CASE("A table of some rig is said to be unchecked without --rig") {
   const Watched box;
   REQUIRE(box.run(kMap + Arguments{"-o", "skin.hmap"}).status == 0);

@@ -552,6 +552,56 @@ TEST_CASE("What changes in one image alone is out of step; with another table th
   }
 }
 
+TEST_CASE("Each field is out of step by itself, as it is compared with the one before of its own rows") {
+  const MachineProfile& profile = find_profile("field");
+  constexpr int kW = 640, kH = 240, kCell_px = 16;  // of a field
+  const Image small = enlarged(textured(kW / kCell_px, kH / 8, 1), 8);
+  Image left(kW, kH);
+  for (int y = 0; y < kH; ++y) {
+    for (int x = 0; x < kW; ++x)
+      left.at(x, y) = static_cast<std::uint8_t>(std::clamp(4 * small.at(x / 2, y) - 375, 0, 255));
+  }
+  Settings settings;
+  settings.still_limit = settings.frozen_limit = 0;
+  Monitor monitor(make_native_device(profile), profile, settings);
+  monitor.start(kW, kH, 8);
+  for (int slot : {0, 1}) monitor.upload(slot, shift_table(profile, kW, kH, -12, 0));
+  int field = 1;
+  // The right image is displaced by `shift_px`, and both have moved by `way_px`.
+  const auto is_out_of_step = [&](int shift_px, int way_px = 0) {
+    field = 1 - field;
+    monitor.select(field);
+    const Image now = moved(left, way_px, 0);
+    return monitor.process(now, moved(now, shift_px, 0)).faults.has(Fault::out_of_step);
+  };
+  for (int i = 0; i < 4; ++i) CHECK_FALSE(is_out_of_step(-12));
+  SECTION("a motion in one image") {
+    for (int i = 0; i < 6; ++i) CHECK(is_out_of_step(-12 + 2 * kCell_px));
+    // It begins in both: the fault ends when both fields have seen it.
+    CHECK(is_out_of_step(-12, 4 * kCell_px));
+    for (int i = 0; i < 3; ++i) CHECK_FALSE(is_out_of_step(-12, 4 * kCell_px));
+  }
+  SECTION("one that one field alone has seen so far") {
+    CHECK(is_out_of_step(-12 + 2 * kCell_px));
+    // As from a camera that is a field late: in the next one both have moved, since two fields ago.
+    CHECK(is_out_of_step(-12, 2 * kCell_px));
+    for (int i = 0; i < 3; ++i) CHECK(is_out_of_step(-12, 2 * kCell_px));
+  }
+  SECTION("a motion in both images") {
+    for (int i = 1; i < 6; ++i) CHECK_FALSE(is_out_of_step(-12, i / 2 * kCell_px));
+  }
+  SECTION("after a field that is lost, each is compared again from the second on") {
+    field = 1 - field;
+    for (int i = 0; i < 3; ++i) CHECK_FALSE(is_out_of_step(-12));
+    CHECK(is_out_of_step(-12 + 2 * kCell_px));
+  }
+  SECTION("the tables go on: a skin that moves") {
+    monitor.upload(2, shift_table(profile, kW, kH, -12, 0));
+    field = -1;
+    CHECK_FALSE(is_out_of_step(-12 + 2 * kCell_px));
+  }
+}
+
 TEST_CASE("What has texture along the rows alone cannot be proven, and is shown sixty times") {
   const MachineProfile& profile = find_profile("vga");
   constexpr int kW = 320, kH = 240;

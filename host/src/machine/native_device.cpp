@@ -344,8 +344,8 @@ void NativeDevice::reset_stream() {
   alarms_seen_ = kAllSeen;
   taught_ = taught_before_ = forget_ = alarm_discounted_ = dim_ = false;
   taught_frames_ = 0;
-  active_slot_ = kNoTable;
-  same_table_ = false;
+  active_slot_ = slot_before_ = kNoTable;
+  has_table_ = same_table_ = false;
   frame_faults_pending_ = {};
 }
 
@@ -432,11 +432,10 @@ native::Settings NativeDevice::settings() const {
   s.dim = s.dim != 0 && s.teach != 0 && !dim_ ? 1 : 0;
   // Without a table nothing is undecidable.
   s.undecidable_limit = 0;
-  if (active_slot_ != kNoTable) {
-    const Table& table = *tables_.at(static_cast<std::size_t>(active_slot_));
-    s.undecidable_limit = table.undecidable_limit;
+  if (const Table* table = active_table()) {
+    s.undecidable_limit = table->undecidable_limit;
     s.unsupervised_limit =
-        std::min(s.unsupervised_limit, static_cast<int>(hls::table::unsupervised_pixels(table.words, s.compete != 0)));
+        std::min(s.unsupervised_limit, static_cast<int>(hls::table::unsupervised_pixels(table->words, s.compete != 0)));
   }
   if (s.dim != 0) {
     s.undecidable_limit =
@@ -462,10 +461,14 @@ void NativeDevice::send(const Image& left, const Image& right) {
 /// The table is looked up at the start of the output frame.
 void NativeDevice::start_frame() {
   const auto selected = stored(reg::table_select::kAddress);
-  const bool usable = selected < tables_.size() && tables_[selected].has_value() && fits(*tables_[selected]);
-  const int slot = usable ? static_cast<int>(selected) : kNoTable;
-  same_table_ = slot == active_slot_;
-  active_slot_ = slot;
+  const int slot_before = profile_.takes_fields() ? slot_before_ : active_slot_;
+  same_table_ = static_cast<int>(selected) == slot_before;
+  slot_before_ = std::exchange(active_slot_, static_cast<int>(selected));
+  has_table_ = selected < tables_.size() && tables_[selected].has_value() && fits(*tables_[selected]);
+}
+
+const NativeDevice::Table* NativeDevice::active_table() const {
+  return has_table_ ? &*tables_.at(static_cast<std::size_t>(active_slot_)) : nullptr;
 }
 
 bool NativeDevice::fits(const Table& table) const {
@@ -479,7 +482,7 @@ FrameStreams NativeDevice::receive() {
   pending_.pop_front();
 
   // What is in use cannot be overwritten.
-  const Table* table = active_slot_ != kNoTable ? &*tables_.at(static_cast<std::size_t>(active_slot_)) : nullptr;
+  const Table* table = active_table();
   const std::vector<std::uint32_t> none =
       table == nullptr ? empty_table(left.width, left.height) : std::vector<std::uint32_t>();
   const native::Settings settings = this->settings();
@@ -546,9 +549,10 @@ FrameStreams NativeDevice::receive() {
   faults_ |= faults;
   irq_status_ |= reg::irq_status::kFrame.mask() | (faults.any() ? reg::irq_status::kFault.mask() : 0);
   const auto count = [](auto pixels) { return static_cast<std::uint32_t>(pixels); };
+  const int slot = table != nullptr ? active_slot_ : kNoTable;
   frame_ = {.sequence = frame_.sequence + 1,
             .status = reg::frame_status::kAlarm.put(result.alarm && !good) | reg::frame_status::kSafe.put(good) |
-                      reg::frame_status::kSlot.put(static_cast<std::uint32_t>(active_slot_)) |
+                      reg::frame_status::kSlot.put(static_cast<std::uint32_t>(slot)) |
                       reg::frame_status::kSeen.put(result.alarm),
             .faults = faults,
             .table_crc = table != nullptr ? table->words.back() : 0,

@@ -3,7 +3,7 @@
 //
 // Latency 4 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 3100 bits, pipeline 842 bits, memories 66591 bits.
+// State 3131 bits, pipeline 844 bits, memories 73171 bits.
 module horopter_agreement (
   input  logic clk_i,
   input  logic rst_ni,
@@ -72,22 +72,22 @@ module horopter_agreement (
   assign s3_en = en_i & valid_s3_q;
 
   // Of the configuration alone: not pipelined.
-  logic not_2360;
-  assign not_2360 = ~cfg_prove_i;
-  logic [5:0] sum_2573;
-  assign sum_2573 = {1'b0, cfg_height_i[8:4]} + 6'h5;
-  logic less_2578;
-  assign less_2578 = 6'h8 < cfg_height_i[8:3];
-  logic [6:0] difference_3611;
-  assign difference_3611 = 7'h0 - {1'b0, cfg_patch_limit_i};
-  logic not_3804;
-  assign not_3804 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_3841;
-  assign difference_3841 = 7'h0 - {1'b0, cfg_height_i[8:3]};
-  logic [5:0] sum_4113;
-  assign sum_4113 = {2'h0, cfg_height_i[8:5]} + 6'h3f;
-  logic [7:0] select_4114;
-  assign select_4114 = (6'h4 < cfg_height_i[8:3]) ? {sum_4113, cfg_height_i[4:3]} : 8'h0;
+  logic not_2370;
+  assign not_2370 = ~cfg_prove_i;
+  logic [5:0] sum_2593;
+  assign sum_2593 = {1'b0, cfg_height_i[8:4]} + 6'h5;
+  logic less_2598;
+  assign less_2598 = 6'h8 < cfg_height_i[8:3];
+  logic [6:0] difference_3631;
+  assign difference_3631 = 7'h0 - {1'b0, cfg_patch_limit_i};
+  logic not_3823;
+  assign not_3823 = ~(cfg_on_skin_limit_i == 5'h1f);
+  logic [6:0] difference_3860;
+  assign difference_3860 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic [5:0] sum_4132;
+  assign sum_4132 = {2'h0, cfg_height_i[8:5]} + 6'h3f;
+  logic [7:0] select_4133;
+  assign select_4133 = (6'h4 < cfg_height_i[8:3]) ? {sum_4132, cfg_height_i[4:3]} : 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic left_first_q;
@@ -156,412 +156,412 @@ module horopter_agreement (
   logic [4:0] patches_column_q;
   logic patches_column_ends_q;
   // hls/stages/census.hpp:42
-  logic [2:0] select_512;
-  assign select_512 = sample_pair_first_q ? 3'h0 : raster_at_x_q;
+  logic [2:0] select_517;
+  assign select_517 = sample_pair_first_q ? 3'h0 : raster_at_x_q;
   // hls/stages/census.hpp:34
   logic row_starts;
   assign row_starts = sample_pair_first_q | raster_row_ended_q;
   // hls/stages/census.hpp:124
-  logic [7:0] select_516;
-  assign select_516 = select_512[0] ? averager_place_q : (row_starts ? 8'h0 : (averager_place_q + 8'h1));
+  logic [7:0] select_521;
+  assign select_521 = select_517[0] ? averager_place_q : (row_starts ? 8'h0 : (averager_place_q + 8'h1));
   // hls/stages/census.hpp:122
-  logic or_520;
-  assign or_520 = row_starts | (averager_inside_q & (~(averager_place_q == 8'hbc)));
+  logic or_525;
+  assign or_525 = row_starts | (averager_inside_q & (~(averager_place_q == 8'hbc)));
   // hls/stages/census.hpp:124
-  logic select_521;
-  assign select_521 = select_512[0] ? averager_inside_q : or_520;
+  logic select_526;
+  assign select_526 = select_517[0] ? averager_inside_q : or_525;
   // hls/stages/census.hpp:42
-  logic or_522;
-  assign or_522 = sample_pair_first_q | raster_at_live_q;
+  logic or_527;
+  assign or_527 = sample_pair_first_q | raster_at_live_q;
   // hls/stages/agreement.hpp:423
-  logic and_524;
-  assign and_524 = select_521 & (select_512[0] & or_522);
+  logic and_529;
+  assign and_529 = select_526 & (select_517[0] & or_527);
   // hls/stages/census.hpp:42
-  logic [2:0] select_529;
-  assign select_529 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
-  logic [5:0] select_545;
-  assign select_545 = sample_pair_first_q ? 6'h0 : raster_at_column_q;
+  logic [2:0] select_534;
+  assign select_534 = sample_pair_first_q ? 3'h0 : raster_at_y_q;
+  logic [5:0] select_550;
+  assign select_550 = sample_pair_first_q ? 6'h0 : raster_at_column_q;
   // hls/stages/agreement.hpp:277
   logic [5:0] last;
-  assign last = sample_pair_whole_q ? select_545 : 6'h0;
+  assign last = sample_pair_whole_q ? select_550 : 6'h0;
   // hls/stages/census.hpp:53
-  logic equal_547;
-  assign equal_547 = select_512 == 3'h7;
+  logic equal_552;
+  assign equal_552 = select_517 == 3'h7;
   // hls/stages/census.hpp:58
-  logic equal_548;
-  assign equal_548 = select_529 == 3'h7;
+  logic equal_553;
+  assign equal_553 = select_534 == 3'h7;
   // hls/stages/census.hpp:134
-  logic and_549;
-  assign and_549 = equal_548 & and_524;
+  logic and_554;
+  assign and_554 = equal_553 & and_529;
   // hls/stages/agreement.hpp:277
-  logic and_551;
-  assign and_551 = sample_pair_whole_q & (equal_547 & and_549);
+  logic and_556;
+  assign and_556 = sample_pair_whole_q & (equal_552 & and_554);
   // hls/stages/agreement.hpp:197
   logic so;
   assign so = run_phase_q == 3'h6;
   // hls/stages/agreement.hpp:633
-  logic equal_580;
-  assign equal_580 = run_phase_q == 3'h5;
+  logic equal_587;
+  assign equal_587 = run_phase_q == 3'h5;
   // hls/stages/agreement.hpp:604
-  logic or_581;
-  assign or_581 = so | equal_580;
+  logic or_588;
+  assign or_588 = so | equal_587;
   // hls/stages/agreement.hpp:602
-  logic [7:0] sum_582;
-  assign sum_582 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
+  logic [7:0] sum_589;
+  assign sum_589 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
   // hls/stages/agreement.hpp:604
-  logic [7:0] select_583;
-  assign select_583 = run_shift_q[5] ? x_q : sum_582;
-  logic less_584;
-  assign less_584 = {2'h0, last_q} < select_583;
+  logic [7:0] select_590;
+  assign select_590 = run_shift_q[5] ? x_q : sum_589;
+  logic less_591;
+  assign less_591 = {2'h0, last_q} < select_590;
   // hls/stages/agreement.hpp:227
-  logic not_585;
-  assign not_585 = ~less_584;
+  logic not_592;
+  assign not_592 = ~less_591;
   // hls/stages/agreement.hpp:624
-  logic equal_595;
-  assign equal_595 = run_phase_q == 3'h3;
+  logic equal_601;
+  assign equal_601 = run_phase_q == 3'h3;
   // hls/stages/agreement.hpp:625
-  logic equal_596;
-  assign equal_596 = run_phase_q == 3'h2;
+  logic equal_602;
+  assign equal_602 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:150
-  logic and_597;
-  assign and_597 = equal_596 & not_585;
-  logic select_599;
-  assign select_599 = or_581 ? not_585 : (equal_595 ? not_585 : and_597);
+  logic and_603;
+  assign and_603 = equal_602 & not_592;
+  logic select_605;
+  assign select_605 = or_588 ? not_592 : (equal_601 ? not_592 : and_603);
   // hls/stages/agreement.hpp:808
   logic [7:0] x;
   assign x = x_q + 8'hfd;
   // hls/stages/agreement.hpp:806
-  logic [6:0] sum_614;
-  assign sum_614 = {1'b0, last_q} + 7'h3;
+  logic [6:0] sum_618;
+  assign sum_618 = {1'b0, last_q} + 7'h3;
   // hls/stages/agreement.hpp:150
-  logic and_619;
-  assign and_619 = equal_595 & (age_q[2] & (ends_cell_q & (~({1'b0, sum_614} < select_583))));
-  logic select_620;
-  assign select_620 = or_581 ? not_585 : and_619;
+  logic and_623;
+  assign and_623 = equal_601 & (age_q[2] & (ends_cell_q & (~({1'b0, sum_618} < select_590))));
+  logic select_624;
+  assign select_624 = or_588 ? not_592 : and_623;
   // hls/stages/agreement.hpp:831
   logic [5:0] right;
-  assign right = sum_582[5:0] + 6'h3d;
+  assign right = sum_589[5:0] + 6'h3d;
   // hls/stages/agreement.hpp:730
-  logic not_652;
-  assign not_652 = ~or_581;
+  logic not_659;
+  assign not_659 = ~or_588;
   // hls/stages/agreement.hpp:150
-  logic and_655;
-  assign and_655 = not_652 & ((~equal_595) & and_597);
+  logic and_662;
+  assign and_662 = not_659 & ((~equal_601) & and_603);
   // hls/stages/census.hpp:42
-  logic [5:0] select_682;
-  assign select_682 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
+  logic [5:0] select_689;
+  assign select_689 = sample_pair_first_q ? 6'h0 : raster_at_row_q;
   // hls/stages/agreement.hpp:277
   logic [5:0] row;
-  assign row = sample_pair_whole_q ? select_682 : 6'h0;
+  assign row = sample_pair_whole_q ? select_689 : 6'h0;
   // hls/stages/patches.hpp:396
-  logic not_1679;
-  assign not_1679 = ~patches_begins_q;
+  logic not_1686;
+  assign not_1686 = ~patches_begins_q;
   // hls/stages/census.hpp:33
-  logic not_1682;
-  assign not_1682 = ~sample_pair_first_q;
+  logic not_1689;
+  assign not_1689 = ~sample_pair_first_q;
   // hls/stages/patches.hpp:366
-  logic and_1683;
-  assign and_1683 = patches_capturing_q & not_1682;
+  logic and_1690;
+  assign and_1690 = patches_capturing_q & not_1689;
   // hls/stages/patches.hpp:368
-  logic equal_1684;
-  assign equal_1684 = {or_522, select_529} == 4'hc;
+  logic equal_1691;
+  assign equal_1691 = {or_527, select_534} == 4'hc;
   // hls/stages/patches.hpp:315
-  logic equal_1686;
-  assign equal_1686 = patches_band_rows_rows_to_next_q == 4'h0;
+  logic equal_1693;
+  assign equal_1693 = patches_band_rows_rows_to_next_q == 4'h0;
   // hls/stages/patches.hpp:125
-  logic and_1691;
-  assign and_1691 = (not_1679 & (patches_work_q == 3'h0)) & (~(and_1683 | ((~equal_1684) | (~equal_1686))));
+  logic and_1698;
+  assign and_1698 = (not_1686 & (patches_work_q == 3'h0)) & (~(and_1690 | ((~equal_1691) | (~equal_1693))));
   // hls/stages/patches.hpp:537
-  logic equal_1782;
-  assign equal_1782 = patches_work_q == 3'h4;
+  logic equal_1789;
+  assign equal_1789 = patches_work_q == 3'h4;
   // hls/stages/patches.hpp:516
-  logic not_1783;
-  assign not_1783 = ~equal_1782;
+  logic not_1790;
+  assign not_1790 = ~equal_1789;
   // hls/stages/patches.hpp:509
-  logic equal_1784;
-  assign equal_1784 = patches_work_q == 3'h3;
+  logic equal_1791;
+  assign equal_1791 = patches_work_q == 3'h3;
   // hls/stages/patches.hpp:462
-  logic not_1785;
-  assign not_1785 = ~equal_1784;
+  logic not_1792;
+  assign not_1792 = ~equal_1791;
   // hls/stages/patches.hpp:503
-  logic equal_1786;
-  assign equal_1786 = patches_work_q == 3'h2;
+  logic equal_1793;
+  assign equal_1793 = patches_work_q == 3'h2;
   // hls/stages/patches.hpp:168
-  logic equal_1787;
-  assign equal_1787 = patches_work_q == 3'h1;
+  logic equal_1794;
+  assign equal_1794 = patches_work_q == 3'h1;
   // hls/stages/patches.hpp:537
-  logic or_1788;
-  assign or_1788 = equal_1786 | equal_1787;
+  logic or_1795;
+  assign or_1795 = equal_1793 | equal_1794;
   // hls/stages/patches.hpp:464
-  logic not_1789;
-  assign not_1789 = ~patches_second_q;
+  logic not_1796;
+  assign not_1796 = ~patches_second_q;
   // hls/stages/patches.hpp:377
-  logic [4:0] select_1811;
-  assign select_1811 = and_1691 ? 5'h0 : (patches_row_q + 5'h1);
+  logic [4:0] select_1818;
+  assign select_1818 = and_1698 ? 5'h0 : (patches_row_q + 5'h1);
   // hls/stages/patches.hpp:126
-  logic [4:0] select_1812;
-  assign select_1812 = row_starts ? select_1811 : patches_row_q;
+  logic [4:0] select_1819;
+  assign select_1819 = row_starts ? select_1818 : patches_row_q;
   // hls/stages/patches.hpp:125
-  logic and_1814;
-  assign and_1814 = and_1683 & (patches_row_q == 5'h1f);
+  logic and_1821;
+  assign and_1821 = and_1690 & (patches_row_q == 5'h1f);
   // hls/stages/patches.hpp:126
-  logic select_1818;
-  assign select_1818 = row_starts ? (and_1691 | (and_1683 & (~and_1814))) : patches_capturing_q;
+  logic select_1825;
+  assign select_1825 = row_starts ? (and_1698 | (and_1690 & (~and_1821))) : patches_capturing_q;
   // hls/stages/agreement.hpp:276
-  logic and_1826;
-  assign and_1826 = not_1783 & (not_1785 & (or_1788 & (patches_second_q & equal_1787)));
+  logic and_1833;
+  assign and_1833 = not_1790 & (not_1792 & (or_1795 & (patches_second_q & equal_1794)));
   // hls/stages/patches.hpp:168
-  logic not_1842;
-  assign not_1842 = ~equal_1787;
+  logic not_1849;
+  assign not_1849 = ~equal_1794;
   // hls/stages/agreement.hpp:277
-  logic [3:0] select_1858;
-  assign select_1858 = row_starts ? {select_1811[4], select_1811[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
+  logic [3:0] select_1865;
+  assign select_1865 = row_starts ? {select_1818[4], select_1818[2:0]} : {patches_row_q[4], patches_row_q[2:0]};
   // hls/stages/patches.hpp:462
-  logic and_1868;
-  assign and_1868 = not_1783 & (or_1788 & not_1785);
+  logic and_1875;
+  assign and_1875 = not_1790 & (or_1795 & not_1792);
   // hls/stages/agreement.hpp:191
-  logic and_1974;
-  assign and_1974 = right_q & (~marks_first_i);
+  logic and_1981;
+  assign and_1981 = right_q & (~marks_first_i);
   // hls/stages/agreement.hpp:277
-  logic [2:0] select_2150;
-  assign select_2150 = sample_pair_whole_q ? (sample_last_q ? 3'h0 : (select_512 + 3'h1)) : raster_at_x_q;
-  logic [2:0] select_2153;
-  assign select_2153 = sample_pair_whole_q ? (sample_last_q ? (select_529 + 3'h1) : select_529) : raster_at_y_q;
-  logic [5:0] select_2156;
-  assign select_2156 = sample_pair_whole_q ? (sample_last_q ? 6'h0 : (select_545 + {5'h0, equal_547})) : raster_at_column_q;
-  logic [5:0] select_2159;
-  assign select_2159 = sample_pair_whole_q ? (sample_last_q ? (select_682 + {5'h0, equal_548}) : select_682) : raster_at_row_q;
-  logic select_2163;
-  assign select_2163 = sample_pair_whole_q ? (sample_last_q ? (or_522 & (~raster_final_row_q)) : or_522) : raster_at_live_q;
+  logic [2:0] select_2159;
+  assign select_2159 = sample_pair_whole_q ? (sample_last_q ? 3'h0 : (select_517 + 3'h1)) : raster_at_x_q;
+  logic [2:0] select_2162;
+  assign select_2162 = sample_pair_whole_q ? (sample_last_q ? (select_534 + 3'h1) : select_534) : raster_at_y_q;
+  logic [5:0] select_2165;
+  assign select_2165 = sample_pair_whole_q ? (sample_last_q ? 6'h0 : (select_550 + {5'h0, equal_552})) : raster_at_column_q;
+  logic [5:0] select_2168;
+  assign select_2168 = sample_pair_whole_q ? (sample_last_q ? (select_689 + {5'h0, equal_553}) : select_689) : raster_at_row_q;
+  logic select_2172;
+  assign select_2172 = sample_pair_whole_q ? (sample_last_q ? (or_527 & (~raster_final_row_q)) : or_527) : raster_at_live_q;
   // hls/stages/census.hpp:52
-  logic [8:0] select_2165;
-  assign select_2165 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
+  logic [8:0] select_2174;
+  assign select_2174 = sample_pair_first_q ? cfg_height_i : (raster_rows_left_q - {8'h0, sample_last_q});
   // hls/stages/agreement.hpp:277
-  logic select_2169;
-  assign select_2169 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
+  logic select_2178;
+  assign select_2178 = sample_pair_whole_q ? (raster_rows_left_q == 9'h1) : raster_final_row_q;
   // hls/stages/agreement.hpp:464
-  logic [6:0] sum_2478;
-  assign sum_2478 = {1'b0, last} + 7'h1;
-  logic equal_2479;
-  assign equal_2479 = {sum_2478[6], cfg_width_i[8:3]} == {1'b0, sum_2478[5:0]};
+  logic [6:0] sum_2498;
+  assign sum_2498 = {1'b0, last} + 7'h1;
+  logic equal_2499;
+  assign equal_2499 = {sum_2498[6], cfg_width_i[8:3]} == {1'b0, sum_2498[5:0]};
   // hls/stages/agreement.hpp:469
-  logic and_2480;
-  assign and_2480 = and_551 & equal_2479;
+  logic and_2500;
+  assign and_2500 = and_556 & equal_2499;
   // hls/stages/agreement.hpp:533
-  logic select_2483;
-  assign select_2483 = (and_2480 | (~ends_cell_q)) ? and_2480 : ends_q;
+  logic select_2503;
+  assign select_2503 = (and_2500 | (~ends_cell_q)) ? and_2500 : ends_q;
   // hls/stages/agreement.hpp:539
   logic [2:0] now;
-  assign now = select_2483 ? (and_2480 ? 3'h1 : following_phase_q) : run_phase_q;
+  assign now = select_2503 ? (and_2500 ? 3'h1 : following_phase_q) : run_phase_q;
   // hls/stages/agreement.hpp:544
-  logic [5:0] select_2487;
-  assign select_2487 = select_2483 ? (and_2480 ? 6'h0 : following_shift_q) : run_shift_q;
-  logic select_2490;
-  assign select_2490 = select_2483 ? (following_last_shift_q & (~and_2480)) : run_last_shift_q;
+  logic [5:0] select_2507;
+  assign select_2507 = select_2503 ? (and_2500 ? 6'h0 : following_shift_q) : run_shift_q;
+  logic select_2510;
+  assign select_2510 = select_2503 ? (following_last_shift_q & (~and_2500)) : run_last_shift_q;
   // hls/stages/agreement.hpp:617
-  logic and_2493;
-  assign and_2493 = run_last_shift_q & equal_595;
+  logic and_2513;
+  assign and_2513 = run_last_shift_q & equal_601;
   // hls/stages/agreement.hpp:626
-  logic select_2495;
-  assign select_2495 = equal_595 ? (~run_last_shift_q) : equal_596;
+  logic select_2515;
+  assign select_2515 = equal_601 ? (~run_last_shift_q) : equal_602;
   // hls/stages/agreement.hpp:630
-  logic equal_2496;
-  assign equal_2496 = run_phase_q == 3'h1;
-  logic not_2499;
-  assign not_2499 = ~select_2495;
+  logic equal_2516;
+  assign equal_2516 = run_phase_q == 3'h1;
+  logic not_2519;
+  assign not_2519 = ~select_2515;
   // hls/stages/agreement.hpp:633
-  logic equal_2501;
-  assign equal_2501 = run_phase_q == 3'h4;
+  logic equal_2521;
+  assign equal_2521 = run_phase_q == 3'h4;
   // hls/stages/agreement.hpp:617
-  logic and_2502;
-  assign and_2502 = final_row_q & so;
+  logic and_2522;
+  assign and_2522 = final_row_q & so;
   // hls/stages/agreement.hpp:630
-  logic [1:0] select_2503;
-  assign select_2503 = equal_2501 ? 2'h1 : {2{and_2502}};
-  logic [2:0] select_2505;
-  assign select_2505 = (and_2493 | (select_2495 | equal_2496)) ? (equal_2496 ? 3'h2 : {not_2499, {2{select_2495}}}) : (equal_580 ? 3'h6 : {select_2503[0], select_2503});
+  logic [1:0] select_2523;
+  assign select_2523 = equal_2521 ? 2'h1 : {2{and_2522}};
+  logic [2:0] select_2525;
+  assign select_2525 = (and_2513 | (select_2515 | equal_2516)) ? (equal_2516 ? 3'h2 : {not_2519, {2{select_2515}}}) : (equal_587 ? 3'h6 : {select_2523[0], select_2523});
   // hls/stages/agreement.hpp:617
-  logic and_2508;
-  assign and_2508 = select_2495 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
+  logic and_2528;
+  assign and_2528 = select_2515 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
   // hls/stages/agreement.hpp:640
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
-  logic [6:0] select_2511;
-  assign select_2511 = (plan_shift_q[5] & select_2495) ? value : 7'h0;
-  logic [1:0] or_2512;
-  assign or_2512 = {2{so}} | select_2511[5:4];
-  // hls/stages/agreement.hpp:643
-  logic [7:0] select_2513;
-  assign select_2513 = select_2495 ? plan_columns_q : 8'h0;
-  logic [6:0] or_2516;
-  assign or_2516 = select_2513[6:0] | ((equal_2496 | equal_2501) ? whole_q : 7'h0);
-  logic [1:0] or_2517;
-  assign or_2517 = {2{and_2493}} | or_2516[3:2];
-  // hls/stages/agreement.hpp:644
-  logic [6:0] or_2519;
-  assign or_2519 = {or_2516[6:4], or_2517, or_2516[1:0]} | (equal_580 ? drawn_q : 7'h0);
-  logic [4:0] or_2520;
-  assign or_2520 = {5{so}} | {or_2519[6], or_2519[3:0]};
-  // hls/stages/agreement.hpp:650
-  logic not_2524;
-  assign not_2524 = ~run_shift_q[5];
-  logic [6:0] difference_2526;
-  assign difference_2526 = {1'b0, last_q} - {1'b0, least_q};
-  logic [7:0] select_2527;
-  assign select_2527 = equal_595 ? ({{7{not_2524}}, 1'b1} + run_span_q) : {difference_2526[6], difference_2526};
-  // hls/stages/agreement.hpp:533
   logic [6:0] select_2531;
-  assign select_2531 = and_2480 ? 7'h0 : following_lowest_q;
-  // hls/stages/agreement.hpp:536
+  assign select_2531 = (plan_shift_q[5] & select_2515) ? value : 7'h0;
+  logic [1:0] or_2532;
+  assign or_2532 = {2{so}} | select_2531[5:4];
+  // hls/stages/agreement.hpp:643
   logic [7:0] select_2533;
-  assign select_2533 = select_2483 ? {select_2531[6], select_2531} : (x_q + {7'h0, ends_cell_q});
-  logic [7:0] select_2536;
-  assign select_2536 = select_2483 ? (and_2480 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:530
-  logic [5:0] select_2544;
-  assign select_2544 = and_551 ? (equal_2479 ? ((5'he < last[5:1]) ? 6'h1d : last) : least_q) : least_q;
-  // hls/stages/agreement.hpp:481
-  logic [4:0] sum_2545;
-  assign sum_2545 = {1'b0, last[5:2]} + 5'h3;
-  // hls/stages/agreement.hpp:530
-  logic [6:0] select_2547;
-  assign select_2547 = and_551 ? (equal_2479 ? {sum_2545, last[1:0]} : whole_q) : whole_q;
-  // hls/stages/agreement.hpp:482
-  logic [4:0] sum_2548;
-  assign sum_2548 = {1'b0, last[5:2]} + 5'h1;
-  // hls/stages/agreement.hpp:530
-  logic [6:0] select_2550;
-  assign select_2550 = and_551 ? (equal_2479 ? {sum_2548, last[1:0]} : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:541
-  logic select_2564;
-  assign select_2564 = (ends_cell_q | select_2483) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_595 | (slot_q == 3'h6));
+  assign select_2533 = select_2515 ? plan_columns_q : 8'h0;
+  logic [6:0] or_2536;
+  assign or_2536 = select_2533[6:0] | ((equal_2516 | equal_2521) ? whole_q : 7'h0);
+  logic [1:0] or_2537;
+  assign or_2537 = {2{and_2513}} | or_2536[3:2];
+  // hls/stages/agreement.hpp:644
+  logic [6:0] or_2539;
+  assign or_2539 = {or_2536[6:4], or_2537, or_2536[1:0]} | (equal_587 ? drawn_q : 7'h0);
+  logic [4:0] or_2540;
+  assign or_2540 = {5{so}} | {or_2539[6], or_2539[3:0]};
+  // hls/stages/agreement.hpp:650
+  logic not_2544;
+  assign not_2544 = ~run_shift_q[5];
+  logic [6:0] difference_2546;
+  assign difference_2546 = {1'b0, last_q} - {1'b0, least_q};
+  logic [7:0] select_2547;
+  assign select_2547 = equal_601 ? ({{7{not_2544}}, 1'b1} + run_span_q) : {difference_2546[6], difference_2546};
+  // hls/stages/agreement.hpp:533
+  logic [6:0] select_2551;
+  assign select_2551 = and_2500 ? 7'h0 : following_lowest_q;
   // hls/stages/agreement.hpp:536
-  logic and_2568;
-  assign and_2568 = (~select_2483) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
+  logic [7:0] select_2553;
+  assign select_2553 = select_2503 ? {select_2551[6], select_2551} : (x_q + {7'h0, ends_cell_q});
+  logic [7:0] select_2556;
+  assign select_2556 = select_2503 ? (and_2500 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
+  // hls/stages/agreement.hpp:530
+  logic [5:0] select_2564;
+  assign select_2564 = and_556 ? (equal_2499 ? ((5'he < last[5:1]) ? 6'h1d : last) : least_q) : least_q;
+  // hls/stages/agreement.hpp:481
+  logic [4:0] sum_2565;
+  assign sum_2565 = {1'b0, last[5:2]} + 5'h3;
+  // hls/stages/agreement.hpp:530
+  logic [6:0] select_2567;
+  assign select_2567 = and_556 ? (equal_2499 ? {sum_2565, last[1:0]} : whole_q) : whole_q;
+  // hls/stages/agreement.hpp:482
+  logic [4:0] sum_2568;
+  assign sum_2568 = {1'b0, last[5:2]} + 5'h1;
+  // hls/stages/agreement.hpp:530
+  logic [6:0] select_2570;
+  assign select_2570 = and_556 ? (equal_2499 ? {sum_2568, last[1:0]} : drawn_q) : drawn_q;
+  // hls/stages/agreement.hpp:541
+  logic select_2584;
+  assign select_2584 = (ends_cell_q | select_2503) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_601 | (slot_q == 3'h6));
+  // hls/stages/agreement.hpp:536
+  logic and_2588;
+  assign and_2588 = (~select_2503) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:484
-  logic [6:0] sum_2569;
-  assign sum_2569 = {1'b0, row} + 7'h1;
+  logic [6:0] sum_2589;
+  assign sum_2589 = {1'b0, row} + 7'h1;
   // hls/stages/agreement.hpp:465
-  logic select_2571;
-  assign select_2571 = equal_2479 ? ({sum_2569[6], cfg_height_i[8:3]} == {1'b0, sum_2569[5:0]}) : final_row_q;
+  logic select_2591;
+  assign select_2591 = equal_2499 ? ({sum_2589[6], cfg_height_i[8:3]} == {1'b0, sum_2589[5:0]}) : final_row_q;
   // hls/stages/patches.hpp:321
   logic [3:0] phase;
   assign phase = (patches_phase_q == 4'h6) ? 4'h0 : (patches_phase_q + 4'h1);
   // hls/stages/patches.hpp:126
-  logic [3:0] select_2963;
-  assign select_2963 = row_starts ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
+  logic [3:0] select_2983;
+  assign select_2983 = row_starts ? (sample_pair_first_q ? phase : patches_phase_q) : patches_phase_q;
   // hls/stages/agreement.hpp:277
-  logic [3:0] select_2964;
-  assign select_2964 = sample_pair_whole_q ? select_2963 : patches_phase_q;
+  logic [3:0] select_2984;
+  assign select_2984 = sample_pair_whole_q ? select_2983 : patches_phase_q;
   // hls/stages/patches.hpp:377
-  logic and_2965;
-  assign and_2965 = not_1682 & equal_1684;
-  logic [8:0] select_2966;
-  assign select_2966 = and_2965 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
-  logic [8:0] select_2967;
-  assign select_2967 = and_2965 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
-  logic [8:0] select_2968;
-  assign select_2968 = sample_pair_first_q ? select_2966 : select_2967;
+  logic and_2985;
+  assign and_2985 = not_1689 & equal_1691;
+  logic [8:0] select_2986;
+  assign select_2986 = and_2985 ? {patches_choosing_number_q, patches_choosing_rows_to_next_q} : {4'h0, patches_first_band_number_q, patches_first_band_rows_to_next_q};
+  logic [8:0] select_2987;
+  assign select_2987 = and_2985 ? {patches_next_band_number_q, patches_next_band_rows_to_next_q} : {patches_band_rows_number_q, patches_band_rows_rows_to_next_q};
+  logic [8:0] select_2988;
+  assign select_2988 = sample_pair_first_q ? select_2986 : select_2987;
   // hls/stages/agreement.hpp:277
-  logic [3:0] select_2970;
-  assign select_2970 = sample_pair_whole_q ? (row_starts ? select_2968[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
-  logic [4:0] select_2972;
-  assign select_2972 = sample_pair_whole_q ? (row_starts ? select_2968[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
-  logic [3:0] select_2975;
-  assign select_2975 = sample_pair_whole_q ? (equal_1686 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
-  logic [4:0] select_2977;
-  assign select_2977 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_1686}) : patches_next_band_number_q;
+  logic [3:0] select_2990;
+  assign select_2990 = sample_pair_whole_q ? (row_starts ? select_2988[3:0] : patches_band_rows_rows_to_next_q) : patches_band_rows_rows_to_next_q;
+  logic [4:0] select_2992;
+  assign select_2992 = sample_pair_whole_q ? (row_starts ? select_2988[8:4] : patches_band_rows_number_q) : patches_band_rows_number_q;
+  logic [3:0] select_2995;
+  assign select_2995 = sample_pair_whole_q ? (equal_1693 ? 4'h6 : (patches_band_rows_rows_to_next_q + 4'hf)) : patches_next_band_rows_to_next_q;
+  logic [4:0] select_2997;
+  assign select_2997 = sample_pair_whole_q ? (patches_band_rows_number_q + {4'h0, equal_1693}) : patches_next_band_number_q;
   // hls/stages/patches.hpp:334
-  logic equal_2978;
-  assign equal_2978 = phase[3:1] == 3'h0;
+  logic equal_2998;
+  assign equal_2998 = phase[3:1] == 3'h0;
   // hls/stages/patches.hpp:335
-  logic not_2979;
-  assign not_2979 = ~equal_2978;
+  logic not_2999;
+  assign not_2999 = ~equal_2998;
   // hls/stages/agreement.hpp:277
-  logic [3:0] select_2981;
-  assign select_2981 = sample_pair_whole_q ? (phase + {not_2979, 1'b1, not_2979, equal_2978}) : patches_first_band_rows_to_next_q;
+  logic [3:0] select_3001;
+  assign select_3001 = sample_pair_whole_q ? (phase + {not_2999, 1'b1, not_2999, equal_2998}) : patches_first_band_rows_to_next_q;
   // hls/stages/agreement.hpp:478
-  logic equal_2983;
-  assign equal_2983 = row == 6'h3;
+  logic equal_3003;
+  assign equal_3003 = row == 6'h3;
   // hls/stages/patches.hpp:87
-  logic [3:0] select_2987;
-  assign select_2987 = equal_2983 ? ((select_2964 == 4'h6) ? 4'h0 : (select_2964 + 4'h1)) : patches_choosing_rows_to_next_q;
-  logic equal_2988;
-  assign equal_2988 = select_2987 == 4'h0;
+  logic [3:0] select_3007;
+  assign select_3007 = equal_3003 ? ((select_2984 == 4'h6) ? 4'h0 : (select_2984 + 4'h1)) : patches_choosing_rows_to_next_q;
+  logic equal_3008;
+  assign equal_3008 = select_3007 == 4'h0;
   // hls/stages/agreement.hpp:465
-  logic [3:0] select_2991;
-  assign select_2991 = equal_2479 ? (equal_2988 ? 4'h6 : (select_2987 + 4'hf)) : patches_choosing_rows_to_next_q;
+  logic [3:0] select_3011;
+  assign select_3011 = equal_2499 ? (equal_3008 ? 4'h6 : (select_3007 + 4'hf)) : patches_choosing_rows_to_next_q;
   // hls/stages/patches.hpp:87
-  logic [4:0] select_2993;
-  assign select_2993 = equal_2983 ? 5'h0 : patches_choosing_number_q;
+  logic [4:0] select_3013;
+  assign select_3013 = equal_3003 ? 5'h0 : patches_choosing_number_q;
   // hls/stages/agreement.hpp:465
-  logic [4:0] select_2995;
-  assign select_2995 = equal_2479 ? (select_2993 + {4'h0, equal_2988}) : patches_choosing_number_q;
+  logic [4:0] select_3015;
+  assign select_3015 = equal_2499 ? (select_3013 + {4'h0, equal_3008}) : patches_choosing_number_q;
   // hls/stages/agreement.hpp:530
-  logic select_3000;
-  assign select_3000 = and_551 ? (equal_2479 ? ((6'h2 < row) & equal_2988) : patches_chooses_q) : patches_chooses_q;
-  logic [4:0] select_3002;
-  assign select_3002 = and_551 ? (equal_2479 ? select_2993 : patches_choosing_band_q) : patches_choosing_band_q;
+  logic select_3020;
+  assign select_3020 = and_556 ? (equal_2499 ? ((6'h2 < row) & equal_3008) : patches_chooses_q) : patches_chooses_q;
+  logic [4:0] select_3022;
+  assign select_3022 = and_556 ? (equal_2499 ? select_3013 : patches_choosing_band_q) : patches_choosing_band_q;
   // hls/stages/patches.hpp:375
-  logic [5:0] sum_3025;
-  assign sum_3025 = {1'b0, select_682[5:1]} + 6'h1;
-  logic less_3026;
-  assign less_3026 = {sum_3025, select_682[0], select_529, 1'b0} < {2'h0, cfg_height_i};
+  logic [5:0] sum_3045;
+  assign sum_3045 = {1'b0, select_689[5:1]} + 6'h1;
+  logic less_3046;
+  assign less_3046 = {sum_3045, select_689[0], select_534, 1'b0} < {2'h0, cfg_height_i};
   // hls/stages/patches.hpp:126
-  logic select_3029;
-  assign select_3029 = row_starts ? (and_1691 ? (~less_3026) : patches_lower_q) : patches_lower_q;
+  logic select_3049;
+  assign select_3049 = row_starts ? (and_1698 ? (~less_3046) : patches_lower_q) : patches_lower_q;
   // hls/stages/patches.hpp:397
-  logic or_3068;
-  assign or_3068 = patches_begins_q | patches_ends_q;
+  logic or_3088;
+  assign or_3088 = patches_begins_q | patches_ends_q;
   // hls/stages/patches.hpp:399
   logic [2:0] following;
   assign following = patches_begins_q ? 3'h1 : patches_following_q;
   // hls/stages/patches.hpp:191
-  logic select_3073;
-  assign select_3073 = (patches_second_q | patches_begins_q) ? not_1679 : (patches_ends_q & equal_1782);
-  logic and_3074;
-  assign and_3074 = equal_1782 & not_1789;
+  logic select_3093;
+  assign select_3093 = (patches_second_q | patches_begins_q) ? not_1686 : (patches_ends_q & equal_1789);
+  logic and_3094;
+  assign and_3094 = equal_1789 & not_1796;
   // hls/stages/patches.hpp:403
-  logic and_3075;
-  assign and_3075 = not_1842 & and_3074;
-  logic [1:0] select_3077;
-  assign select_3077 = equal_1784 ? 2'h0 : (equal_1786 ? 2'h3 : {equal_1787, and_3075});
+  logic and_3095;
+  assign and_3095 = not_1849 & and_3094;
+  logic [1:0] select_3097;
+  assign select_3097 = equal_1791 ? 2'h0 : (equal_1793 ? 2'h3 : {equal_1794, and_3095});
   // hls/stages/patches.hpp:283
-  logic equal_3079;
-  assign equal_3079 = patches_following_q == 3'h4;
+  logic equal_3099;
+  assign equal_3099 = patches_following_q == 3'h4;
   // hls/stages/patches.hpp:281
-  logic not_3080;
-  assign not_3080 = ~equal_3079;
+  logic not_3100;
+  assign not_3100 = ~equal_3099;
   // hls/stages/patches.hpp:283
-  logic equal_3081;
-  assign equal_3081 = patches_following_q == 3'h3;
+  logic equal_3101;
+  assign equal_3101 = patches_following_q == 3'h3;
   // hls/stages/patches.hpp:279
-  logic not_3082;
-  assign not_3082 = ~equal_3081;
+  logic not_3102;
+  assign not_3102 = ~equal_3101;
   // hls/stages/patches.hpp:287
-  logic not_3084;
-  assign not_3084 = ~(patches_following_q == 3'h2);
-  logic and_3087;
-  assign and_3087 = (~(patches_following_q == 3'h1)) & not_3084;
+  logic not_3104;
+  assign not_3104 = ~(patches_following_q == 3'h2);
+  logic and_3107;
+  assign and_3107 = (~(patches_following_q == 3'h1)) & not_3104;
   // hls/stages/patches.hpp:401
-  logic [1:0] select_3088;
-  assign select_3088 = equal_3081 ? 2'h2 : {and_3087, not_3084};
-  logic [3:0] select_3089;
-  assign select_3089 = equal_3079 ? 4'h2 : {select_3088, {2{not_3082}}};
+  logic [1:0] select_3108;
+  assign select_3108 = equal_3101 ? 2'h2 : {and_3107, not_3104};
+  logic [3:0] select_3109;
+  assign select_3109 = equal_3099 ? 4'h2 : {select_3108, {2{not_3102}}};
   // hls/stages/patches.hpp:409
-  logic not_3092;
-  assign not_3092 = ~or_3068;
+  logic not_3112;
+  assign not_3112 = ~or_3088;
   // hls/stages/patches.hpp:398
   logic [4:0] beats;
   assign beats = patches_begins_q ? 5'hf : patches_following_beats_q;
   // hls/stages/patches.hpp:410
-  logic [11:0] select_3097;
-  assign select_3097 = or_3068 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
+  logic [11:0] select_3117;
+  assign select_3117 = or_3088 ? {beats[4], beats[4:3], {2{beats[0]}}, beats[2], beats[2:0], beats[1:0], beats[0]} : (patches_remaining_q + 12'hfff);
   // hls/stages/patches.hpp:191
-  logic [4:0] select_3099;
-  assign select_3099 = or_3068 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
+  logic [4:0] select_3119;
+  assign select_3119 = or_3088 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
-  // Memory fresh, 47 x 33, DISTANCE 12, hls/stages/agreement.hpp:1386; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory fresh, 47 x 33, DISTANCE 12, hls/stages/agreement.hpp:1389; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -573,14 +573,14 @@ module horopter_agreement (
   assign fresh_raddr = x_q[5:0];
 `ifndef SYNTHESIS
   logic fresh_re;
-  assign fresh_re = s0_en & and_655;
+  assign fresh_re = s0_en & and_662;
 `endif
   logic [32:0] fresh_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) fresh_rdata_q <= fresh_mem[fresh_raddr];
   end
 
-  // Memory left, 47 x 85, DISTANCE 12, hls/stages/agreement.hpp:1387; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 47 x 85, DISTANCE 12, hls/stages/agreement.hpp:1390; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -592,14 +592,14 @@ module horopter_agreement (
   assign left_raddr = x_q[5:0];
 `ifndef SYNTHESIS
   logic left_re;
-  assign left_re = s0_en & select_599;
+  assign left_re = s0_en & select_605;
 `endif
   logic [84:0] left_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 47 x 99, DISTANCE 12, hls/stages/agreement.hpp:1388; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 47 x 99, DISTANCE 12, hls/stages/agreement.hpp:1391; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -608,17 +608,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) right_codes_mem[i] = 99'h0;
 `endif
   logic [5:0] right_codes_raddr;
-  assign right_codes_raddr = or_581 ? x_q[5:0] : (equal_595 ? sum_582[5:0] : x_q[5:0]);
+  assign right_codes_raddr = or_588 ? x_q[5:0] : (equal_601 ? sum_589[5:0] : x_q[5:0]);
 `ifndef SYNTHESIS
   logic right_codes_re;
-  assign right_codes_re = s0_en & select_599;
+  assign right_codes_re = s0_en & select_605;
 `endif
   logic [98:0] right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 47 x 62, DISTANCE 12, hls/stages/agreement.hpp:1389; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 47 x 62, DISTANCE 12, hls/stages/agreement.hpp:1392; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -627,10 +627,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) best_left_mem[i] = 62'h0;
 `endif
   logic [5:0] best_left_raddr;
-  assign best_left_raddr = or_581 ? x_q[5:0] : x[5:0];
+  assign best_left_raddr = or_588 ? x_q[5:0] : x[5:0];
 `ifndef SYNTHESIS
   logic best_left_re;
-  assign best_left_re = s0_en & select_620;
+  assign best_left_re = s0_en & select_624;
 `endif
   logic [61:0] best_left_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -648,7 +648,7 @@ module horopter_agreement (
   assign patches_right_0_raddr = {patches_code_row_q, patches_column_q};
 `ifndef SYNTHESIS
   logic patches_right_0_re;
-  assign patches_right_0_re = s0_en & (not_1783 & (not_1785 & (or_1788 & (equal_1787 & not_1789))));
+  assign patches_right_0_re = s0_en & (not_1790 & (not_1792 & (or_1795 & (equal_1794 & not_1796))));
 `endif
   logic [7:0] patches_right_0_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -666,7 +666,7 @@ module horopter_agreement (
   assign patches_right_1_raddr = {patches_code_row_q, patches_column_q};
 `ifndef SYNTHESIS
   logic patches_right_1_re;
-  assign patches_right_1_re = s0_en & and_1826;
+  assign patches_right_1_re = s0_en & and_1833;
 `endif
   logic [7:0] patches_right_1_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -684,7 +684,7 @@ module horopter_agreement (
   assign patches_left_raddr = {patches_second_q, patches_code_row_q[3:0], patches_column_q[3:0]};
 `ifndef SYNTHESIS
   logic patches_left_re;
-  assign patches_left_re = s0_en & (not_1783 & (not_1785 & (not_1842 & or_1788)));
+  assign patches_left_re = s0_en & (not_1790 & (not_1792 & (not_1849 & or_1795)));
 `endif
   logic [7:0] patches_left_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -703,7 +703,7 @@ module horopter_agreement (
   assign patches_columns_above_raddr = patches_column_q;
 `ifndef SYNTHESIS
   logic patches_columns_above_re;
-  assign patches_columns_above_re = s0_en & and_1868;
+  assign patches_columns_above_re = s0_en & and_1875;
 `endif
   logic [31:0] patches_columns_above_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -778,71 +778,71 @@ module horopter_agreement (
       patches_column_q <= 5'h0;
       patches_column_ends_q <= 1'b0;
     end else if (s0_en) begin
-      left_first_q <= and_1974 ? left_first_q : marks_first_i;
-      right_q <= (~and_1974) & (~marks_last_i);
+      left_first_q <= and_1981 ? left_first_q : marks_first_i;
+      right_q <= (~and_1981) & (~marks_last_i);
       sample_pair_first_q <= left_first_q;
-      sample_pair_whole_q <= and_1974;
+      sample_pair_whole_q <= and_1981;
       sample_last_q <= marks_last_i;
       sample_present_q <= present_i;
-      raster_at_x_q <= select_2150;
-      raster_at_y_q <= select_2153;
-      raster_at_column_q <= select_2156;
-      raster_at_row_q <= select_2159;
-      raster_at_live_q <= select_2163;
-      raster_rows_left_q <= sample_pair_whole_q ? select_2165 : raster_rows_left_q;
+      raster_at_x_q <= select_2159;
+      raster_at_y_q <= select_2162;
+      raster_at_column_q <= select_2165;
+      raster_at_row_q <= select_2168;
+      raster_at_live_q <= select_2172;
+      raster_rows_left_q <= sample_pair_whole_q ? select_2174 : raster_rows_left_q;
       raster_row_ended_q <= sample_pair_whole_q ? sample_last_q : raster_row_ended_q;
-      raster_final_row_q <= select_2169;
-      averager_place_q <= sample_pair_whole_q ? select_516 : averager_place_q;
-      averager_inside_q <= sample_pair_whole_q ? select_521 : averager_inside_q;
+      raster_final_row_q <= select_2178;
+      averager_place_q <= sample_pair_whole_q ? select_521 : averager_place_q;
+      averager_inside_q <= sample_pair_whole_q ? select_526 : averager_inside_q;
       run_phase_q <= now;
-      run_shift_q <= select_2487;
-      run_last_shift_q <= select_2490;
-      run_span_q <= select_2483 ? (and_2480 ? 8'h0 : following_span_q) : run_span_q;
-      following_phase_q <= select_2505;
-      following_shift_q <= select_2495 ? plan_shift_q : 6'h0;
-      following_last_shift_q <= and_2508;
+      run_shift_q <= select_2507;
+      run_last_shift_q <= select_2510;
+      run_span_q <= select_2503 ? (and_2500 ? 8'h0 : following_span_q) : run_span_q;
+      following_phase_q <= select_2525;
+      following_shift_q <= select_2515 ? plan_shift_q : 6'h0;
+      following_last_shift_q <= and_2528;
       following_span_q <= plan_span_q;
-      following_lowest_q <= {select_2511[6], or_2512, select_2511[3:0]};
-      following_columns_q <= {select_2513[7], or_2520[4], or_2519[5:4], or_2520[3:0]};
-      plan_shift_q <= equal_595 ? (run_shift_q + 6'h1) : (6'h0 - least_q);
-      plan_span_q <= select_2527;
+      following_lowest_q <= {select_2531[6], or_2532, select_2531[3:0]};
+      following_columns_q <= {select_2533[7], or_2540[4], or_2539[5:4], or_2540[3:0]};
+      plan_shift_q <= equal_601 ? (run_shift_q + 6'h1) : (6'h0 - least_q);
+      plan_span_q <= select_2547;
       plan_columns_q <= (plan_span_q < 8'h3) ? 8'h6 : (plan_span_q + 8'h3);
-      x_q <= select_2533;
-      columns_left_q <= select_2536;
-      last_q <= and_551 ? (equal_2479 ? last : last_q) : last_q;
-      least_q <= select_2544;
-      whole_q <= select_2547;
-      drawn_q <= select_2550;
-      age_q <= select_2483 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
-      slot_q <= select_2483 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
-      ends_cell_q <= select_2564;
-      ends_q <= and_2568;
-      final_row_q <= and_551 ? select_2571 : final_row_q;
+      x_q <= select_2553;
+      columns_left_q <= select_2556;
+      last_q <= and_556 ? (equal_2499 ? last : last_q) : last_q;
+      least_q <= select_2564;
+      whole_q <= select_2567;
+      drawn_q <= select_2570;
+      age_q <= select_2503 ? 7'h0 : (ends_cell_q ? {age_q[5:0], 1'b1} : age_q);
+      slot_q <= select_2503 ? 3'h0 : (ends_cell_q ? 3'h0 : (slot_q + 3'h1));
+      ends_cell_q <= select_2584;
+      ends_q <= and_2588;
+      final_row_q <= and_556 ? select_2591 : final_row_q;
       shift_first_q <= {run_shift_q[5], run_shift_q} == (7'h0 - {1'b0, least_q});
-      patches_phase_q <= select_2964;
-      patches_band_rows_rows_to_next_q <= select_2970;
-      patches_band_rows_number_q <= select_2972;
-      patches_next_band_rows_to_next_q <= select_2975;
-      patches_next_band_number_q <= select_2977;
-      patches_first_band_rows_to_next_q <= select_2981;
-      patches_first_band_number_q <= sample_pair_whole_q ? equal_2978 : patches_first_band_number_q;
-      patches_choosing_rows_to_next_q <= and_551 ? select_2991 : patches_choosing_rows_to_next_q;
-      patches_choosing_number_q <= and_551 ? select_2995 : patches_choosing_number_q;
-      patches_chooses_q <= select_3000;
-      patches_choosing_band_q <= select_3002;
-      patches_capturing_q <= sample_pair_whole_q ? select_1818 : patches_capturing_q;
-      patches_lower_q <= sample_pair_whole_q ? select_3029 : patches_lower_q;
-      patches_row_q <= sample_pair_whole_q ? select_1812 : patches_row_q;
-      patches_work_q <= or_3068 ? following : patches_work_q;
-      patches_second_q <= select_3073;
-      patches_following_q <= equal_1782 ? {2'h0, and_3074} : {equal_1784, select_3077};
-      patches_following_beats_q <= {select_3089, not_3080};
-      patches_begins_q <= sample_pair_whole_q & (row_starts & and_1814);
-      patches_ends_q <= not_3092 & (patches_remaining_q == 12'h1);
-      patches_remaining_q <= select_3097;
-      patches_code_row_q <= select_3099;
-      patches_column_q <= or_3068 ? 5'h0 : (patches_column_q + 5'h1);
-      patches_column_ends_q <= not_3092 & (patches_column_q == 5'h1e);
+      patches_phase_q <= select_2984;
+      patches_band_rows_rows_to_next_q <= select_2990;
+      patches_band_rows_number_q <= select_2992;
+      patches_next_band_rows_to_next_q <= select_2995;
+      patches_next_band_number_q <= select_2997;
+      patches_first_band_rows_to_next_q <= select_3001;
+      patches_first_band_number_q <= sample_pair_whole_q ? equal_2998 : patches_first_band_number_q;
+      patches_choosing_rows_to_next_q <= and_556 ? select_3011 : patches_choosing_rows_to_next_q;
+      patches_choosing_number_q <= and_556 ? select_3015 : patches_choosing_number_q;
+      patches_chooses_q <= select_3020;
+      patches_choosing_band_q <= select_3022;
+      patches_capturing_q <= sample_pair_whole_q ? select_1825 : patches_capturing_q;
+      patches_lower_q <= sample_pair_whole_q ? select_3049 : patches_lower_q;
+      patches_row_q <= sample_pair_whole_q ? select_1819 : patches_row_q;
+      patches_work_q <= or_3088 ? following : patches_work_q;
+      patches_second_q <= select_3093;
+      patches_following_q <= equal_1789 ? {2'h0, and_3094} : {equal_1791, select_3097};
+      patches_following_beats_q <= {select_3109, not_3100};
+      patches_begins_q <= sample_pair_whole_q & (row_starts & and_1821);
+      patches_ends_q <= not_3112 & (patches_remaining_q == 12'h1);
+      patches_remaining_q <= select_3117;
+      patches_code_row_q <= select_3119;
+      patches_column_q <= or_3088 ? 5'h0 : (patches_column_q + 5'h1);
+      patches_column_ends_q <= not_3112 & (patches_column_q == 5'h1e);
     end
   end
 
@@ -866,46 +866,46 @@ module horopter_agreement (
   logic patches_second_s1_q;
   logic [4:0] patches_code_row_s1_q;
   logic [4:0] patches_column_s1_q;
-  logic [2:0] select_512_s1_q;
+  logic [2:0] select_517_s1_q;
   logic row_starts_s1_q;
-  logic [7:0] select_516_s1_q;
-  logic and_524_s1_q;
-  logic equal_530_s1_q;
-  logic [5:0] select_545_s1_q;
+  logic [7:0] select_521_s1_q;
+  logic and_529_s1_q;
+  logic equal_535_s1_q;
+  logic [5:0] select_550_s1_q;
   logic [5:0] last_s1_2_q;
-  logic and_549_s1_q;
-  logic and_551_s1_q;
-  logic equal_576_s1_q;
+  logic and_554_s1_q;
+  logic and_556_s1_q;
+  logic equal_583_s1_q;
   logic so_s1_q;
-  logic equal_580_s1_q;
-  logic or_581_s1_q;
-  logic less_584_s1_q;
-  logic not_585_s1_q;
-  logic equal_595_s1_q;
+  logic equal_587_s1_q;
+  logic or_588_s1_q;
+  logic less_591_s1_q;
+  logic not_592_s1_q;
+  logic equal_601_s1_q;
   logic [6:0] x_s1_2_q;
-  logic select_620_s1_q;
+  logic select_624_s1_q;
   logic [5:0] right_s1_q;
-  logic and_655_s1_q;
+  logic and_662_s1_q;
   logic [5:0] row_s1_q;
-  logic and_1567_s1_q;
-  logic equal_1568_s1_q;
-  logic and_1691_s1_q;
-  logic equal_1782_s1_q;
-  logic not_1783_s1_q;
-  logic equal_1784_s1_q;
-  logic not_1785_s1_q;
-  logic equal_1786_s1_q;
-  logic equal_1787_s1_q;
-  logic or_1788_s1_q;
-  logic not_1789_s1_q;
-  logic [4:0] select_1812_s1_q;
-  logic select_1818_s1_q;
-  logic [3:0] select_1858_s1_q;
-  logic and_1868_s1_q;
-  logic equal_2479_s1_q;
-  logic and_2480_s1_q;
-  logic or_3068_s1_q;
-  logic not_3092_s1_q;
+  logic and_1574_s1_q;
+  logic equal_1575_s1_q;
+  logic and_1698_s1_q;
+  logic equal_1789_s1_q;
+  logic not_1790_s1_q;
+  logic equal_1791_s1_q;
+  logic not_1792_s1_q;
+  logic equal_1793_s1_q;
+  logic equal_1794_s1_q;
+  logic or_1795_s1_q;
+  logic not_1796_s1_q;
+  logic [4:0] select_1819_s1_q;
+  logic select_1825_s1_q;
+  logic [3:0] select_1865_s1_q;
+  logic and_1875_s1_q;
+  logic equal_2499_s1_q;
+  logic and_2500_s1_q;
+  logic or_3088_s1_q;
+  logic not_3112_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s1_q <= pixel_0_i;
@@ -928,46 +928,46 @@ module horopter_agreement (
       patches_second_s1_q <= patches_second_q;
       patches_code_row_s1_q <= patches_code_row_q;
       patches_column_s1_q <= patches_column_q;
-      select_512_s1_q <= select_512;
+      select_517_s1_q <= select_517;
       row_starts_s1_q <= row_starts;
-      select_516_s1_q <= select_516;
-      and_524_s1_q <= and_524;
-      equal_530_s1_q <= select_529 == 3'h0;
-      select_545_s1_q <= select_545;
+      select_521_s1_q <= select_521;
+      and_529_s1_q <= and_529;
+      equal_535_s1_q <= select_534 == 3'h0;
+      select_550_s1_q <= select_550;
       last_s1_2_q <= last;
-      and_549_s1_q <= and_549;
-      and_551_s1_q <= and_551;
-      equal_576_s1_q <= run_phase_q == 3'h7;
+      and_554_s1_q <= and_554;
+      and_556_s1_q <= and_556;
+      equal_583_s1_q <= run_phase_q == 3'h7;
       so_s1_q <= so;
-      equal_580_s1_q <= equal_580;
-      or_581_s1_q <= or_581;
-      less_584_s1_q <= less_584;
-      not_585_s1_q <= not_585;
-      equal_595_s1_q <= equal_595;
+      equal_587_s1_q <= equal_587;
+      or_588_s1_q <= or_588;
+      less_591_s1_q <= less_591;
+      not_592_s1_q <= not_592;
+      equal_601_s1_q <= equal_601;
       x_s1_2_q <= x[6:0];
-      select_620_s1_q <= select_620;
+      select_624_s1_q <= select_624;
       right_s1_q <= right;
-      and_655_s1_q <= and_655;
+      and_662_s1_q <= and_662;
       row_s1_q <= row;
-      and_1567_s1_q <= not_652 & and_619;
-      equal_1568_s1_q <= {x[7:6], last_q} == {2'h0, x[5:0]};
-      and_1691_s1_q <= and_1691;
-      equal_1782_s1_q <= equal_1782;
-      not_1783_s1_q <= not_1783;
-      equal_1784_s1_q <= equal_1784;
-      not_1785_s1_q <= not_1785;
-      equal_1786_s1_q <= equal_1786;
-      equal_1787_s1_q <= equal_1787;
-      or_1788_s1_q <= or_1788;
-      not_1789_s1_q <= not_1789;
-      select_1812_s1_q <= select_1812;
-      select_1818_s1_q <= select_1818;
-      select_1858_s1_q <= select_1858;
-      and_1868_s1_q <= and_1868;
-      equal_2479_s1_q <= equal_2479;
-      and_2480_s1_q <= and_2480;
-      or_3068_s1_q <= or_3068;
-      not_3092_s1_q <= not_3092;
+      and_1574_s1_q <= not_659 & and_623;
+      equal_1575_s1_q <= {x[7:6], last_q} == {2'h0, x[5:0]};
+      and_1698_s1_q <= and_1698;
+      equal_1789_s1_q <= equal_1789;
+      not_1790_s1_q <= not_1790;
+      equal_1791_s1_q <= equal_1791;
+      not_1792_s1_q <= not_1792;
+      equal_1793_s1_q <= equal_1793;
+      equal_1794_s1_q <= equal_1794;
+      or_1795_s1_q <= or_1795;
+      not_1796_s1_q <= not_1796;
+      select_1819_s1_q <= select_1819;
+      select_1825_s1_q <= select_1825;
+      select_1865_s1_q <= select_1865;
+      and_1875_s1_q <= and_1875;
+      equal_2499_s1_q <= equal_2499;
+      and_2500_s1_q <= and_2500;
+      or_3088_s1_q <= or_3088;
+      not_3112_s1_q <= not_3112;
     end
   end
 
@@ -975,6 +975,7 @@ module horopter_agreement (
   logic [11:0] moments_place_q;
   logic moments_taken_q;
   logic moments_starts_q;
+  logic moments_other_field_second_q;
   logic [5:0] row_q;
   logic lower_half_q;
   logic late_q;
@@ -1036,44 +1037,44 @@ module horopter_agreement (
   logic drew_q;
   logic said_q;
   // hls/stages/census.hpp:127
-  logic and_525;
-  assign and_525 = sample_pair_whole_s1_q & and_524_s1_q;
+  logic and_530;
+  assign and_530 = sample_pair_whole_s1_q & and_529_s1_q;
   // hls/stages/agreement.hpp:678
-  logic equal_570;
-  assign equal_570 = row_q == 6'h0;
+  logic equal_575;
+  assign equal_575 = row_q == 6'h0;
   // hls/stages/patches.hpp:106
-  logic equal_571;
-  assign equal_571 = x_s1_q == 8'h0;
+  logic equal_576;
+  assign equal_576 = x_s1_q == 8'h0;
   // hls/stages/agreement.hpp:260
   logic first;
-  assign first = equal_570 & equal_571;
-  // hls/stages/moments.hpp:57
-  logic [11:0] select_574;
-  assign select_574 = moments_starts_q ? 12'h1 : (moments_place_q + {11'h0, moments_taken_q});
-  // hls/stages/agreement.hpp:798
-  logic [10:0] select_575;
-  assign select_575 = first ? 11'h0 : select_574[10:0];
-  // hls/stages/agreement.hpp:1019
-  logic not_577;
-  assign not_577 = ~equal_576_s1_q;
+  assign first = equal_575 & equal_576;
+  // hls/stages/moments.hpp:68
+  logic [11:0] select_579;
+  assign select_579 = moments_starts_q ? 12'h1 : (moments_place_q + {11'h0, moments_taken_q});
+  // hls/stages/moments.hpp:74
+  logic [11:0] place;
+  assign place = first ? 12'h0 : select_579;
+  // hls/stages/moments.hpp:149
+  logic [11:0] address;
+  assign address = moments_other_field_second_q ? (place + 12'h66d) : place;
+  // hls/stages/agreement.hpp:1022
+  logic not_584;
+  assign not_584 = ~equal_583_s1_q;
   // hls/stages/agreement.hpp:202
-  logic not_579;
-  assign not_579 = ~so_s1_q;
+  logic not_586;
+  assign not_586 = ~so_s1_q;
   // hls/stages/agreement.hpp:227
   logic inside_v;
-  assign inside_v = or_581_s1_q & not_585_s1_q;
-  // hls/stages/moments.hpp:63
-  logic [11:0] place;
-  assign place = first ? 12'h0 : select_574;
-  // hls/stages/moments.hpp:104
-  logic not_589;
-  assign not_589 = ~(12'h66c < place);
+  assign inside_v = or_588_s1_q & not_592_s1_q;
+  // hls/stages/moments.hpp:149
+  logic not_595;
+  assign not_595 = ~(12'h66c < place);
   // hls/stages/agreement.hpp:798
-  logic and_593;
-  assign and_593 = not_577 & (not_579 & (equal_580_s1_q & (inside_v & not_589)));
+  logic and_599;
+  assign and_599 = not_584 & (not_586 & (equal_587_s1_q & (inside_v & not_595)));
   // hls/stages/agreement.hpp:985
-  logic and_610;
-  assign and_610 = (or_581_s1_q & (left_rdata_q[67] & not_585_s1_q)) & (late_q | (~(row_q[5:3] == 3'h0)));
+  logic and_614;
+  assign and_614 = (or_588_s1_q & (left_rdata_q[67] & not_592_s1_q)) & (late_q | (~(row_q[5:3] == 3'h0)));
   // hls/stages/agreement.hpp:976
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
@@ -1081,812 +1082,824 @@ module horopter_agreement (
   logic [7:0] found;
   assign found = x_s1_q + {{2{shift[5]}}, shift};
   // hls/stages/agreement.hpp:978
-  logic [5:0] select_629;
-  assign select_629 = ({2'h0, last_s1_q} < found) ? 6'h0 : found[5:0];
+  logic [5:0] select_633;
+  assign select_633 = ({2'h0, last_s1_q} < found) ? 6'h0 : found[5:0];
+  // hls/stages/agreement.hpp:1014
+  logic less_646;
+  assign less_646 = 6'h2 < row_q;
+  // hls/stages/agreement.hpp:1016
+  logic and_656;
+  assign and_656 = (or_588_s1_q & (right_codes_rdata_q[58] & not_592_s1_q)) & less_646;
   // hls/stages/agreement.hpp:679
-  logic or_753;
-  assign or_753 = late_q | (~equal_570);
+  logic or_760;
+  assign or_760 = late_q | (~equal_575);
   // hls/stages/agreement.hpp:681
-  logic and_754;
-  assign and_754 = left_rdata_q[12] & or_753;
-  logic and_755;
-  assign and_755 = left_rdata_q[30] & or_753;
-  logic and_756;
-  assign and_756 = left_rdata_q[48] & or_753;
-  logic and_757;
-  assign and_757 = left_rdata_q[66] & or_753;
-  // hls/stages/agreement.hpp:682
-  logic and_758;
-  assign and_758 = right_codes_rdata_q[12] & or_753;
-  logic and_759;
-  assign and_759 = right_codes_rdata_q[27] & or_753;
-  logic and_760;
-  assign and_760 = right_codes_rdata_q[42] & or_753;
   logic and_761;
-  assign and_761 = right_codes_rdata_q[57] & or_753;
+  assign and_761 = left_rdata_q[12] & or_760;
   logic and_762;
-  assign and_762 = right_codes_rdata_q[72] & or_753;
+  assign and_762 = left_rdata_q[30] & or_760;
   logic and_763;
-  assign and_763 = right_codes_rdata_q[85] & or_753;
-  // hls/stages/agreement.hpp:222
+  assign and_763 = left_rdata_q[48] & or_760;
+  logic and_764;
+  assign and_764 = left_rdata_q[66] & or_760;
+  // hls/stages/agreement.hpp:682
+  logic and_765;
+  assign and_765 = right_codes_rdata_q[12] & or_760;
+  logic and_766;
+  assign and_766 = right_codes_rdata_q[27] & or_760;
+  logic and_767;
+  assign and_767 = right_codes_rdata_q[42] & or_760;
   logic and_768;
-  assign and_768 = left_rdata_q[48] & not_585_s1_q;
+  assign and_768 = right_codes_rdata_q[57] & or_760;
   logic and_769;
-  assign and_769 = right_codes_rdata_q[42] & not_585_s1_q;
-  logic [11:0] select_770;
-  assign select_770 = less_584_s1_q ? 12'h0 : left_rdata_q[47:36];
-  logic [11:0] select_771;
-  assign select_771 = less_584_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
-  // hls/stages/agreement.hpp:694
-  logic [11:0] select_775;
-  assign select_775 = and_768 ? (and_769 ? (~(select_770 ^ select_771)) : 12'h0) : 12'h0;
-  // hls/stages/count_bits.hpp:24
-  logic parity_781;
-  assign parity_781 = ^select_775[5:3];
-  logic parity_784;
-  assign parity_784 = ^select_775[8:6];
-  logic parity_787;
-  assign parity_787 = ^select_775[11:3];
+  assign and_769 = right_codes_rdata_q[72] & or_760;
+  logic and_770;
+  assign and_770 = right_codes_rdata_q[85] & or_760;
   // hls/stages/agreement.hpp:222
-  logic and_791;
-  assign and_791 = left_rdata_q[66] & not_585_s1_q;
-  logic and_792;
-  assign and_792 = right_codes_rdata_q[57] & not_585_s1_q;
-  logic [11:0] select_793;
-  assign select_793 = less_584_s1_q ? 12'h0 : left_rdata_q[65:54];
-  logic [11:0] select_794;
-  assign select_794 = less_584_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
+  logic and_775;
+  assign and_775 = left_rdata_q[48] & not_592_s1_q;
+  logic and_776;
+  assign and_776 = right_codes_rdata_q[42] & not_592_s1_q;
+  logic [11:0] select_777;
+  assign select_777 = less_591_s1_q ? 12'h0 : left_rdata_q[47:36];
+  logic [11:0] select_778;
+  assign select_778 = less_591_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
   // hls/stages/agreement.hpp:694
-  logic [11:0] select_798;
-  assign select_798 = and_791 ? (and_792 ? (~(select_793 ^ select_794)) : 12'h0) : 12'h0;
+  logic [11:0] select_782;
+  assign select_782 = and_775 ? (and_776 ? (~(select_777 ^ select_778)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_801;
-  assign parity_801 = ^select_798[8:6];
-  logic parity_804;
-  assign parity_804 = ^select_798[11:9];
+  logic parity_788;
+  assign parity_788 = ^select_782[5:3];
+  logic parity_791;
+  assign parity_791 = ^select_782[8:6];
+  logic parity_794;
+  assign parity_794 = ^select_782[11:3];
   // hls/stages/agreement.hpp:222
-  logic and_808;
-  assign and_808 = left_rdata_q[84] & not_585_s1_q;
-  logic and_809;
-  assign and_809 = right_codes_rdata_q[72] & not_585_s1_q;
-  logic [11:0] select_810;
-  assign select_810 = less_584_s1_q ? 12'h0 : left_rdata_q[83:72];
-  logic [11:0] select_811;
-  assign select_811 = less_584_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
+  logic and_798;
+  assign and_798 = left_rdata_q[66] & not_592_s1_q;
+  logic and_799;
+  assign and_799 = right_codes_rdata_q[57] & not_592_s1_q;
+  logic [11:0] select_800;
+  assign select_800 = less_591_s1_q ? 12'h0 : left_rdata_q[65:54];
+  logic [11:0] select_801;
+  assign select_801 = less_591_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
   // hls/stages/agreement.hpp:694
-  logic [11:0] select_815;
-  assign select_815 = and_808 ? (and_809 ? (~(select_810 ^ select_811)) : 12'h0) : 12'h0;
+  logic [11:0] select_805;
+  assign select_805 = and_798 ? (and_799 ? (~(select_800 ^ select_801)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_821;
-  assign parity_821 = ^select_815[2:0];
-  logic parity_824;
-  assign parity_824 = ^select_815[5:3];
-  logic parity_827;
-  assign parity_827 = ^select_815[8:0];
-  logic parity_833;
-  assign parity_833 = ^select_815[11:9];
-  logic parity_836;
-  assign parity_836 = ^select_798[2:0];
-  logic parity_839;
-  assign parity_839 = ^{select_815[11:9], select_798[5:0]};
-  logic parity_842;
-  assign parity_842 = ^{select_815, select_798, select_775[2:0]};
-  logic xor_843;
-  assign xor_843 = parity_787 ^ parity_842;
-  // hls/stages/count_bits.hpp:23
-  logic or_847;
-  assign or_847 = (select_775[1:0] == 2'h3) | (select_775[2] & (select_775[0] | select_775[1]));
-  // hls/stages/count_bits.hpp:25
-  logic or_851;
-  assign or_851 = (select_798[7:6] == 2'h3) | (select_798[8] & (select_798[6] | select_798[7]));
-  logic or_855;
-  assign or_855 = (select_798[10:9] == 2'h3) | (select_798[11] & (select_798[9] | select_798[10]));
-  // hls/stages/count_bits.hpp:23
-  logic or_863;
-  assign or_863 = (select_815[7:6] == 2'h3) | (select_815[8] & (~(select_815[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
-  logic or_867;
-  assign or_867 = (select_815[1:0] == 2'h3) | (select_815[2] & (select_815[0] | select_815[1]));
-  logic or_871;
-  assign or_871 = (select_815[4:3] == 2'h3) | (select_815[5] & (select_815[3] | select_815[4]));
+  logic parity_808;
+  assign parity_808 = ^select_805[8:6];
+  logic parity_811;
+  assign parity_811 = ^select_805[11:9];
+  // hls/stages/agreement.hpp:222
+  logic and_815;
+  assign and_815 = left_rdata_q[84] & not_592_s1_q;
+  logic and_816;
+  assign and_816 = right_codes_rdata_q[72] & not_592_s1_q;
+  logic [11:0] select_817;
+  assign select_817 = less_591_s1_q ? 12'h0 : left_rdata_q[83:72];
+  logic [11:0] select_818;
+  assign select_818 = less_591_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
+  // hls/stages/agreement.hpp:694
+  logic [11:0] select_822;
+  assign select_822 = and_815 ? (and_816 ? (~(select_817 ^ select_818)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_874;
-  assign parity_874 = ^{or_871, or_867, or_863};
+  logic parity_828;
+  assign parity_828 = ^select_822[2:0];
+  logic parity_831;
+  assign parity_831 = ^select_822[5:3];
+  logic parity_834;
+  assign parity_834 = ^select_822[8:0];
+  logic parity_840;
+  assign parity_840 = ^select_822[11:9];
+  logic parity_843;
+  assign parity_843 = ^select_805[2:0];
+  logic parity_846;
+  assign parity_846 = ^{select_822[11:9], select_805[5:0]};
+  logic parity_849;
+  assign parity_849 = ^{select_822, select_805, select_782[2:0]};
+  logic xor_850;
+  assign xor_850 = parity_794 ^ parity_849;
   // hls/stages/count_bits.hpp:23
+  logic or_854;
+  assign or_854 = (select_782[1:0] == 2'h3) | (select_782[2] & (select_782[0] | select_782[1]));
+  // hls/stages/count_bits.hpp:25
+  logic or_858;
+  assign or_858 = (select_805[7:6] == 2'h3) | (select_805[8] & (select_805[6] | select_805[7]));
+  logic or_862;
+  assign or_862 = (select_805[10:9] == 2'h3) | (select_805[11] & (select_805[9] | select_805[10]));
+  // hls/stages/count_bits.hpp:23
+  logic or_870;
+  assign or_870 = (select_822[7:6] == 2'h3) | (select_822[8] & (~(select_822[7:6] == 2'h0)));
+  // hls/stages/count_bits.hpp:25
+  logic or_874;
+  assign or_874 = (select_822[1:0] == 2'h3) | (select_822[2] & (select_822[0] | select_822[1]));
   logic or_878;
-  assign or_878 = (select_798[4:3] == 2'h3) | (select_798[5] & (select_798[3] | select_798[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_882;
-  assign or_882 = (select_815[10:9] == 2'h3) | (select_815[11] & (select_815[9] | select_815[10]));
-  logic or_886;
-  assign or_886 = (select_798[1:0] == 2'h3) | (select_798[2] & (select_798[0] | select_798[1]));
+  assign or_878 = (select_822[4:3] == 2'h3) | (select_822[5] & (select_822[3] | select_822[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_889;
-  assign parity_889 = ^{or_886, or_882, or_878};
-  logic parity_892;
-  assign parity_892 = ^{or_886, or_882, or_878, or_871, or_867, or_863, or_855, or_851, or_847};
+  logic parity_881;
+  assign parity_881 = ^{or_878, or_874, or_870};
+  // hls/stages/count_bits.hpp:23
+  logic or_885;
+  assign or_885 = (select_805[4:3] == 2'h3) | (select_805[5] & (select_805[3] | select_805[4]));
   // hls/stages/count_bits.hpp:25
-  logic and_893;
-  assign and_893 = parity_787 & parity_842;
-  logic or_897;
-  assign or_897 = (parity_781 & parity_784) | ((^select_775[11:9]) & (parity_781 | parity_784));
+  logic or_889;
+  assign or_889 = (select_822[10:9] == 2'h3) | (select_822[11] & (select_822[9] | select_822[10]));
+  logic or_893;
+  assign or_893 = (select_805[1:0] == 2'h3) | (select_805[2] & (select_805[0] | select_805[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_896;
+  assign parity_896 = ^{or_893, or_889, or_885};
+  logic parity_899;
+  assign parity_899 = ^{or_893, or_889, or_885, or_878, or_874, or_870, or_862, or_858, or_854};
+  // hls/stages/count_bits.hpp:25
   logic and_900;
-  assign and_900 = (^{select_798[11:6], select_775[2:0]}) & (parity_827 | parity_839);
-  logic or_901;
-  assign or_901 = (parity_827 & parity_839) | and_900;
-  // hls/stages/count_bits.hpp:23
+  assign and_900 = parity_794 & parity_849;
+  logic or_904;
+  assign or_904 = (parity_788 & parity_791) | ((^select_782[11:9]) & (parity_788 | parity_791));
+  logic and_907;
+  assign and_907 = (^{select_805[11:6], select_782[2:0]}) & (parity_834 | parity_846);
   logic or_908;
-  assign or_908 = (select_775[10:9] == 2'h3) | (select_775[11] & (select_775[9] | select_775[10]));
+  assign or_908 = (parity_834 & parity_846) | and_907;
+  // hls/stages/count_bits.hpp:23
+  logic or_915;
+  assign or_915 = (select_782[10:9] == 2'h3) | (select_782[11] & (select_782[9] | select_782[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_912;
-  assign or_912 = (select_775[4:3] == 2'h3) | (select_775[5] & (select_775[3] | select_775[4]));
-  logic or_916;
-  assign or_916 = (select_775[7:6] == 2'h3) | (select_775[8] & (select_775[6] | select_775[7]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_919;
-  assign parity_919 = ^{or_916, or_912, or_908};
-  // hls/stages/count_bits.hpp:25
+  logic or_919;
+  assign or_919 = (select_782[4:3] == 2'h3) | (select_782[5] & (select_782[3] | select_782[4]));
   logic or_923;
-  assign or_923 = (parity_801 & parity_804) | ((^select_775[2:0]) & (parity_801 | parity_804));
-  logic or_927;
-  assign or_927 = (parity_821 & parity_824) | ((^select_815[8:6]) & (parity_821 | parity_824));
-  logic or_931;
-  assign or_931 = (parity_833 & parity_836) | ((^select_798[5:3]) & (parity_833 | parity_836));
+  assign or_923 = (select_782[7:6] == 2'h3) | (select_782[8] & (select_782[6] | select_782[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_934;
-  assign parity_934 = ^{or_931, or_927, or_923};
-  logic parity_937;
-  assign parity_937 = ^{or_931, or_927, or_923, or_916, or_912, or_908, or_901, or_897, and_893};
-  logic xor_938;
-  assign xor_938 = parity_892 ^ parity_937;
+  logic parity_926;
+  assign parity_926 = ^{or_923, or_919, or_915};
   // hls/stages/count_bits.hpp:25
-  logic and_939;
-  assign and_939 = parity_892 & parity_937;
-  logic or_943;
-  assign or_943 = (parity_874 & parity_889) | ((^{or_855, or_851, or_847}) & (parity_874 | parity_889));
-  logic or_947;
-  assign or_947 = (parity_919 & parity_934) | ((^{or_901, or_897, and_893}) & (parity_919 | parity_934));
+  logic or_930;
+  assign or_930 = (parity_808 & parity_811) | ((^select_782[2:0]) & (parity_808 | parity_811));
+  logic or_934;
+  assign or_934 = (parity_828 & parity_831) | ((^select_822[8:6]) & (parity_828 | parity_831));
+  logic or_938;
+  assign or_938 = (parity_840 & parity_843) | ((^select_805[5:3]) & (parity_840 | parity_843));
+  // hls/stages/count_bits.hpp:24
+  logic parity_941;
+  assign parity_941 = ^{or_938, or_934, or_930};
+  logic parity_944;
+  assign parity_944 = ^{or_938, or_934, or_930, or_923, or_919, or_915, or_908, or_904, and_900};
+  logic xor_945;
+  assign xor_945 = parity_899 ^ parity_944;
+  // hls/stages/count_bits.hpp:25
+  logic and_946;
+  assign and_946 = parity_899 & parity_944;
+  logic or_950;
+  assign or_950 = (parity_881 & parity_896) | ((^{or_862, or_858, or_854}) & (parity_881 | parity_896));
   logic or_954;
-  assign or_954 = (or_851 & or_855) | (or_847 & (or_851 | or_855));
-  logic or_958;
-  assign or_958 = (or_867 & or_871) | (or_863 & (or_867 | or_871));
-  logic or_962;
-  assign or_962 = (or_882 & or_886) | (or_878 & (or_882 | or_886));
-  // hls/stages/count_bits.hpp:24
-  logic parity_965;
-  assign parity_965 = ^{or_962, or_958, or_954};
-  // hls/stages/count_bits.hpp:25
+  assign or_954 = (parity_926 & parity_941) | ((^{or_908, or_904, and_900}) & (parity_926 | parity_941));
+  logic or_961;
+  assign or_961 = (or_858 & or_862) | (or_854 & (or_858 | or_862));
+  logic or_965;
+  assign or_965 = (or_874 & or_878) | (or_870 & (or_874 | or_878));
   logic or_969;
-  assign or_969 = (or_897 & or_901) | (and_893 & (or_897 | or_901));
-  logic or_973;
-  assign or_973 = (or_912 & or_916) | (or_908 & (or_912 | or_916));
-  logic or_977;
-  assign or_977 = (or_927 & or_931) | (or_923 & (or_927 | or_931));
+  assign or_969 = (or_889 & or_893) | (or_885 & (or_889 | or_893));
   // hls/stages/count_bits.hpp:24
-  logic parity_980;
-  assign parity_980 = ^{or_977, or_973, or_969};
-  logic parity_983;
-  assign parity_983 = ^{or_977, or_973, or_969, or_962, or_958, or_954, or_947, or_943, and_939};
+  logic parity_972;
+  assign parity_972 = ^{or_969, or_965, or_961};
   // hls/stages/count_bits.hpp:25
-  logic or_987;
-  assign or_987 = (parity_965 & parity_980) | ((^{or_947, or_943, and_939}) & (parity_965 | parity_980));
-  logic or_991;
-  assign or_991 = (or_943 & or_947) | (and_939 & (or_943 | or_947));
-  logic or_995;
-  assign or_995 = (or_958 & or_962) | (or_954 & (or_958 | or_962));
-  logic or_999;
-  assign or_999 = (or_973 & or_977) | (or_969 & (or_973 | or_977));
+  logic or_976;
+  assign or_976 = (or_904 & or_908) | (and_900 & (or_904 | or_908));
+  logic or_980;
+  assign or_980 = (or_919 & or_923) | (or_915 & (or_919 | or_923));
+  logic or_984;
+  assign or_984 = (or_934 & or_938) | (or_930 & (or_934 | or_938));
   // hls/stages/count_bits.hpp:24
-  logic parity_1004;
-  assign parity_1004 = ^{or_999, or_995, or_991, or_987};
+  logic parity_987;
+  assign parity_987 = ^{or_984, or_980, or_976};
+  logic parity_990;
+  assign parity_990 = ^{or_984, or_980, or_976, or_969, or_965, or_961, or_954, or_950, and_946};
   // hls/stages/count_bits.hpp:25
-  logic or_1008;
-  assign or_1008 = (or_995 & or_999) | (or_991 & (or_995 | or_999));
-  logic and_1009;
-  assign and_1009 = or_987 & (^{or_999, or_995, or_991});
+  logic or_994;
+  assign or_994 = (parity_972 & parity_987) | ((^{or_954, or_950, and_946}) & (parity_972 | parity_987));
+  logic or_998;
+  assign or_998 = (or_950 & or_954) | (and_946 & (or_950 | or_954));
+  logic or_1002;
+  assign or_1002 = (or_965 & or_969) | (or_961 & (or_965 | or_969));
+  logic or_1006;
+  assign or_1006 = (or_980 & or_984) | (or_976 & (or_980 | or_984));
   // hls/stages/count_bits.hpp:24
-  logic xor_1010;
-  assign xor_1010 = or_1008 ^ and_1009;
+  logic parity_1011;
+  assign parity_1011 = ^{or_1006, or_1002, or_998, or_994};
+  // hls/stages/count_bits.hpp:25
+  logic or_1015;
+  assign or_1015 = (or_1002 & or_1006) | (or_998 & (or_1002 | or_1006));
+  logic and_1016;
+  assign and_1016 = or_994 & (^{or_1006, or_1002, or_998});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1017;
+  assign xor_1017 = or_1015 ^ and_1016;
   // hls/stages/count_bits.hpp:27
-  logic and_1011;
-  assign and_1011 = or_1008 & and_1009;
+  logic and_1018;
+  assign and_1018 = or_1015 & and_1016;
   // hls/stages/agreement.hpp:150
-  logic [5:0] select_1012;
-  assign select_1012 = equal_595_s1_q ? {and_1011, xor_1010, parity_1004, parity_983, xor_938, xor_843} : 6'h0;
+  logic [5:0] select_1019;
+  assign select_1019 = equal_601_s1_q ? {and_1018, xor_1017, parity_1011, parity_990, xor_945, xor_850} : 6'h0;
   logic [5:0] column;
-  assign column = or_581_s1_q ? 6'h0 : select_1012;
+  assign column = or_588_s1_q ? 6'h0 : select_1019;
   // hls/stages/agreement.hpp:694
-  logic [11:0] select_1023;
-  assign select_1023 = (slot_s1_q[0] ? and_809 : and_792) ? (~(select_770 ^ (slot_s1_q[0] ? select_811 : select_794))) : 12'h0;
-  logic [11:0] select_1024;
-  assign select_1024 = and_768 ? select_1023 : 12'h0;
+  logic [11:0] select_1030;
+  assign select_1030 = (slot_s1_q[0] ? and_816 : and_799) ? (~(select_777 ^ (slot_s1_q[0] ? select_818 : select_801))) : 12'h0;
+  logic [11:0] select_1031;
+  assign select_1031 = and_775 ? select_1030 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1030;
-  assign parity_1030 = ^select_1024[5:3];
-  logic parity_1033;
-  assign parity_1033 = ^select_1024[8:6];
-  logic parity_1036;
-  assign parity_1036 = ^select_1024[11:3];
+  logic parity_1037;
+  assign parity_1037 = ^select_1031[5:3];
+  logic parity_1040;
+  assign parity_1040 = ^select_1031[8:6];
+  logic parity_1043;
+  assign parity_1043 = ^select_1031[11:3];
   // hls/stages/agreement.hpp:222
-  logic and_1040;
-  assign and_1040 = right_codes_rdata_q[85] & not_585_s1_q;
-  logic [11:0] select_1042;
-  assign select_1042 = less_584_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
+  logic and_1047;
+  assign and_1047 = right_codes_rdata_q[85] & not_592_s1_q;
+  logic [11:0] select_1049;
+  assign select_1049 = less_591_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
   // hls/stages/agreement.hpp:694
-  logic [11:0] select_1046;
-  assign select_1046 = (slot_s1_q[0] ? and_1040 : and_809) ? (~(select_793 ^ (slot_s1_q[0] ? select_1042 : select_811))) : 12'h0;
-  logic [11:0] select_1047;
-  assign select_1047 = and_791 ? select_1046 : 12'h0;
+  logic [11:0] select_1053;
+  assign select_1053 = (slot_s1_q[0] ? and_1047 : and_816) ? (~(select_800 ^ (slot_s1_q[0] ? select_1049 : select_818))) : 12'h0;
+  logic [11:0] select_1054;
+  assign select_1054 = and_798 ? select_1053 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1050;
-  assign parity_1050 = ^select_1047[8:6];
-  logic parity_1053;
-  assign parity_1053 = ^select_1047[11:9];
+  logic parity_1057;
+  assign parity_1057 = ^select_1054[8:6];
+  logic parity_1060;
+  assign parity_1060 = ^select_1054[11:9];
   // hls/stages/agreement.hpp:744
-  logic select_1058;
-  assign select_1058 = slot_s1_q[0] ? (right_codes_rdata_q[98] & not_585_s1_q) : and_1040;
-  logic [11:0] select_1060;
-  assign select_1060 = slot_s1_q[0] ? (less_584_s1_q ? 12'h0 : right_codes_rdata_q[97:86]) : select_1042;
+  logic select_1065;
+  assign select_1065 = slot_s1_q[0] ? (right_codes_rdata_q[98] & not_592_s1_q) : and_1047;
+  logic [11:0] select_1067;
+  assign select_1067 = slot_s1_q[0] ? (less_591_s1_q ? 12'h0 : right_codes_rdata_q[97:86]) : select_1049;
   // hls/stages/agreement.hpp:694
-  logic [11:0] select_1064;
-  assign select_1064 = and_808 ? (select_1058 ? (~(select_810 ^ select_1060)) : 12'h0) : 12'h0;
+  logic [11:0] select_1071;
+  assign select_1071 = and_815 ? (select_1065 ? (~(select_817 ^ select_1067)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1070;
-  assign parity_1070 = ^select_1064[2:0];
-  logic parity_1073;
-  assign parity_1073 = ^select_1064[5:3];
-  logic parity_1076;
-  assign parity_1076 = ^select_1064[8:0];
-  logic parity_1082;
-  assign parity_1082 = ^select_1064[11:9];
-  logic parity_1085;
-  assign parity_1085 = ^select_1047[2:0];
-  logic parity_1088;
-  assign parity_1088 = ^{select_1064[11:9], select_1047[5:0]};
-  logic parity_1091;
-  assign parity_1091 = ^{select_1064, select_1047, select_1024[2:0]};
-  logic xor_1092;
-  assign xor_1092 = parity_1036 ^ parity_1091;
+  logic parity_1077;
+  assign parity_1077 = ^select_1071[2:0];
+  logic parity_1080;
+  assign parity_1080 = ^select_1071[5:3];
+  logic parity_1083;
+  assign parity_1083 = ^select_1071[8:0];
+  logic parity_1089;
+  assign parity_1089 = ^select_1071[11:9];
+  logic parity_1092;
+  assign parity_1092 = ^select_1054[2:0];
+  logic parity_1095;
+  assign parity_1095 = ^{select_1071[11:9], select_1054[5:0]};
+  logic parity_1098;
+  assign parity_1098 = ^{select_1071, select_1054, select_1031[2:0]};
+  logic xor_1099;
+  assign xor_1099 = parity_1043 ^ parity_1098;
   // hls/stages/count_bits.hpp:23
-  logic or_1096;
-  assign or_1096 = (select_1024[1:0] == 2'h3) | (select_1024[2] & (select_1024[0] | select_1024[1]));
+  logic or_1103;
+  assign or_1103 = (select_1031[1:0] == 2'h3) | (select_1031[2] & (select_1031[0] | select_1031[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1100;
-  assign or_1100 = (select_1047[7:6] == 2'h3) | (select_1047[8] & (select_1047[6] | select_1047[7]));
-  logic or_1104;
-  assign or_1104 = (select_1047[10:9] == 2'h3) | (select_1047[11] & (select_1047[9] | select_1047[10]));
+  logic or_1107;
+  assign or_1107 = (select_1054[7:6] == 2'h3) | (select_1054[8] & (select_1054[6] | select_1054[7]));
+  logic or_1111;
+  assign or_1111 = (select_1054[10:9] == 2'h3) | (select_1054[11] & (select_1054[9] | select_1054[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1112;
-  assign or_1112 = (select_1064[7:6] == 2'h3) | (select_1064[8] & (~(select_1064[7:6] == 2'h0)));
+  logic or_1119;
+  assign or_1119 = (select_1071[7:6] == 2'h3) | (select_1071[8] & (~(select_1071[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1116;
-  assign or_1116 = (select_1064[1:0] == 2'h3) | (select_1064[2] & (select_1064[0] | select_1064[1]));
-  logic or_1120;
-  assign or_1120 = (select_1064[4:3] == 2'h3) | (select_1064[5] & (select_1064[3] | select_1064[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1123;
-  assign parity_1123 = ^{or_1120, or_1116, or_1112};
-  // hls/stages/count_bits.hpp:23
+  logic or_1123;
+  assign or_1123 = (select_1071[1:0] == 2'h3) | (select_1071[2] & (select_1071[0] | select_1071[1]));
   logic or_1127;
-  assign or_1127 = (select_1047[4:3] == 2'h3) | (select_1047[5] & (select_1047[3] | select_1047[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1131;
-  assign or_1131 = (select_1064[10:9] == 2'h3) | (select_1064[11] & (select_1064[9] | select_1064[10]));
-  logic or_1135;
-  assign or_1135 = (select_1047[1:0] == 2'h3) | (select_1047[2] & (select_1047[0] | select_1047[1]));
+  assign or_1127 = (select_1071[4:3] == 2'h3) | (select_1071[5] & (select_1071[3] | select_1071[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1138;
-  assign parity_1138 = ^{or_1135, or_1131, or_1127};
-  logic parity_1141;
-  assign parity_1141 = ^{or_1135, or_1131, or_1127, or_1120, or_1116, or_1112, or_1104, or_1100, or_1096};
+  logic parity_1130;
+  assign parity_1130 = ^{or_1127, or_1123, or_1119};
+  // hls/stages/count_bits.hpp:23
+  logic or_1134;
+  assign or_1134 = (select_1054[4:3] == 2'h3) | (select_1054[5] & (select_1054[3] | select_1054[4]));
   // hls/stages/count_bits.hpp:25
-  logic and_1142;
-  assign and_1142 = parity_1036 & parity_1091;
-  logic or_1146;
-  assign or_1146 = (parity_1030 & parity_1033) | ((^select_1024[11:9]) & (parity_1030 | parity_1033));
+  logic or_1138;
+  assign or_1138 = (select_1071[10:9] == 2'h3) | (select_1071[11] & (select_1071[9] | select_1071[10]));
+  logic or_1142;
+  assign or_1142 = (select_1054[1:0] == 2'h3) | (select_1054[2] & (select_1054[0] | select_1054[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1145;
+  assign parity_1145 = ^{or_1142, or_1138, or_1134};
+  logic parity_1148;
+  assign parity_1148 = ^{or_1142, or_1138, or_1134, or_1127, or_1123, or_1119, or_1111, or_1107, or_1103};
+  // hls/stages/count_bits.hpp:25
   logic and_1149;
-  assign and_1149 = (^{select_1047[11:6], select_1024[2:0]}) & (parity_1076 | parity_1088);
-  logic or_1150;
-  assign or_1150 = (parity_1076 & parity_1088) | and_1149;
-  // hls/stages/count_bits.hpp:23
+  assign and_1149 = parity_1043 & parity_1098;
+  logic or_1153;
+  assign or_1153 = (parity_1037 & parity_1040) | ((^select_1031[11:9]) & (parity_1037 | parity_1040));
+  logic and_1156;
+  assign and_1156 = (^{select_1054[11:6], select_1031[2:0]}) & (parity_1083 | parity_1095);
   logic or_1157;
-  assign or_1157 = (select_1024[10:9] == 2'h3) | (select_1024[11] & (select_1024[9] | select_1024[10]));
+  assign or_1157 = (parity_1083 & parity_1095) | and_1156;
+  // hls/stages/count_bits.hpp:23
+  logic or_1164;
+  assign or_1164 = (select_1031[10:9] == 2'h3) | (select_1031[11] & (select_1031[9] | select_1031[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1161;
-  assign or_1161 = (select_1024[4:3] == 2'h3) | (select_1024[5] & (select_1024[3] | select_1024[4]));
-  logic or_1165;
-  assign or_1165 = (select_1024[7:6] == 2'h3) | (select_1024[8] & (select_1024[6] | select_1024[7]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1168;
-  assign parity_1168 = ^{or_1165, or_1161, or_1157};
-  // hls/stages/count_bits.hpp:25
+  logic or_1168;
+  assign or_1168 = (select_1031[4:3] == 2'h3) | (select_1031[5] & (select_1031[3] | select_1031[4]));
   logic or_1172;
-  assign or_1172 = (parity_1050 & parity_1053) | ((^select_1024[2:0]) & (parity_1050 | parity_1053));
-  logic or_1176;
-  assign or_1176 = (parity_1070 & parity_1073) | ((^select_1064[8:6]) & (parity_1070 | parity_1073));
-  logic or_1180;
-  assign or_1180 = (parity_1082 & parity_1085) | ((^select_1047[5:3]) & (parity_1082 | parity_1085));
+  assign or_1172 = (select_1031[7:6] == 2'h3) | (select_1031[8] & (select_1031[6] | select_1031[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1183;
-  assign parity_1183 = ^{or_1180, or_1176, or_1172};
-  logic parity_1186;
-  assign parity_1186 = ^{or_1180, or_1176, or_1172, or_1165, or_1161, or_1157, or_1150, or_1146, and_1142};
-  logic xor_1187;
-  assign xor_1187 = parity_1141 ^ parity_1186;
+  logic parity_1175;
+  assign parity_1175 = ^{or_1172, or_1168, or_1164};
   // hls/stages/count_bits.hpp:25
-  logic and_1188;
-  assign and_1188 = parity_1141 & parity_1186;
-  logic or_1192;
-  assign or_1192 = (parity_1123 & parity_1138) | ((^{or_1104, or_1100, or_1096}) & (parity_1123 | parity_1138));
-  logic or_1196;
-  assign or_1196 = (parity_1168 & parity_1183) | ((^{or_1150, or_1146, and_1142}) & (parity_1168 | parity_1183));
+  logic or_1179;
+  assign or_1179 = (parity_1057 & parity_1060) | ((^select_1031[2:0]) & (parity_1057 | parity_1060));
+  logic or_1183;
+  assign or_1183 = (parity_1077 & parity_1080) | ((^select_1071[8:6]) & (parity_1077 | parity_1080));
+  logic or_1187;
+  assign or_1187 = (parity_1089 & parity_1092) | ((^select_1054[5:3]) & (parity_1089 | parity_1092));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1190;
+  assign parity_1190 = ^{or_1187, or_1183, or_1179};
+  logic parity_1193;
+  assign parity_1193 = ^{or_1187, or_1183, or_1179, or_1172, or_1168, or_1164, or_1157, or_1153, and_1149};
+  logic xor_1194;
+  assign xor_1194 = parity_1148 ^ parity_1193;
+  // hls/stages/count_bits.hpp:25
+  logic and_1195;
+  assign and_1195 = parity_1148 & parity_1193;
+  logic or_1199;
+  assign or_1199 = (parity_1130 & parity_1145) | ((^{or_1111, or_1107, or_1103}) & (parity_1130 | parity_1145));
   logic or_1203;
-  assign or_1203 = (or_1100 & or_1104) | (or_1096 & (or_1100 | or_1104));
-  logic or_1207;
-  assign or_1207 = (or_1116 & or_1120) | (or_1112 & (or_1116 | or_1120));
-  logic or_1211;
-  assign or_1211 = (or_1131 & or_1135) | (or_1127 & (or_1131 | or_1135));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1214;
-  assign parity_1214 = ^{or_1211, or_1207, or_1203};
-  // hls/stages/count_bits.hpp:25
+  assign or_1203 = (parity_1175 & parity_1190) | ((^{or_1157, or_1153, and_1149}) & (parity_1175 | parity_1190));
+  logic or_1210;
+  assign or_1210 = (or_1107 & or_1111) | (or_1103 & (or_1107 | or_1111));
+  logic or_1214;
+  assign or_1214 = (or_1123 & or_1127) | (or_1119 & (or_1123 | or_1127));
   logic or_1218;
-  assign or_1218 = (or_1146 & or_1150) | (and_1142 & (or_1146 | or_1150));
-  logic or_1222;
-  assign or_1222 = (or_1161 & or_1165) | (or_1157 & (or_1161 | or_1165));
-  logic or_1226;
-  assign or_1226 = (or_1176 & or_1180) | (or_1172 & (or_1176 | or_1180));
+  assign or_1218 = (or_1138 & or_1142) | (or_1134 & (or_1138 | or_1142));
   // hls/stages/count_bits.hpp:24
-  logic parity_1229;
-  assign parity_1229 = ^{or_1226, or_1222, or_1218};
-  logic parity_1232;
-  assign parity_1232 = ^{or_1226, or_1222, or_1218, or_1211, or_1207, or_1203, or_1196, or_1192, and_1188};
+  logic parity_1221;
+  assign parity_1221 = ^{or_1218, or_1214, or_1210};
   // hls/stages/count_bits.hpp:25
-  logic or_1236;
-  assign or_1236 = (parity_1214 & parity_1229) | ((^{or_1196, or_1192, and_1188}) & (parity_1214 | parity_1229));
-  logic or_1240;
-  assign or_1240 = (or_1192 & or_1196) | (and_1188 & (or_1192 | or_1196));
-  logic or_1244;
-  assign or_1244 = (or_1207 & or_1211) | (or_1203 & (or_1207 | or_1211));
-  logic or_1248;
-  assign or_1248 = (or_1222 & or_1226) | (or_1218 & (or_1222 | or_1226));
+  logic or_1225;
+  assign or_1225 = (or_1153 & or_1157) | (and_1149 & (or_1153 | or_1157));
+  logic or_1229;
+  assign or_1229 = (or_1168 & or_1172) | (or_1164 & (or_1168 | or_1172));
+  logic or_1233;
+  assign or_1233 = (or_1183 & or_1187) | (or_1179 & (or_1183 | or_1187));
   // hls/stages/count_bits.hpp:24
-  logic parity_1253;
-  assign parity_1253 = ^{or_1248, or_1244, or_1240, or_1236};
+  logic parity_1236;
+  assign parity_1236 = ^{or_1233, or_1229, or_1225};
+  logic parity_1239;
+  assign parity_1239 = ^{or_1233, or_1229, or_1225, or_1218, or_1214, or_1210, or_1203, or_1199, and_1195};
   // hls/stages/count_bits.hpp:25
-  logic or_1257;
-  assign or_1257 = (or_1244 & or_1248) | (or_1240 & (or_1244 | or_1248));
-  logic and_1258;
-  assign and_1258 = or_1236 & (^{or_1248, or_1244, or_1240});
+  logic or_1243;
+  assign or_1243 = (parity_1221 & parity_1236) | ((^{or_1203, or_1199, and_1195}) & (parity_1221 | parity_1236));
+  logic or_1247;
+  assign or_1247 = (or_1199 & or_1203) | (and_1195 & (or_1199 | or_1203));
+  logic or_1251;
+  assign or_1251 = (or_1214 & or_1218) | (or_1210 & (or_1214 | or_1218));
+  logic or_1255;
+  assign or_1255 = (or_1229 & or_1233) | (or_1225 & (or_1229 | or_1233));
   // hls/stages/count_bits.hpp:24
-  logic xor_1259;
-  assign xor_1259 = or_1257 ^ and_1258;
+  logic parity_1260;
+  assign parity_1260 = ^{or_1255, or_1251, or_1247, or_1243};
+  // hls/stages/count_bits.hpp:25
+  logic or_1264;
+  assign or_1264 = (or_1251 & or_1255) | (or_1247 & (or_1251 | or_1255));
+  logic and_1265;
+  assign and_1265 = or_1243 & (^{or_1255, or_1251, or_1247});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1266;
+  assign xor_1266 = or_1264 ^ and_1265;
   // hls/stages/count_bits.hpp:27
-  logic and_1260;
-  assign and_1260 = or_1257 & and_1258;
+  logic and_1267;
+  assign and_1267 = or_1264 & and_1265;
   // hls/stages/agreement.hpp:150
-  logic [5:0] select_1261;
-  assign select_1261 = equal_595_s1_q ? {and_1260, xor_1259, parity_1253, parity_1232, xor_1187, xor_1092} : 6'h0;
+  logic [5:0] select_1268;
+  assign select_1268 = equal_601_s1_q ? {and_1267, xor_1266, parity_1260, parity_1239, xor_1194, xor_1099} : 6'h0;
   logic [5:0] column_2;
-  assign column_2 = or_581_s1_q ? 6'h0 : select_1261;
+  assign column_2 = or_588_s1_q ? 6'h0 : select_1268;
   // hls/stages/agreement.hpp:222
-  logic and_1269;
-  assign and_1269 = right_codes_rdata_q[27] & not_585_s1_q;
+  logic and_1276;
+  assign and_1276 = right_codes_rdata_q[27] & not_592_s1_q;
   // hls/stages/agreement.hpp:744
-  logic select_1270;
-  assign select_1270 = slot_s1_q[0] ? (right_codes_rdata_q[12] & not_585_s1_q) : and_1269;
+  logic select_1277;
+  assign select_1277 = slot_s1_q[0] ? (right_codes_rdata_q[12] & not_592_s1_q) : and_1276;
   // hls/stages/agreement.hpp:222
-  logic [11:0] select_1272;
-  assign select_1272 = less_584_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
+  logic [11:0] select_1279;
+  assign select_1279 = less_591_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
   // hls/stages/agreement.hpp:744
-  logic [11:0] select_1273;
-  assign select_1273 = slot_s1_q[0] ? (less_584_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) : select_1272;
+  logic [11:0] select_1280;
+  assign select_1280 = slot_s1_q[0] ? (less_591_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) : select_1279;
   // hls/stages/agreement.hpp:694
-  logic [11:0] select_1277;
-  assign select_1277 = and_768 ? (select_1270 ? (~(select_770 ^ select_1273)) : 12'h0) : 12'h0;
+  logic [11:0] select_1284;
+  assign select_1284 = and_775 ? (select_1277 ? (~(select_777 ^ select_1280)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1283;
-  assign parity_1283 = ^select_1277[5:3];
-  logic parity_1286;
-  assign parity_1286 = ^select_1277[8:6];
-  logic parity_1289;
-  assign parity_1289 = ^select_1277[11:3];
+  logic parity_1290;
+  assign parity_1290 = ^select_1284[5:3];
+  logic parity_1293;
+  assign parity_1293 = ^select_1284[8:6];
+  logic parity_1296;
+  assign parity_1296 = ^select_1284[11:3];
   // hls/stages/agreement.hpp:694
-  logic [11:0] select_1297;
-  assign select_1297 = (slot_s1_q[0] ? and_1269 : and_769) ? (~(select_793 ^ (slot_s1_q[0] ? select_1272 : select_771))) : 12'h0;
-  logic [11:0] select_1298;
-  assign select_1298 = and_791 ? select_1297 : 12'h0;
+  logic [11:0] select_1304;
+  assign select_1304 = (slot_s1_q[0] ? and_1276 : and_776) ? (~(select_800 ^ (slot_s1_q[0] ? select_1279 : select_778))) : 12'h0;
+  logic [11:0] select_1305;
+  assign select_1305 = and_798 ? select_1304 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1301;
-  assign parity_1301 = ^select_1298[8:6];
-  logic parity_1304;
-  assign parity_1304 = ^select_1298[11:9];
+  logic parity_1308;
+  assign parity_1308 = ^select_1305[8:6];
+  logic parity_1311;
+  assign parity_1311 = ^select_1305[11:9];
   // hls/stages/agreement.hpp:694
-  logic [11:0] select_1312;
-  assign select_1312 = (slot_s1_q[0] ? and_769 : and_792) ? (~(select_810 ^ (slot_s1_q[0] ? select_771 : select_794))) : 12'h0;
-  logic [11:0] select_1313;
-  assign select_1313 = and_808 ? select_1312 : 12'h0;
+  logic [11:0] select_1319;
+  assign select_1319 = (slot_s1_q[0] ? and_776 : and_799) ? (~(select_817 ^ (slot_s1_q[0] ? select_778 : select_801))) : 12'h0;
+  logic [11:0] select_1320;
+  assign select_1320 = and_815 ? select_1319 : 12'h0;
   // hls/stages/count_bits.hpp:24
-  logic parity_1319;
-  assign parity_1319 = ^select_1313[2:0];
-  logic parity_1322;
-  assign parity_1322 = ^select_1313[5:3];
-  logic parity_1325;
-  assign parity_1325 = ^select_1313[8:0];
-  logic parity_1331;
-  assign parity_1331 = ^select_1313[11:9];
-  logic parity_1334;
-  assign parity_1334 = ^select_1298[2:0];
-  logic parity_1337;
-  assign parity_1337 = ^{select_1313[11:9], select_1298[5:0]};
-  logic parity_1340;
-  assign parity_1340 = ^{select_1313, select_1298, select_1277[2:0]};
-  logic xor_1341;
-  assign xor_1341 = parity_1289 ^ parity_1340;
+  logic parity_1326;
+  assign parity_1326 = ^select_1320[2:0];
+  logic parity_1329;
+  assign parity_1329 = ^select_1320[5:3];
+  logic parity_1332;
+  assign parity_1332 = ^select_1320[8:0];
+  logic parity_1338;
+  assign parity_1338 = ^select_1320[11:9];
+  logic parity_1341;
+  assign parity_1341 = ^select_1305[2:0];
+  logic parity_1344;
+  assign parity_1344 = ^{select_1320[11:9], select_1305[5:0]};
+  logic parity_1347;
+  assign parity_1347 = ^{select_1320, select_1305, select_1284[2:0]};
+  logic xor_1348;
+  assign xor_1348 = parity_1296 ^ parity_1347;
   // hls/stages/count_bits.hpp:23
-  logic or_1345;
-  assign or_1345 = (select_1277[1:0] == 2'h3) | (select_1277[2] & (select_1277[0] | select_1277[1]));
+  logic or_1352;
+  assign or_1352 = (select_1284[1:0] == 2'h3) | (select_1284[2] & (select_1284[0] | select_1284[1]));
   // hls/stages/count_bits.hpp:25
-  logic or_1349;
-  assign or_1349 = (select_1298[7:6] == 2'h3) | (select_1298[8] & (select_1298[6] | select_1298[7]));
-  logic or_1353;
-  assign or_1353 = (select_1298[10:9] == 2'h3) | (select_1298[11] & (select_1298[9] | select_1298[10]));
+  logic or_1356;
+  assign or_1356 = (select_1305[7:6] == 2'h3) | (select_1305[8] & (select_1305[6] | select_1305[7]));
+  logic or_1360;
+  assign or_1360 = (select_1305[10:9] == 2'h3) | (select_1305[11] & (select_1305[9] | select_1305[10]));
   // hls/stages/count_bits.hpp:23
-  logic or_1361;
-  assign or_1361 = (select_1313[7:6] == 2'h3) | (select_1313[8] & (~(select_1313[7:6] == 2'h0)));
+  logic or_1368;
+  assign or_1368 = (select_1320[7:6] == 2'h3) | (select_1320[8] & (~(select_1320[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_1365;
-  assign or_1365 = (select_1313[1:0] == 2'h3) | (select_1313[2] & (select_1313[0] | select_1313[1]));
-  logic or_1369;
-  assign or_1369 = (select_1313[4:3] == 2'h3) | (select_1313[5] & (select_1313[3] | select_1313[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1372;
-  assign parity_1372 = ^{or_1369, or_1365, or_1361};
-  // hls/stages/count_bits.hpp:23
+  logic or_1372;
+  assign or_1372 = (select_1320[1:0] == 2'h3) | (select_1320[2] & (select_1320[0] | select_1320[1]));
   logic or_1376;
-  assign or_1376 = (select_1298[4:3] == 2'h3) | (select_1298[5] & (select_1298[3] | select_1298[4]));
-  // hls/stages/count_bits.hpp:25
-  logic or_1380;
-  assign or_1380 = (select_1313[10:9] == 2'h3) | (select_1313[11] & (select_1313[9] | select_1313[10]));
-  logic or_1384;
-  assign or_1384 = (select_1298[1:0] == 2'h3) | (select_1298[2] & (select_1298[0] | select_1298[1]));
+  assign or_1376 = (select_1320[4:3] == 2'h3) | (select_1320[5] & (select_1320[3] | select_1320[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1387;
-  assign parity_1387 = ^{or_1384, or_1380, or_1376};
-  logic parity_1390;
-  assign parity_1390 = ^{or_1384, or_1380, or_1376, or_1369, or_1365, or_1361, or_1353, or_1349, or_1345};
-  // hls/stages/count_bits.hpp:25
-  logic and_1391;
-  assign and_1391 = parity_1289 & parity_1340;
-  logic or_1395;
-  assign or_1395 = (parity_1283 & parity_1286) | ((^select_1277[11:9]) & (parity_1283 | parity_1286));
-  logic and_1398;
-  assign and_1398 = (^{select_1298[11:6], select_1277[2:0]}) & (parity_1325 | parity_1337);
-  logic or_1399;
-  assign or_1399 = (parity_1325 & parity_1337) | and_1398;
+  logic parity_1379;
+  assign parity_1379 = ^{or_1376, or_1372, or_1368};
   // hls/stages/count_bits.hpp:23
+  logic or_1383;
+  assign or_1383 = (select_1305[4:3] == 2'h3) | (select_1305[5] & (select_1305[3] | select_1305[4]));
+  // hls/stages/count_bits.hpp:25
+  logic or_1387;
+  assign or_1387 = (select_1320[10:9] == 2'h3) | (select_1320[11] & (select_1320[9] | select_1320[10]));
+  logic or_1391;
+  assign or_1391 = (select_1305[1:0] == 2'h3) | (select_1305[2] & (select_1305[0] | select_1305[1]));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1394;
+  assign parity_1394 = ^{or_1391, or_1387, or_1383};
+  logic parity_1397;
+  assign parity_1397 = ^{or_1391, or_1387, or_1383, or_1376, or_1372, or_1368, or_1360, or_1356, or_1352};
+  // hls/stages/count_bits.hpp:25
+  logic and_1398;
+  assign and_1398 = parity_1296 & parity_1347;
+  logic or_1402;
+  assign or_1402 = (parity_1290 & parity_1293) | ((^select_1284[11:9]) & (parity_1290 | parity_1293));
+  logic and_1405;
+  assign and_1405 = (^{select_1305[11:6], select_1284[2:0]}) & (parity_1332 | parity_1344);
   logic or_1406;
-  assign or_1406 = (select_1277[10:9] == 2'h3) | (select_1277[11] & (select_1277[9] | select_1277[10]));
+  assign or_1406 = (parity_1332 & parity_1344) | and_1405;
+  // hls/stages/count_bits.hpp:23
+  logic or_1413;
+  assign or_1413 = (select_1284[10:9] == 2'h3) | (select_1284[11] & (select_1284[9] | select_1284[10]));
   // hls/stages/count_bits.hpp:25
-  logic or_1410;
-  assign or_1410 = (select_1277[4:3] == 2'h3) | (select_1277[5] & (select_1277[3] | select_1277[4]));
-  logic or_1414;
-  assign or_1414 = (select_1277[7:6] == 2'h3) | (select_1277[8] & (select_1277[6] | select_1277[7]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1417;
-  assign parity_1417 = ^{or_1414, or_1410, or_1406};
-  // hls/stages/count_bits.hpp:25
+  logic or_1417;
+  assign or_1417 = (select_1284[4:3] == 2'h3) | (select_1284[5] & (select_1284[3] | select_1284[4]));
   logic or_1421;
-  assign or_1421 = (parity_1301 & parity_1304) | ((^select_1277[2:0]) & (parity_1301 | parity_1304));
-  logic or_1425;
-  assign or_1425 = (parity_1319 & parity_1322) | ((^select_1313[8:6]) & (parity_1319 | parity_1322));
-  logic or_1429;
-  assign or_1429 = (parity_1331 & parity_1334) | ((^select_1298[5:3]) & (parity_1331 | parity_1334));
+  assign or_1421 = (select_1284[7:6] == 2'h3) | (select_1284[8] & (select_1284[6] | select_1284[7]));
   // hls/stages/count_bits.hpp:24
-  logic parity_1432;
-  assign parity_1432 = ^{or_1429, or_1425, or_1421};
-  logic parity_1435;
-  assign parity_1435 = ^{or_1429, or_1425, or_1421, or_1414, or_1410, or_1406, or_1399, or_1395, and_1391};
-  logic xor_1436;
-  assign xor_1436 = parity_1390 ^ parity_1435;
+  logic parity_1424;
+  assign parity_1424 = ^{or_1421, or_1417, or_1413};
   // hls/stages/count_bits.hpp:25
-  logic and_1437;
-  assign and_1437 = parity_1390 & parity_1435;
-  logic or_1441;
-  assign or_1441 = (parity_1372 & parity_1387) | ((^{or_1353, or_1349, or_1345}) & (parity_1372 | parity_1387));
-  logic or_1445;
-  assign or_1445 = (parity_1417 & parity_1432) | ((^{or_1399, or_1395, and_1391}) & (parity_1417 | parity_1432));
+  logic or_1428;
+  assign or_1428 = (parity_1308 & parity_1311) | ((^select_1284[2:0]) & (parity_1308 | parity_1311));
+  logic or_1432;
+  assign or_1432 = (parity_1326 & parity_1329) | ((^select_1320[8:6]) & (parity_1326 | parity_1329));
+  logic or_1436;
+  assign or_1436 = (parity_1338 & parity_1341) | ((^select_1305[5:3]) & (parity_1338 | parity_1341));
+  // hls/stages/count_bits.hpp:24
+  logic parity_1439;
+  assign parity_1439 = ^{or_1436, or_1432, or_1428};
+  logic parity_1442;
+  assign parity_1442 = ^{or_1436, or_1432, or_1428, or_1421, or_1417, or_1413, or_1406, or_1402, and_1398};
+  logic xor_1443;
+  assign xor_1443 = parity_1397 ^ parity_1442;
+  // hls/stages/count_bits.hpp:25
+  logic and_1444;
+  assign and_1444 = parity_1397 & parity_1442;
+  logic or_1448;
+  assign or_1448 = (parity_1379 & parity_1394) | ((^{or_1360, or_1356, or_1352}) & (parity_1379 | parity_1394));
   logic or_1452;
-  assign or_1452 = (or_1349 & or_1353) | (or_1345 & (or_1349 | or_1353));
-  logic or_1456;
-  assign or_1456 = (or_1365 & or_1369) | (or_1361 & (or_1365 | or_1369));
-  logic or_1460;
-  assign or_1460 = (or_1380 & or_1384) | (or_1376 & (or_1380 | or_1384));
-  // hls/stages/count_bits.hpp:24
-  logic parity_1463;
-  assign parity_1463 = ^{or_1460, or_1456, or_1452};
-  // hls/stages/count_bits.hpp:25
+  assign or_1452 = (parity_1424 & parity_1439) | ((^{or_1406, or_1402, and_1398}) & (parity_1424 | parity_1439));
+  logic or_1459;
+  assign or_1459 = (or_1356 & or_1360) | (or_1352 & (or_1356 | or_1360));
+  logic or_1463;
+  assign or_1463 = (or_1372 & or_1376) | (or_1368 & (or_1372 | or_1376));
   logic or_1467;
-  assign or_1467 = (or_1395 & or_1399) | (and_1391 & (or_1395 | or_1399));
-  logic or_1471;
-  assign or_1471 = (or_1410 & or_1414) | (or_1406 & (or_1410 | or_1414));
-  logic or_1475;
-  assign or_1475 = (or_1425 & or_1429) | (or_1421 & (or_1425 | or_1429));
+  assign or_1467 = (or_1387 & or_1391) | (or_1383 & (or_1387 | or_1391));
   // hls/stages/count_bits.hpp:24
-  logic parity_1478;
-  assign parity_1478 = ^{or_1475, or_1471, or_1467};
-  logic parity_1481;
-  assign parity_1481 = ^{or_1475, or_1471, or_1467, or_1460, or_1456, or_1452, or_1445, or_1441, and_1437};
+  logic parity_1470;
+  assign parity_1470 = ^{or_1467, or_1463, or_1459};
   // hls/stages/count_bits.hpp:25
-  logic or_1485;
-  assign or_1485 = (parity_1463 & parity_1478) | ((^{or_1445, or_1441, and_1437}) & (parity_1463 | parity_1478));
-  logic or_1489;
-  assign or_1489 = (or_1441 & or_1445) | (and_1437 & (or_1441 | or_1445));
-  logic or_1493;
-  assign or_1493 = (or_1456 & or_1460) | (or_1452 & (or_1456 | or_1460));
-  logic or_1497;
-  assign or_1497 = (or_1471 & or_1475) | (or_1467 & (or_1471 | or_1475));
+  logic or_1474;
+  assign or_1474 = (or_1402 & or_1406) | (and_1398 & (or_1402 | or_1406));
+  logic or_1478;
+  assign or_1478 = (or_1417 & or_1421) | (or_1413 & (or_1417 | or_1421));
+  logic or_1482;
+  assign or_1482 = (or_1432 & or_1436) | (or_1428 & (or_1432 | or_1436));
   // hls/stages/count_bits.hpp:24
-  logic parity_1502;
-  assign parity_1502 = ^{or_1497, or_1493, or_1489, or_1485};
+  logic parity_1485;
+  assign parity_1485 = ^{or_1482, or_1478, or_1474};
+  logic parity_1488;
+  assign parity_1488 = ^{or_1482, or_1478, or_1474, or_1467, or_1463, or_1459, or_1452, or_1448, and_1444};
   // hls/stages/count_bits.hpp:25
-  logic or_1506;
-  assign or_1506 = (or_1493 & or_1497) | (or_1489 & (or_1493 | or_1497));
-  logic and_1507;
-  assign and_1507 = or_1485 & (^{or_1497, or_1493, or_1489});
+  logic or_1492;
+  assign or_1492 = (parity_1470 & parity_1485) | ((^{or_1452, or_1448, and_1444}) & (parity_1470 | parity_1485));
+  logic or_1496;
+  assign or_1496 = (or_1448 & or_1452) | (and_1444 & (or_1448 | or_1452));
+  logic or_1500;
+  assign or_1500 = (or_1463 & or_1467) | (or_1459 & (or_1463 | or_1467));
+  logic or_1504;
+  assign or_1504 = (or_1478 & or_1482) | (or_1474 & (or_1478 | or_1482));
   // hls/stages/count_bits.hpp:24
-  logic xor_1508;
-  assign xor_1508 = or_1506 ^ and_1507;
+  logic parity_1509;
+  assign parity_1509 = ^{or_1504, or_1500, or_1496, or_1492};
+  // hls/stages/count_bits.hpp:25
+  logic or_1513;
+  assign or_1513 = (or_1500 & or_1504) | (or_1496 & (or_1500 | or_1504));
+  logic and_1514;
+  assign and_1514 = or_1492 & (^{or_1504, or_1500, or_1496});
+  // hls/stages/count_bits.hpp:24
+  logic xor_1515;
+  assign xor_1515 = or_1513 ^ and_1514;
   // hls/stages/count_bits.hpp:27
-  logic and_1509;
-  assign and_1509 = or_1506 & and_1507;
+  logic and_1516;
+  assign and_1516 = or_1513 & and_1514;
   // hls/stages/agreement.hpp:150
-  logic [5:0] select_1510;
-  assign select_1510 = equal_595_s1_q ? {and_1509, xor_1508, parity_1502, parity_1481, xor_1436, xor_1341} : 6'h0;
+  logic [5:0] select_1517;
+  assign select_1517 = equal_601_s1_q ? {and_1516, xor_1515, parity_1509, parity_1488, xor_1443, xor_1348} : 6'h0;
   logic [5:0] column_3;
-  assign column_3 = or_581_s1_q ? 6'h0 : select_1510;
+  assign column_3 = or_588_s1_q ? 6'h0 : select_1517;
   // hls/stages/agreement.hpp:798
-  logic and_1578;
-  assign and_1578 = ends_cell_s1_q & inside_v;
-  logic and_1580;
-  assign and_1580 = not_577 & (so_s1_q & and_1578);
-  logic [5:0] select_1584;
-  assign select_1584 = so_s1_q ? x_s1_q[5:0] : (or_581_s1_q ? (less_584_s1_q ? 6'h0 : select_629) : 6'h0);
+  logic and_1585;
+  assign and_1585 = ends_cell_s1_q & inside_v;
+  logic and_1587;
+  assign and_1587 = not_584 & (so_s1_q & and_1585);
+  logic [5:0] select_1591;
+  assign select_1591 = so_s1_q ? x_s1_q[5:0] : (or_588_s1_q ? (less_591_s1_q ? 6'h0 : select_633) : 6'h0);
   // hls/stages/agreement.hpp:248
-  logic or_1588;
-  assign or_1588 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
+  logic or_1595;
+  assign or_1595 = (cfg_nearer_below_i & shift[5]) | (cfg_nearer_above_i & ($signed(6'h0) < $signed(shift)));
   // hls/stages/agreement.hpp:150
-  logic and_1597;
-  assign and_1597 = or_581_s1_q & (slot_s1_q[2] & not_585_s1_q);
+  logic and_1604;
+  assign and_1604 = or_588_s1_q & (slot_s1_q[2] & not_592_s1_q);
   // hls/stages/registration.hpp:218
-  logic [16:0] select_1710;
-  assign select_1710 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
+  logic [16:0] select_1717;
+  assign select_1717 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
-  assign change = ($signed(10'h0) < $signed(select_1710[16:7])) ? 8'h7f : select_1710[7:0];
+  assign change = ($signed(10'h0) < $signed(select_1717[16:7])) ? 8'h7f : select_1717[7:0];
   // hls/stages/patches.hpp:174
   logic [7:0] pixel;
-  assign pixel = equal_1787_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
+  assign pixel = equal_1794_s1_q ? (patches_second_s1_q ? 8'h0 : patches_right_0_rdata_q) : 8'h0;
   logic [7:0] pixel_2;
-  assign pixel_2 = equal_1787_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
+  assign pixel_2 = equal_1794_s1_q ? (patches_second_s1_q ? patches_right_1_rdata_q : pixel) : patches_left_rdata_q;
   // hls/stages/patches.hpp:504
-  logic less_1874;
-  assign less_1874 = 5'he < patches_along_q;
+  logic less_1881;
+  assign less_1881 = 5'he < patches_along_q;
   // hls/stages/patches.hpp:505
-  logic or_1875;
-  assign or_1875 = equal_1786_s1_q | less_1874;
+  logic or_1882;
+  assign or_1882 = equal_1793_s1_q | less_1881;
   // hls/stages/patches.hpp:508
   logic new_row;
   assign new_row = patches_along_q == 5'h0;
-  logic select_1880;
-  assign select_1880 = equal_1786_s1_q ? patches_column_s1_q[0] : (or_1875 ? (patches_along_q == 5'h10) : (~new_row));
-  logic not_1881;
-  assign not_1881 = ~or_1875;
+  logic select_1887;
+  assign select_1887 = equal_1793_s1_q ? patches_column_s1_q[0] : (or_1882 ? (patches_along_q == 5'h10) : (~new_row));
+  logic not_1888;
+  assign not_1888 = ~or_1882;
   // hls/stages/patches.hpp:505
-  logic [4:0] sum_1882;
-  assign sum_1882 = patches_down_by_q + {1'b0, patches_match_row_q};
+  logic [4:0] sum_1889;
+  assign sum_1889 = patches_down_by_q + {1'b0, patches_match_row_q};
   // hls/stages/patches.hpp:507
-  logic [4:0] select_1885;
-  assign select_1885 = or_1875 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_1882) + 5'h1) : sum_1882;
+  logic [4:0] select_1892;
+  assign select_1892 = or_1882 ? ((patches_match_row_ends_q ? patches_down_by_q : sum_1889) + 5'h1) : sum_1889;
   // hls/stages/patches.hpp:509
-  logic [4:0] select_1886;
-  assign select_1886 = equal_1786_s1_q ? 5'h0 : select_1885;
-  logic or_1887;
-  assign or_1887 = equal_1786_s1_q | equal_1784_s1_q;
+  logic [4:0] select_1893;
+  assign select_1893 = equal_1793_s1_q ? 5'h0 : select_1892;
+  logic or_1894;
+  assign or_1894 = equal_1793_s1_q | equal_1791_s1_q;
   // hls/stages/patches.hpp:485
-  logic equal_1889;
-  assign equal_1889 = patches_column_s1_q == 5'h1f;
+  logic equal_1896;
+  assign equal_1896 = patches_column_s1_q == 5'h1f;
   logic of_row;
   assign of_row = patches_column_s1_q == 5'h11;
-  logic equal_1891;
-  assign equal_1891 = patches_column_s1_q == 5'h18;
+  logic equal_1898;
+  assign equal_1898 = patches_column_s1_q == 5'h18;
   // hls/stages/patches.hpp:487
-  logic and_1893;
-  assign and_1893 = of_row & (~equal_1891);
+  logic and_1900;
+  assign and_1900 = of_row & (~equal_1898);
   logic [1:0] of_row_2;
-  assign of_row_2 = equal_1889 ? 2'h3 : {equal_1891, and_1893};
+  assign of_row_2 = equal_1896 ? 2'h3 : {equal_1898, and_1900};
   // hls/stages/patches.hpp:473
-  logic [8:0] sum_1896;
-  assign sum_1896 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
-  logic [8:0] sum_1897;
-  assign sum_1897 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
+  logic [8:0] sum_1903;
+  assign sum_1903 = {1'b0, patches_columns_above_rdata_q[7:0]} + {2'h0, pixel_2[7:1]};
+  logic [8:0] sum_1904;
+  assign sum_1904 = {1'b0, patches_columns_above_rdata_q[23:16]} + {2'h0, patches_columns_above_rdata_q[31:25]};
   logic [10:0] down_2;
-  assign down_2 = {1'b0, sum_1896, pixel_2[0]} - {1'b0, sum_1897, patches_columns_above_rdata_q[24]};
+  assign down_2 = {1'b0, sum_1903, pixel_2[0]} - {1'b0, sum_1904, patches_columns_above_rdata_q[24]};
   // hls/stages/patches.hpp:475
-  logic [11:0] sum_1899;
-  assign sum_1899 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
-  logic [12:0] sum_1900;
-  assign sum_1900 = {{4{down_2[10]}}, down_2[10:2]} + {sum_1899[11], sum_1899};
-  logic [13:0] sum_1901;
-  assign sum_1901 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_1900, down_2[1]};
-  logic [12:0] sum_1902;
-  assign sum_1902 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1901[13:1];
-  logic [14:0] sum_1903;
-  assign sum_1903 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_1902, sum_1901[0], down_2[0]};
+  logic [11:0] sum_1906;
+  assign sum_1906 = {patches_down_values_0_q[10], patches_down_values_0_q} + {patches_down_values_1_q[10], patches_down_values_1_q};
+  logic [12:0] sum_1907;
+  assign sum_1907 = {{4{down_2[10]}}, down_2[10:2]} + {sum_1906[11], sum_1906};
+  logic [13:0] sum_1908;
+  assign sum_1908 = {{3{patches_down_values_1_q[10]}}, patches_down_values_1_q} + {sum_1907, down_2[1]};
+  logic [12:0] sum_1909;
+  assign sum_1909 = {{2{patches_down_values_2_q[10]}}, patches_down_values_2_q} + sum_1908[13:1];
+  logic [14:0] sum_1910;
+  assign sum_1910 = {{4{patches_down_values_3_q[10]}}, patches_down_values_3_q} + {sum_1909, sum_1908[0], down_2[0]};
   // hls/stages/patches.hpp:457
-  logic or_1910;
-  assign or_1910 = (sum_1903[8] & (~(sum_1903[7:0] == 8'h0))) | (~(sum_1903[13:9] == 5'h0));
+  logic or_1917;
+  assign or_1917 = (sum_1910[8] & (~(sum_1910[7:0] == 8'h0))) | (~(sum_1910[13:9] == 5'h0));
   // hls/stages/patches.hpp:471
-  logic [8:0] sum_1915;
-  assign sum_1915 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
-  logic [9:0] sum_1916;
-  assign sum_1916 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_1915};
-  logic [10:0] sum_1917;
-  assign sum_1917 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_1916, patches_columns_above_rdata_q[25]};
-  logic [9:0] sum_1918;
-  assign sum_1918 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_1917[10:1];
+  logic [8:0] sum_1922;
+  assign sum_1922 = {1'b0, patches_columns_above_rdata_q[23:16]} + {3'h0, patches_columns_above_rdata_q[31:26]};
+  logic [9:0] sum_1923;
+  assign sum_1923 = {2'h0, patches_columns_above_rdata_q[15:8]} + {1'b0, sum_1922};
+  logic [10:0] sum_1924;
+  assign sum_1924 = {3'h0, patches_columns_above_rdata_q[15:8]} + {sum_1923, patches_columns_above_rdata_q[25]};
+  logic [9:0] sum_1925;
+  assign sum_1925 = {2'h0, patches_columns_above_rdata_q[7:0]} + sum_1924[10:1];
   // hls/stages/patches.hpp:472
   logic [11:0] smooth;
-  assign smooth = {sum_1918, sum_1917[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
+  assign smooth = {sum_1925, sum_1924[0], patches_columns_above_rdata_q[24]} + {4'h0, pixel_2};
   // hls/stages/patches.hpp:474
-  logic [12:0] sum_1920;
-  assign sum_1920 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
-  logic [12:0] sum_1921;
-  assign sum_1921 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
-  logic [14:0] difference_1922;
-  assign difference_1922 = {1'b0, sum_1920, smooth[0]} - {1'b0, sum_1921, patches_smooth_values_3_q[0]};
+  logic [12:0] sum_1927;
+  assign sum_1927 = {1'b0, patches_smooth_values_0_q} + {2'h0, smooth[11:1]};
+  logic [12:0] sum_1928;
+  assign sum_1928 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
+  logic [14:0] difference_1929;
+  assign difference_1929 = {1'b0, sum_1927, smooth[0]} - {1'b0, sum_1928, patches_smooth_values_3_q[0]};
   // hls/stages/patches.hpp:457
-  logic or_1929;
-  assign or_1929 = (difference_1922[8] & (~(difference_1922[7:0] == 8'h0))) | (~(difference_1922[13:9] == 5'h0));
+  logic or_1936;
+  assign or_1936 = (difference_1929[8] & (~(difference_1929[7:0] == 8'h0))) | (~(difference_1929[13:9] == 5'h0));
   // hls/stages/patches.hpp:486
-  logic or_1937;
-  assign or_1937 = (((patches_column_s1_q == 5'ha) | of_row) | equal_1891) | equal_1889;
+  logic or_1944;
+  assign or_1944 = (((patches_column_s1_q == 5'ha) | of_row) | equal_1898) | equal_1896;
   // hls/stages/patches.hpp:481
-  logic and_1942;
-  assign and_1942 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
+  logic and_1949;
+  assign and_1949 = (~(patches_code_row_s1_q[4:2] == 3'h0)) & (~(patches_column_s1_q[4:2] == 3'h0));
   // hls/stages/agreement.hpp:276
-  logic and_1946;
-  assign and_1946 = not_1785_s1_q & (or_1788_s1_q & (or_1937 & (equal_1787_s1_q & and_1942)));
+  logic and_1953;
+  assign and_1953 = not_1792_s1_q & (or_1795_s1_q & (or_1944 & (equal_1794_s1_q & and_1949)));
   // hls/stages/patches.hpp:174
-  logic and_1956;
-  assign and_1956 = (~(equal_1787_s1_q | (~and_1942))) & (~patches_column_s1_q[4]);
+  logic and_1963;
+  assign and_1963 = (~(equal_1794_s1_q | (~and_1949))) & (~patches_column_s1_q[4]);
   // hls/stages/agreement.hpp:276
-  logic and_1960;
-  assign and_1960 = not_1785_s1_q & (or_1788_s1_q & (and_1956 & (patches_column_s1_q == 5'hf)));
+  logic and_1967;
+  assign and_1967 = not_1792_s1_q & (or_1795_s1_q & (and_1963 & (patches_column_s1_q == 5'hf)));
   // hls/stages/patches.hpp:549
-  logic less_1962;
-  assign less_1962 = patches_step_q[4:0] < 5'h11;
-  logic equal_1963;
-  assign equal_1963 = patches_step_q[6:5] == 2'h2;
-  logic equal_1964;
-  assign equal_1964 = patches_step_q[6:5] == 2'h1;
-  logic or_1965;
-  assign or_1965 = equal_1963 | equal_1964;
+  logic less_1969;
+  assign less_1969 = patches_step_q[4:0] < 5'h11;
+  logic equal_1970;
+  assign equal_1970 = patches_step_q[6:5] == 2'h2;
+  logic equal_1971;
+  assign equal_1971 = patches_step_q[6:5] == 2'h1;
+  logic or_1972;
+  assign or_1972 = equal_1970 | equal_1971;
   // hls/stages/division.hpp:34
-  logic [5:0] sum_1995;
-  assign sum_1995 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:1286
-  logic not_2055;
-  assign not_2055 = ~sample_pair_first_q;
+  logic [5:0] sum_2002;
+  assign sum_2002 = region_across_rest_q[8:3] + 6'h1;
+  // hls/stages/agreement.hpp:1289
+  logic not_2064;
+  assign not_2064 = ~sample_pair_first_q;
+  // hls/stages/agreement.hpp:1157
+  logic equal_2314;
+  assign equal_2314 = x_s1_q[6:0] == 7'h70;
+  // hls/stages/agreement.hpp:798
+  logic select_2384;
+  assign select_2384 = equal_583_s1_q ? (moments_other_field_second_q ^ equal_2314) : moments_other_field_second_q;
   // hls/stages/agreement.hpp:465
-  logic select_2576;
-  assign select_2576 = equal_2479_s1_q ? (~({row_s1_q, 1'b0} < {sum_2573, cfg_height_i[3]})) : lower_half_q;
+  logic select_2596;
+  assign select_2596 = equal_2499_s1_q ? (~({row_s1_q, 1'b0} < {sum_2593, cfg_height_i[3]})) : lower_half_q;
   // hls/stages/agreement.hpp:472
-  logic and_2579;
-  assign and_2579 = proven_q & less_2578;
+  logic and_2599;
+  assign and_2599 = proven_q & less_2598;
   // hls/stages/agreement.hpp:530
-  logic select_2583;
-  assign select_2583 = and_551_s1_q ? (equal_2479_s1_q ? (and_2579 & (row_s1_q[5:1] == 5'h0)) : late_q) : late_q;
+  logic select_2603;
+  assign select_2603 = and_556_s1_q ? (equal_2499_s1_q ? (and_2599 & (row_s1_q[5:1] == 5'h0)) : late_q) : late_q;
   // hls/stages/agreement.hpp:473
-  logic equal_2584;
-  assign equal_2584 = row_s1_q[5:2] == 4'h0;
+  logic equal_2604;
+  assign equal_2604 = row_s1_q[5:2] == 4'h0;
   // hls/stages/agreement.hpp:474
-  logic and_2585;
-  assign and_2585 = and_2579 & equal_2584;
+  logic and_2605;
+  assign and_2605 = and_2599 & equal_2604;
   // hls/stages/agreement.hpp:530
-  logic and_2853;
-  assign and_2853 = and_551_s1_q & (equal_2479_s1_q & equal_2584);
+  logic and_2873;
+  assign and_2873 = and_556_s1_q & (equal_2499_s1_q & equal_2604);
   // hls/stages/registration.hpp:128
-  logic and_2854;
-  assign and_2854 = and_2480_s1_q & and_2853;
+  logic and_2874;
+  assign and_2874 = and_2500_s1_q & and_2873;
   // hls/stages/registration.hpp:127
-  logic and_2856;
-  assign and_2856 = and_2480_s1_q & (~and_2853);
+  logic and_2876;
+  assign and_2876 = and_2500_s1_q & (~and_2873);
   // hls/stages/registration.hpp:129
-  logic [15:0] select_2857;
-  assign select_2857 = and_2856 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
+  logic [15:0] select_2877;
+  assign select_2877 = and_2876 ? $unsigned(cfg_epipolar_row_i) : 16'h0;
   // hls/stages/registration.hpp:132
-  logic [23:0] select_2859;
-  assign select_2859 = and_2854 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2857[15]}}, select_2857});
+  logic [23:0] select_2879;
+  assign select_2879 = and_2874 ? {{3{cfg_epipolar_slope_i[15]}}, $unsigned(cfg_epipolar_slope_i), 5'h0} : (registration_slope_row_q + {{8{select_2877[15]}}, select_2877});
   // hls/stages/registration.hpp:130
-  logic [15:0] select_2860;
-  assign select_2860 = and_2856 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
+  logic [15:0] select_2880;
+  assign select_2880 = and_2876 ? $unsigned(cfg_epipolar_both_i) : 16'h0;
   logic [27:0] both;
-  assign both = registration_slope_change_q + {{12{select_2860[15]}}, select_2860};
+  assign both = registration_slope_change_q + {{12{select_2880[15]}}, select_2880};
   // hls/stages/registration.hpp:132
-  logic [27:0] select_2862;
-  assign select_2862 = and_2854 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
+  logic [27:0] select_2882;
+  assign select_2882 = and_2874 ? {{8{cfg_epipolar_column_i[15]}}, $unsigned(cfg_epipolar_column_i), 4'h0} : both;
   // hls/stages/agreement.hpp:150
-  logic and_2863;
-  assign and_2863 = ends_cell_s1_q & so_s1_q;
+  logic and_2883;
+  assign and_2883 = ends_cell_s1_q & so_s1_q;
   // hls/stages/registration.hpp:125
   logic [27:0] column_5;
-  assign column_5 = registration_slope_q + (and_2863 ? registration_slope_change_q : 28'h0);
+  assign column_5 = registration_slope_q + (and_2883 ? registration_slope_change_q : 28'h0);
   // hls/stages/patches.hpp:191
-  logic select_3107;
-  assign select_3107 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
+  logic select_3127;
+  assign select_3127 = patches_along_ends_q ? (patches_match_row_q == 4'ha) : patches_match_row_ends_q;
   // hls/stages/agreement.hpp:276
-  logic [11:0] select_3110;
-  assign select_3110 = equal_1784_s1_q ? patches_smooth_values_0_q : (or_1788_s1_q ? smooth : patches_smooth_values_0_q);
-  logic [11:0] select_3112;
-  assign select_3112 = or_1788_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
-  logic [11:0] select_3114;
-  assign select_3114 = equal_1782_s1_q ? patches_smooth_values_1_q : (equal_1784_s1_q ? patches_smooth_values_1_q : select_3112);
-  logic [11:0] select_3115;
-  assign select_3115 = or_1788_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
-  logic [11:0] select_3117;
-  assign select_3117 = equal_1782_s1_q ? patches_smooth_values_2_q : (equal_1784_s1_q ? patches_smooth_values_2_q : select_3115);
-  logic [11:0] select_3118;
-  assign select_3118 = or_1788_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
-  logic [11:0] select_3120;
-  assign select_3120 = equal_1782_s1_q ? patches_smooth_values_3_q : (equal_1784_s1_q ? patches_smooth_values_3_q : select_3118);
-  logic [10:0] select_3122;
-  assign select_3122 = equal_1784_s1_q ? patches_down_values_0_q : (or_1788_s1_q ? down_2 : patches_down_values_0_q);
-  logic [10:0] select_3125;
-  assign select_3125 = equal_1784_s1_q ? patches_down_values_1_q : (or_1788_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
-  logic [10:0] select_3128;
-  assign select_3128 = equal_1784_s1_q ? patches_down_values_2_q : (or_1788_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
-  logic [10:0] select_3131;
-  assign select_3131 = equal_1784_s1_q ? patches_down_values_3_q : (or_1788_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
+  logic [11:0] select_3130;
+  assign select_3130 = equal_1791_s1_q ? patches_smooth_values_0_q : (or_1795_s1_q ? smooth : patches_smooth_values_0_q);
+  logic [11:0] select_3132;
+  assign select_3132 = or_1795_s1_q ? patches_smooth_values_0_q : patches_smooth_values_1_q;
+  logic [11:0] select_3134;
+  assign select_3134 = equal_1789_s1_q ? patches_smooth_values_1_q : (equal_1791_s1_q ? patches_smooth_values_1_q : select_3132);
+  logic [11:0] select_3135;
+  assign select_3135 = or_1795_s1_q ? patches_smooth_values_1_q : patches_smooth_values_2_q;
+  logic [11:0] select_3137;
+  assign select_3137 = equal_1789_s1_q ? patches_smooth_values_2_q : (equal_1791_s1_q ? patches_smooth_values_2_q : select_3135);
+  logic [11:0] select_3138;
+  assign select_3138 = or_1795_s1_q ? patches_smooth_values_2_q : patches_smooth_values_3_q;
+  logic [11:0] select_3140;
+  assign select_3140 = equal_1789_s1_q ? patches_smooth_values_3_q : (equal_1791_s1_q ? patches_smooth_values_3_q : select_3138);
+  logic [10:0] select_3142;
+  assign select_3142 = equal_1791_s1_q ? patches_down_values_0_q : (or_1795_s1_q ? down_2 : patches_down_values_0_q);
+  logic [10:0] select_3145;
+  assign select_3145 = equal_1791_s1_q ? patches_down_values_1_q : (or_1795_s1_q ? patches_down_values_0_q : patches_down_values_1_q);
+  logic [10:0] select_3148;
+  assign select_3148 = equal_1791_s1_q ? patches_down_values_2_q : (or_1795_s1_q ? patches_down_values_1_q : patches_down_values_2_q);
+  logic [10:0] select_3151;
+  assign select_3151 = equal_1791_s1_q ? patches_down_values_3_q : (or_1795_s1_q ? patches_down_values_2_q : patches_down_values_3_q);
   // hls/stages/patches.hpp:177
-  logic and_3168;
-  assign and_3168 = patches_along_ends_q & patches_match_row_ends_q;
+  logic and_3188;
+  assign and_3188 = patches_along_ends_q & patches_match_row_ends_q;
   // hls/stages/patches.hpp:417
-  logic [4:0] select_3173;
-  assign select_3173 = or_3068_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
+  logic [4:0] select_3193;
+  assign select_3193 = or_3088_s1_q ? 5'h0 : (patches_along_ends_q ? 5'h0 : (patches_along_q + 5'h1));
   // hls/stages/patches.hpp:419
-  logic [3:0] select_3175;
-  assign select_3175 = and_3168 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
+  logic [3:0] select_3195;
+  assign select_3195 = and_3188 ? 4'h0 : ({3'h0, patches_along_ends_q} + patches_match_row_q);
   // hls/stages/agreement.hpp:276
-  logic [4:0] select_3531;
-  assign select_3531 = equal_1782_s1_q ? patches_summed_down_by_q : (equal_1784_s1_q ? patches_down_by_q : patches_summed_down_by_q);
-  logic select_3549;
-  assign select_3549 = equal_1782_s1_q ? (less_1962 & (equal_1964 & or_1965)) : patches_read_searches_q;
+  logic [4:0] select_3551;
+  assign select_3551 = equal_1789_s1_q ? patches_summed_down_by_q : (equal_1791_s1_q ? patches_down_by_q : patches_summed_down_by_q);
+  logic select_3569;
+  assign select_3569 = equal_1789_s1_q ? (less_1969 & (equal_1971 & or_1972)) : patches_read_searches_q;
   // hls/stages/agreement.hpp:206
-  logic [8:0] select_3854;
-  assign select_3854 = so_s1_q ? (and_2863 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
+  logic [8:0] select_3873;
+  assign select_3873 = so_s1_q ? (and_2883 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3856;
-  assign sum_3856 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
+  logic [8:0] sum_3875;
+  assign sum_3875 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3857;
-  assign select_3857 = sum_1995[5] ? {1'b1, sum_1995[4:0], region_across_rest_q[2:0]} : sum_3856;
+  logic [8:0] select_3876;
+  assign select_3876 = sum_2002[5] ? {1'b1, sum_2002[4:0], region_across_rest_q[2:0]} : sum_3875;
   // hls/stages/agreement.hpp:465
-  logic [7:0] select_3859;
-  assign select_3859 = equal_2479_s1_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
-  logic [6:0] select_3862;
-  assign select_3862 = equal_2479_s1_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
-  // hls/stages/agreement.hpp:1159
-  logic equal_3912;
-  assign equal_3912 = x_s1_q[6:0] == 7'h7f;
+  logic [7:0] select_3878;
+  assign select_3878 = equal_2499_s1_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
+  logic [6:0] select_3881;
+  assign select_3881 = equal_2499_s1_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
+  // hls/stages/agreement.hpp:1162
+  logic equal_3931;
+  assign equal_3931 = x_s1_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:279
-  logic and_4079;
-  assign and_4079 = (~drew_q) & (done_q | said_q);
-  // hls/stages/agreement.hpp:1287
-  logic select_4082;
-  assign select_4082 = sample_pair_first_q ? done_q : proven_q;
+  logic and_4098;
+  assign and_4098 = (~drew_q) & (done_q | said_q);
+  // hls/stages/agreement.hpp:1290
+  logic select_4101;
+  assign select_4101 = sample_pair_first_q ? done_q : proven_q;
   // hls/stages/agreement.hpp:279
-  logic select_4084;
-  assign select_4084 = sample_pair_first_q ? done_q : (sample_pair_whole_q ? select_4082 : proven_q);
+  logic select_4103;
+  assign select_4103 = sample_pair_first_q ? done_q : (sample_pair_whole_q ? select_4101 : proven_q);
 
   // Memory averager_memory, 189 x 26, DISTANCE 16, hls/stages/census.hpp:238; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -1896,10 +1909,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 189; i++) averager_memory_mem[i] = 26'h0;
 `endif
   logic [7:0] averager_memory_raddr;
-  assign averager_memory_raddr = select_516_s1_q;
+  assign averager_memory_raddr = select_521_s1_q;
 `ifndef SYNTHESIS
   logic averager_memory_re;
-  assign averager_memory_re = s1_en & and_525;
+  assign averager_memory_re = s1_en & and_530;
 `endif
   logic [25:0] averager_memory_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -1918,32 +1931,32 @@ module horopter_agreement (
   assign census_memory_raddr = last_s1_2_q;
 `ifndef SYNTHESIS
   logic census_memory_re;
-  assign census_memory_re = s1_en & and_551_s1_q;
+  assign census_memory_re = s1_en & and_556_s1_q;
 `endif
   logic [77:0] census_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) census_memory_rdata_q <= census_memory_mem[census_memory_raddr];
   end
 
-  // Memory moments_memory, 1645 x 4, DISTANCE 16, hls/stages/moments.hpp:119; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory moments_memory, 3290 x 4, DISTANCE 16, hls/stages/moments.hpp:155; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
-  logic [3:0] moments_memory_mem [0:1644];
+  logic [3:0] moments_memory_mem [0:3289];
 `ifndef SYNTHESIS  // the memories of FPGAs start with zeros; yosys takes seconds for the loop
-  initial for (int i = 0; i < 1645; i++) moments_memory_mem[i] = 4'h0;
+  initial for (int i = 0; i < 3290; i++) moments_memory_mem[i] = 4'h0;
 `endif
-  logic [10:0] moments_memory_raddr;
-  assign moments_memory_raddr = select_575;
+  logic [11:0] moments_memory_raddr;
+  assign moments_memory_raddr = address;
 `ifndef SYNTHESIS
   logic moments_memory_re;
-  assign moments_memory_re = s1_en & and_593;
+  assign moments_memory_re = s1_en & and_599;
 `endif
   logic [3:0] moments_memory_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) moments_memory_rdata_q <= moments_memory_mem[moments_memory_raddr];
   end
 
-  // Memory best_right, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1390; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory best_right, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1393; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1952,17 +1965,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) best_right_mem[i] = 29'h0;
 `endif
   logic [5:0] best_right_raddr;
-  assign best_right_raddr = or_581_s1_q ? select_629 : right_s1_q;
+  assign best_right_raddr = or_588_s1_q ? select_633 : right_s1_q;
 `ifndef SYNTHESIS
   logic best_right_re;
-  assign best_right_re = s1_en & select_620_s1_q;
+  assign best_right_re = s1_en & select_624_s1_q;
 `endif
   logic [28:0] best_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) best_right_rdata_q <= best_right_mem[best_right_raddr];
   end
 
-  // Memory shown_right, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1391; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory shown_right, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1394; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1974,14 +1987,14 @@ module horopter_agreement (
   assign shown_right_raddr = x_s1_q[5:0];
 `ifndef SYNTHESIS
   logic shown_right_re;
-  assign shown_right_re = s1_en & and_1580;
+  assign shown_right_re = s1_en & and_1587;
 `endif
   logic [1:0] shown_right_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory left_turns, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1392; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory left_turns, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1395; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1993,14 +2006,14 @@ module horopter_agreement (
   assign left_turns_raddr = x_s1_q[5:0];
 `ifndef SYNTHESIS
   logic left_turns_re;
-  assign left_turns_re = s1_en & and_1597;
+  assign left_turns_re = s1_en & and_1604;
 `endif
   logic [1:0] left_turns_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) left_turns_rdata_q <= left_turns_mem[left_turns_raddr];
   end
 
-  // Memory right_turns, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1392; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory right_turns, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1395; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2009,10 +2022,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 47; i++) right_turns_mem[i] = 2'h0;
 `endif
   logic [5:0] right_turns_raddr;
-  assign right_turns_raddr = select_629;
+  assign right_turns_raddr = select_633;
 `ifndef SYNTHESIS
   logic right_turns_re;
-  assign right_turns_re = s1_en & and_1597;
+  assign right_turns_re = s1_en & and_1604;
 `endif
   logic [1:0] right_turns_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2027,10 +2040,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 112; i++) patches_right_codes_mem[i] = 28'h0;
 `endif
   logic [6:0] patches_right_codes_raddr;
-  assign patches_right_codes_raddr = {select_1886, not_1881, select_1880};
+  assign patches_right_codes_raddr = {select_1893, not_1888, select_1887};
 `ifndef SYNTHESIS
   logic patches_right_codes_re;
-  assign patches_right_codes_re = s1_en & or_1887;
+  assign patches_right_codes_re = s1_en & or_1894;
 `endif
   logic [27:0] patches_right_codes_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2049,7 +2062,7 @@ module horopter_agreement (
   assign patches_left_codes_raddr = patches_match_row_q;
 `ifndef SYNTHESIS
   logic patches_left_codes_re;
-  assign patches_left_codes_re = s1_en & (not_1783_s1_q & (new_row & equal_1784_s1_q));
+  assign patches_left_codes_re = s1_en & (not_1790_s1_q & (new_row & equal_1791_s1_q));
 `endif
   logic [47:0] patches_left_codes_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2068,14 +2081,14 @@ module horopter_agreement (
   assign patches_rows_raddr = patches_step_q[4:0];
 `ifndef SYNTHESIS
   logic patches_rows_re;
-  assign patches_rows_re = s1_en & (equal_1782_s1_q & (less_1962 & or_1965));
+  assign patches_rows_re = s1_en & (equal_1789_s1_q & (less_1969 & or_1972));
 `endif
   logic [14:0] patches_rows_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_rows_rdata_q <= patches_rows_mem[patches_rows_raddr];
   end
 
-  // Memory seen_columns, 47 x 18, DISTANCE 12, hls/stages/agreement.hpp:1419; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory seen_columns, 47 x 18, DISTANCE 12, hls/stages/agreement.hpp:1422; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2087,7 +2100,7 @@ module horopter_agreement (
   assign seen_columns_raddr = x_s1_q[5:0];
 `ifndef SYNTHESIS
   logic seen_columns_re;
-  assign seen_columns_re = s1_en & and_1580;
+  assign seen_columns_re = s1_en & and_1587;
 `endif
   logic [17:0] seen_columns_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -2098,9 +2111,9 @@ module horopter_agreement (
   logic [5:0] left_waddr;
   assign left_waddr = x_s1_q[5:0];
   logic left_we;
-  assign left_we = s1_en & and_655_s1_q;
+  assign left_we = s1_en & and_662_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_we) left_mem[left_waddr] <= {and_757, left_rdata_q[65:49], and_756, left_rdata_q[47:31], and_755, left_rdata_q[29:13], and_754, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
+    if (left_we) left_mem[left_waddr] <= {and_764, left_rdata_q[65:49], and_763, left_rdata_q[47:31], and_762, left_rdata_q[29:13], and_761, left_rdata_q[11:0], fresh_rdata_q[30:26], fresh_rdata_q[24], fresh_rdata_q[11:0]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2118,9 +2131,9 @@ module horopter_agreement (
   logic [5:0] right_codes_waddr;
   assign right_codes_waddr = x_s1_q[5:0];
   logic right_codes_we;
-  assign right_codes_we = s1_en & and_655_s1_q;
+  assign right_codes_we = s1_en & and_662_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_763, right_codes_rdata_q[84:73], and_762, right_codes_rdata_q[71:60], and_761, right_codes_rdata_q[56:43], and_760, right_codes_rdata_q[41:28], and_759, right_codes_rdata_q[26:13], and_758, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
+    if (right_codes_we) right_codes_mem[right_codes_waddr] <= {and_770, right_codes_rdata_q[84:73], and_769, right_codes_rdata_q[71:60], and_768, right_codes_rdata_q[56:43], and_767, right_codes_rdata_q[41:28], and_766, right_codes_rdata_q[26:13], and_765, right_codes_rdata_q[11:0], fresh_rdata_q[32:31], fresh_rdata_q[25], fresh_rdata_q[23:12]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -2138,7 +2151,7 @@ module horopter_agreement (
   logic [4:0] patches_columns_above_waddr;
   assign patches_columns_above_waddr = patches_column_s1_q;
   logic patches_columns_above_we;
-  assign patches_columns_above_we = s1_en & and_1868_s1_q;
+  assign patches_columns_above_we = s1_en & and_1875_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_columns_above_we) patches_columns_above_mem[patches_columns_above_waddr] <= {patches_columns_above_rdata_q[23:0], pixel_2};
   end
@@ -2157,6 +2170,7 @@ module horopter_agreement (
       moments_place_q <= 12'h0;
       moments_taken_q <= 1'b0;
       moments_starts_q <= 1'b0;
+      moments_other_field_second_q <= 1'b0;
       row_q <= 6'h0;
       lower_half_q <= 1'b0;
       late_q <= 1'b0;
@@ -2190,41 +2204,42 @@ module horopter_agreement (
       drew_q <= 1'b0;
       said_q <= 1'b0;
     end else if (s1_en) begin
-      moments_place_q <= select_574;
-      moments_taken_q <= not_577 & (not_579 & (equal_580_s1_q & inside_v));
-      moments_starts_q <= not_577 & (not_579 & (equal_580_s1_q & (inside_v & first)));
-      row_q <= and_551_s1_q ? (equal_2479_s1_q ? row_s1_q : row_q) : row_q;
-      lower_half_q <= and_551_s1_q ? select_2576 : lower_half_q;
-      late_q <= select_2583;
-      registration_slope_row_q <= select_2859;
-      registration_slope_change_q <= select_2862;
+      moments_place_q <= select_579;
+      moments_taken_q <= not_584 & (not_586 & (equal_587_s1_q & inside_v));
+      moments_starts_q <= not_584 & (not_586 & (equal_587_s1_q & (inside_v & first)));
+      moments_other_field_second_q <= select_2384;
+      row_q <= and_556_s1_q ? (equal_2499_s1_q ? row_s1_q : row_q) : row_q;
+      lower_half_q <= and_556_s1_q ? select_2596 : lower_half_q;
+      late_q <= select_2603;
+      registration_slope_row_q <= select_2879;
+      registration_slope_change_q <= select_2882;
       registration_slope_q <= so_s1_q ? column_5 : {registration_slope_row_q, 4'h0};
-      patches_along_ends_q <= not_3092_s1_q & (patches_along_q == 5'hf);
-      patches_match_row_ends_q <= not_3092_s1_q & select_3107;
-      patches_smooth_values_0_q <= equal_1782_s1_q ? patches_smooth_values_0_q : select_3110;
-      patches_smooth_values_1_q <= select_3114;
-      patches_smooth_values_2_q <= select_3117;
-      patches_smooth_values_3_q <= select_3120;
-      patches_down_values_0_q <= equal_1782_s1_q ? patches_down_values_0_q : select_3122;
-      patches_down_values_1_q <= equal_1782_s1_q ? patches_down_values_1_q : select_3125;
-      patches_down_values_2_q <= equal_1782_s1_q ? patches_down_values_2_q : select_3128;
-      patches_down_values_3_q <= equal_1782_s1_q ? patches_down_values_3_q : select_3131;
-      patches_down_by_q <= or_3068_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3168});
-      patches_along_q <= select_3173;
-      patches_match_row_q <= or_3068_s1_q ? 4'h0 : select_3175;
-      patches_summed_last_q <= not_1783_s1_q & (equal_1784_s1_q & and_3168);
-      patches_summed_down_by_q <= select_3531;
-      patches_step_q <= or_3068_s1_q ? 7'h0 : (patches_step_q + 7'h1);
-      patches_read_searches_q <= select_3549;
-      region_across_rest_q <= select_3854;
+      patches_along_ends_q <= not_3112_s1_q & (patches_along_q == 5'hf);
+      patches_match_row_ends_q <= not_3112_s1_q & select_3127;
+      patches_smooth_values_0_q <= equal_1789_s1_q ? patches_smooth_values_0_q : select_3130;
+      patches_smooth_values_1_q <= select_3134;
+      patches_smooth_values_2_q <= select_3137;
+      patches_smooth_values_3_q <= select_3140;
+      patches_down_values_0_q <= equal_1789_s1_q ? patches_down_values_0_q : select_3142;
+      patches_down_values_1_q <= equal_1789_s1_q ? patches_down_values_1_q : select_3145;
+      patches_down_values_2_q <= equal_1789_s1_q ? patches_down_values_2_q : select_3148;
+      patches_down_values_3_q <= equal_1789_s1_q ? patches_down_values_3_q : select_3151;
+      patches_down_by_q <= or_3088_s1_q ? 5'h0 : (patches_down_by_q + {4'h0, and_3188});
+      patches_along_q <= select_3193;
+      patches_match_row_q <= or_3088_s1_q ? 4'h0 : select_3195;
+      patches_summed_last_q <= not_1790_s1_q & (equal_1791_s1_q & and_3188);
+      patches_summed_down_by_q <= select_3551;
+      patches_step_q <= or_3088_s1_q ? 7'h0 : (patches_step_q + 7'h1);
+      patches_read_searches_q <= select_3569;
+      region_across_rest_q <= select_3873;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3857;
-      columns_begin_rest_q <= and_551_s1_q ? select_3859 : columns_begin_rest_q;
-      columns_begin_back_q <= and_551_s1_q ? select_3862 : columns_begin_back_q;
-      done_q <= sample_pair_whole_q ? (not_2055 & and_4079) : and_4079;
-      proven_q <= sample_pair_whole_q ? select_4084 : proven_q;
+      region_across_next_q <= select_3876;
+      columns_begin_rest_q <= and_556_s1_q ? select_3878 : columns_begin_rest_q;
+      columns_begin_back_q <= and_556_s1_q ? select_3881 : columns_begin_back_q;
+      done_q <= sample_pair_whole_q ? (not_2064 & and_4098) : and_4098;
+      proven_q <= sample_pair_whole_q ? select_4103 : proven_q;
       drew_q <= so_s1_q;
-      said_q <= equal_576_s1_q & equal_3912;
+      said_q <= equal_583_s1_q & equal_3931;
     end
   end
 
@@ -2324,93 +2339,94 @@ module horopter_agreement (
   logic [4:0] patches_step_s2_q;
   logic patches_read_searches_s2_q;
   logic done_s2_q;
-  logic [2:0] select_512_s2_q;
+  logic [2:0] select_517_s2_q;
   logic row_starts_s2_q;
-  logic [7:0] select_516_s2_q;
-  logic and_524_s2_q;
-  logic and_525_s2_q;
-  logic equal_530_s2_q;
-  logic [5:0] select_545_s2_q;
+  logic [7:0] select_521_s2_q;
+  logic and_529_s2_q;
+  logic and_530_s2_q;
+  logic equal_535_s2_q;
+  logic [5:0] select_550_s2_q;
   logic [5:0] last_s2_2_q;
-  logic and_549_s2_q;
-  logic and_551_s2_q;
-  logic equal_571_s2_q;
-  logic [10:0] select_575_s2_q;
+  logic and_554_s2_q;
+  logic and_556_s2_q;
   logic equal_576_s2_q;
-  logic not_577_s2_q;
-  logic not_579_s2_q;
-  logic equal_580_s2_q;
-  logic or_581_s2_q;
-  logic less_584_s2_q;
-  logic not_585_s2_q;
+  logic [11:0] address_s2_q;
+  logic equal_583_s2_q;
+  logic not_584_s2_q;
+  logic not_586_s2_q;
+  logic equal_587_s2_q;
+  logic or_588_s2_q;
+  logic less_591_s2_q;
+  logic not_592_s2_q;
   logic inside_v_s2_q;
-  logic not_589_s2_q;
-  logic and_593_s2_q;
-  logic and_602_s2_q;
-  logic and_611_s2_q;
+  logic not_595_s2_q;
+  logic and_599_s2_q;
+  logic and_615_s2_q;
   logic [6:0] x_s2_2_q;
   logic [61:0] best_left_rdata_s2_q;
   logic [5:0] right_s2_q;
-  logic not_640_s2_q;
-  logic and_644_s2_q;
-  logic and_649_s2_q;
-  logic and_651_s2_q;
-  logic equal_684_s2_q;
+  logic and_647_s2_q;
+  logic and_650_s2_q;
+  logic and_656_s2_q;
+  logic and_658_s2_q;
+  logic equal_691_s2_q;
   logic [5:0] column_s2_q;
-  logic [5:0] select_1263_s2_q;
-  logic [5:0] select_1512_s2_q;
-  logic and_1567_s2_q;
-  logic equal_1568_s2_q;
-  logic and_1578_s2_q;
-  logic and_1580_s2_q;
-  logic [5:0] select_1584_s2_q;
-  logic or_1588_s2_q;
-  logic and_1691_s2_q;
-  logic less_1705_s2_q;
+  logic [5:0] select_1270_s2_q;
+  logic [5:0] select_1519_s2_q;
+  logic and_1574_s2_q;
+  logic equal_1575_s2_q;
+  logic and_1585_s2_q;
+  logic and_1587_s2_q;
+  logic [5:0] select_1591_s2_q;
+  logic or_1595_s2_q;
+  logic and_1698_s2_q;
+  logic less_1712_s2_q;
   logic [7:0] change_s2_q;
-  logic equal_1782_s2_q;
-  logic equal_1784_s2_q;
-  logic equal_1787_s2_q;
-  logic or_1788_s2_q;
-  logic not_1789_s2_q;
-  logic [4:0] select_1812_s2_q;
-  logic select_1818_s2_q;
-  logic [3:0] select_1858_s2_q;
-  logic less_1874_s2_q;
+  logic equal_1789_s2_q;
+  logic equal_1791_s2_q;
+  logic equal_1794_s2_q;
+  logic or_1795_s2_q;
+  logic not_1796_s2_q;
+  logic [4:0] select_1819_s2_q;
+  logic select_1825_s2_q;
+  logic [3:0] select_1865_s2_q;
+  logic less_1881_s2_q;
   logic new_row_s2_q;
-  logic or_1887_s2_q;
+  logic or_1894_s2_q;
   logic [1:0] of_row_2_s2_q;
-  logic not_1904_s2_q;
-  logic or_1910_s2_q;
-  logic and_1914_s2_q;
-  logic and_1930_s2_q;
-  logic and_1933_s2_q;
-  logic and_1947_s2_q;
-  logic and_1956_s2_q;
-  logic and_1961_s2_q;
-  logic less_1962_s2_q;
-  logic equal_1963_s2_q;
-  logic or_1965_s2_q;
-  logic and_1974_s2_q;
-  logic select_1976_s2_q;
-  logic and_1979_s2_q;
-  logic sum_1995_s2_q;
-  logic and_2017_s2_q;
-  logic not_2055_s2_q;
-  logic less_2136_s2_q;
-  logic equal_2290_s2_q;
-  logic equal_2479_s2_q;
-  logic and_2585_s2_q;
-  logic and_2616_s2_q;
-  logic equal_2705_s2_q;
-  logic less_3144_s2_q;
-  logic equal_3487_s2_q;
-  logic equal_3584_s2_q;
-  logic less_3840_s2_q;
-  logic equal_3912_s2_q;
-  logic or_4062_s2_q;
-  logic and_4136_s2_q;
-  logic not_4154_s2_q;
+  logic not_1911_s2_q;
+  logic or_1917_s2_q;
+  logic and_1921_s2_q;
+  logic and_1937_s2_q;
+  logic and_1940_s2_q;
+  logic and_1954_s2_q;
+  logic and_1963_s2_q;
+  logic and_1968_s2_q;
+  logic less_1969_s2_q;
+  logic equal_1970_s2_q;
+  logic or_1972_s2_q;
+  logic and_1981_s2_q;
+  logic select_1983_s2_q;
+  logic and_1986_s2_q;
+  logic sum_2002_s2_q;
+  logic not_2012_s2_q;
+  logic and_2026_s2_q;
+  logic not_2064_s2_q;
+  logic less_2145_s2_q;
+  logic equal_2299_s2_q;
+  logic equal_2314_s2_q;
+  logic equal_2499_s2_q;
+  logic and_2605_s2_q;
+  logic and_2636_s2_q;
+  logic equal_2725_s2_q;
+  logic less_3164_s2_q;
+  logic equal_3507_s2_q;
+  logic equal_3604_s2_q;
+  logic less_3859_s2_q;
+  logic equal_3931_s2_q;
+  logic or_4081_s2_q;
+  logic and_4155_s2_q;
+  logic not_4173_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       pixel_0_s2_q <= pixel_0_s1_q;
@@ -2443,93 +2459,94 @@ module horopter_agreement (
       patches_step_s2_q <= patches_step_q[4:0];
       patches_read_searches_s2_q <= patches_read_searches_q;
       done_s2_q <= done_q;
-      select_512_s2_q <= select_512_s1_q;
+      select_517_s2_q <= select_517_s1_q;
       row_starts_s2_q <= row_starts_s1_q;
-      select_516_s2_q <= select_516_s1_q;
-      and_524_s2_q <= and_524_s1_q;
-      and_525_s2_q <= and_525;
-      equal_530_s2_q <= equal_530_s1_q;
-      select_545_s2_q <= select_545_s1_q;
+      select_521_s2_q <= select_521_s1_q;
+      and_529_s2_q <= and_529_s1_q;
+      and_530_s2_q <= and_530;
+      equal_535_s2_q <= equal_535_s1_q;
+      select_550_s2_q <= select_550_s1_q;
       last_s2_2_q <= last_s1_2_q;
-      and_549_s2_q <= and_549_s1_q;
-      and_551_s2_q <= and_551_s1_q;
-      equal_571_s2_q <= equal_571;
-      select_575_s2_q <= select_575;
-      equal_576_s2_q <= equal_576_s1_q;
-      not_577_s2_q <= not_577;
-      not_579_s2_q <= not_579;
-      equal_580_s2_q <= equal_580_s1_q;
-      or_581_s2_q <= or_581_s1_q;
-      less_584_s2_q <= less_584_s1_q;
-      not_585_s2_q <= not_585_s1_q;
+      and_554_s2_q <= and_554_s1_q;
+      and_556_s2_q <= and_556_s1_q;
+      equal_576_s2_q <= equal_576;
+      address_s2_q <= address;
+      equal_583_s2_q <= equal_583_s1_q;
+      not_584_s2_q <= not_584;
+      not_586_s2_q <= not_586;
+      equal_587_s2_q <= equal_587_s1_q;
+      or_588_s2_q <= or_588_s1_q;
+      less_591_s2_q <= less_591_s1_q;
+      not_592_s2_q <= not_592_s1_q;
       inside_v_s2_q <= inside_v;
-      not_589_s2_q <= not_589;
-      and_593_s2_q <= and_593;
-      and_602_s2_q <= or_581_s1_q & (left_rdata_q[70] & not_585_s1_q);
-      and_611_s2_q <= (or_581_s1_q & (left_rdata_q[68] & not_585_s1_q)) & and_610;
+      not_595_s2_q <= not_595;
+      and_599_s2_q <= and_599;
+      and_615_s2_q <= (or_588_s1_q & (left_rdata_q[68] & not_592_s1_q)) & and_614;
       x_s2_2_q <= x_s1_2_q;
       best_left_rdata_s2_q <= best_left_rdata_q;
       right_s2_q <= right_s1_q;
-      not_640_s2_q <= ~late_q;
-      and_644_s2_q <= or_581_s1_q & (left_rdata_q[71] & not_585_s1_q);
-      and_649_s2_q <= or_581_s1_q & (right_codes_rdata_q[58] & not_585_s1_q);
-      and_651_s2_q <= or_581_s1_q & (right_codes_rdata_q[59] & not_585_s1_q);
-      equal_684_s2_q <= row_s1_q == 6'h0;
+      and_647_s2_q <= (or_588_s1_q & (left_rdata_q[70] & not_592_s1_q)) & less_646;
+      and_650_s2_q <= or_588_s1_q & (left_rdata_q[71] & not_592_s1_q);
+      and_656_s2_q <= and_656;
+      and_658_s2_q <= or_588_s1_q & (right_codes_rdata_q[59] & not_592_s1_q);
+      equal_691_s2_q <= row_s1_q == 6'h0;
       column_s2_q <= column;
-      select_1263_s2_q <= age_s1_q[3] ? sums_0_columns_values_13_q : 6'h0;
-      select_1512_s2_q <= age_s1_q[3] ? sums_1_columns_values_13_q : 6'h0;
-      and_1567_s2_q <= and_1567_s1_q;
-      equal_1568_s2_q <= equal_1568_s1_q;
-      and_1578_s2_q <= and_1578;
-      and_1580_s2_q <= and_1580;
-      select_1584_s2_q <= select_1584;
-      or_1588_s2_q <= or_1588;
-      and_1691_s2_q <= and_1691_s1_q;
-      less_1705_s2_q <= 5'h4 < row_q[5:1];
+      select_1270_s2_q <= age_s1_q[3] ? sums_0_columns_values_13_q : 6'h0;
+      select_1519_s2_q <= age_s1_q[3] ? sums_1_columns_values_13_q : 6'h0;
+      and_1574_s2_q <= and_1574_s1_q;
+      equal_1575_s2_q <= equal_1575_s1_q;
+      and_1585_s2_q <= and_1585;
+      and_1587_s2_q <= and_1587;
+      select_1591_s2_q <= select_1591;
+      or_1595_s2_q <= or_1595;
+      and_1698_s2_q <= and_1698_s1_q;
+      less_1712_s2_q <= 5'h4 < row_q[5:1];
       change_s2_q <= change;
-      equal_1782_s2_q <= equal_1782_s1_q;
-      equal_1784_s2_q <= equal_1784_s1_q;
-      equal_1787_s2_q <= equal_1787_s1_q;
-      or_1788_s2_q <= or_1788_s1_q;
-      not_1789_s2_q <= not_1789_s1_q;
-      select_1812_s2_q <= select_1812_s1_q;
-      select_1818_s2_q <= select_1818_s1_q;
-      select_1858_s2_q <= select_1858_s1_q;
-      less_1874_s2_q <= less_1874;
+      equal_1789_s2_q <= equal_1789_s1_q;
+      equal_1791_s2_q <= equal_1791_s1_q;
+      equal_1794_s2_q <= equal_1794_s1_q;
+      or_1795_s2_q <= or_1795_s1_q;
+      not_1796_s2_q <= not_1796_s1_q;
+      select_1819_s2_q <= select_1819_s1_q;
+      select_1825_s2_q <= select_1825_s1_q;
+      select_1865_s2_q <= select_1865_s1_q;
+      less_1881_s2_q <= less_1881;
       new_row_s2_q <= new_row;
-      or_1887_s2_q <= or_1887;
+      or_1894_s2_q <= or_1894;
       of_row_2_s2_q <= of_row_2;
-      not_1904_s2_q <= ~sum_1903[14];
-      or_1910_s2_q <= or_1910;
-      and_1914_s2_q <= sum_1903[14] & (~(sum_1903[13:8] == 6'h3f));
-      and_1930_s2_q <= (~difference_1922[14]) & or_1929;
-      and_1933_s2_q <= difference_1922[14] & (~(difference_1922[13:8] == 6'h3f));
-      and_1947_s2_q <= not_1783_s1_q & and_1946;
-      and_1956_s2_q <= and_1956;
-      and_1961_s2_q <= not_1783_s1_q & and_1960;
-      less_1962_s2_q <= less_1962;
-      equal_1963_s2_q <= equal_1963;
-      or_1965_s2_q <= or_1965;
-      and_1974_s2_q <= sample_pair_whole_q;
-      select_1976_s2_q <= left_first_q;
-      and_1979_s2_q <= right_q;
-      sum_1995_s2_q <= sum_1995[5];
-      and_2017_s2_q <= or_581_s1_q & (left_rdata_q[69] & not_585_s1_q);
-      not_2055_s2_q <= not_2055;
-      less_2136_s2_q <= 6'h6 < row_q;
-      equal_2290_s2_q <= (last_s1_2_q | row_s1_q) == 6'h0;
-      equal_2479_s2_q <= equal_2479_s1_q;
-      and_2585_s2_q <= and_2585;
-      and_2616_s2_q <= or_581_s1_q & (not_585_s1_q & and_610);
-      equal_2705_s2_q <= shift == 6'h0;
-      less_3144_s2_q <= 4'he < patches_column_s1_q[4:1];
-      equal_3487_s2_q <= patches_match_row_q == 4'h0;
-      equal_3584_s2_q <= patches_step_q[6:5] == 2'h3;
-      less_3840_s2_q <= 5'h2 < row_s1_q[5:1];
-      equal_3912_s2_q <= equal_3912;
-      or_4062_s2_q <= and_2585 | (~(row_s1_q[5:3] == 3'h0));
-      and_4136_s2_q <= less_2578 & select_4082;
-      not_4154_s2_q <= ~proven_q;
+      not_1911_s2_q <= ~sum_1910[14];
+      or_1917_s2_q <= or_1917;
+      and_1921_s2_q <= sum_1910[14] & (~(sum_1910[13:8] == 6'h3f));
+      and_1937_s2_q <= (~difference_1929[14]) & or_1936;
+      and_1940_s2_q <= difference_1929[14] & (~(difference_1929[13:8] == 6'h3f));
+      and_1954_s2_q <= not_1790_s1_q & and_1953;
+      and_1963_s2_q <= and_1963;
+      and_1968_s2_q <= not_1790_s1_q & and_1967;
+      less_1969_s2_q <= less_1969;
+      equal_1970_s2_q <= equal_1970;
+      or_1972_s2_q <= or_1972;
+      and_1981_s2_q <= sample_pair_whole_q;
+      select_1983_s2_q <= left_first_q;
+      and_1986_s2_q <= right_q;
+      sum_2002_s2_q <= sum_2002[5];
+      not_2012_s2_q <= ~late_q;
+      and_2026_s2_q <= or_588_s1_q & (left_rdata_q[69] & not_592_s1_q);
+      not_2064_s2_q <= not_2064;
+      less_2145_s2_q <= 6'h6 < row_q;
+      equal_2299_s2_q <= (last_s1_2_q | row_s1_q) == 6'h0;
+      equal_2314_s2_q <= equal_2314;
+      equal_2499_s2_q <= equal_2499_s1_q;
+      and_2605_s2_q <= and_2605;
+      and_2636_s2_q <= or_588_s1_q & (not_592_s1_q & and_614);
+      equal_2725_s2_q <= shift == 6'h0;
+      less_3164_s2_q <= 4'he < patches_column_s1_q[4:1];
+      equal_3507_s2_q <= patches_match_row_q == 4'h0;
+      equal_3604_s2_q <= patches_step_q[6:5] == 2'h3;
+      less_3859_s2_q <= 5'h2 < row_s1_q[5:1];
+      equal_3931_s2_q <= equal_3931;
+      or_4081_s2_q <= and_2605 | (~(row_s1_q[5:3] == 3'h0));
+      and_4155_s2_q <= less_2598 & select_4101;
+      not_4173_s2_q <= ~proven_q;
     end
   end
 
@@ -2620,6 +2637,11 @@ module horopter_agreement (
   logic moments_turns_1_q;
   logic moments_begins_alone_q;
   logic moments_ends_q;
+  logic [13:0] moments_other_field_before_0_q;
+  logic [13:0] moments_other_field_before_1_q;
+  logic moments_other_field_has_before_q;
+  logic moments_other_field_out_of_step_q;
+  logic moments_ended_q;
   logic [8:0] sharpness_last_mean_0_q;
   logic [8:0] sharpness_last_mean_1_q;
   logic [4:0] rows_passed_above_q;
@@ -2683,7 +2705,6 @@ module horopter_agreement (
   logic [9:0] patches_peak_below_q;
   logic [9:0] patches_peak_far_q;
   logic [9:0] patches_peak_size_q;
-  logic patches_frame_ended_q;
   logic shown_shown_q;
   logic shown_nearer_q;
   logic [2:0] region_row_q;
@@ -2714,164 +2735,161 @@ module horopter_agreement (
   logic was_next_row_q;
   logic [10:0] seen_base_q;
   // hls/stages/census.hpp:117
-  logic [11:0] select_528;
-  assign select_528 = select_512_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
+  logic [11:0] select_533;
+  assign select_533 = select_517_s2_q[0] ? ({4'h0, sample_pair_pixel_0_q} + averager_running_0_q) : {4'h0, sample_pair_pixel_0_q};
   // hls/stages/census.hpp:129
-  logic [11:0] sum_532;
-  assign sum_532 = select_528 + (equal_530_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
+  logic [11:0] sum_537;
+  assign sum_537 = select_533 + (equal_535_s2_q ? 12'h0 : averager_memory_rdata_q[11:0]);
   // hls/stages/census.hpp:117
-  logic [11:0] sum_534;
-  assign sum_534 = {4'h0, sample_pair_pixel_1_q} + (select_512_s2_q[0] ? averager_running_1_q : 12'h0);
+  logic [11:0] sum_539;
+  assign sum_539 = {4'h0, sample_pair_pixel_1_q} + (select_517_s2_q[0] ? averager_running_1_q : 12'h0);
   // hls/stages/census.hpp:129
-  logic [11:0] sum_536;
-  assign sum_536 = sum_534 + (equal_530_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
+  logic [11:0] sum_541;
+  assign sum_541 = sum_539 + (equal_535_s2_q ? 12'h0 : averager_memory_rdata_q[23:12]);
   // hls/stages/agreement.hpp:423
   logic whole;
-  assign whole = select_512_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
+  assign whole = select_517_s2_q[0] ? (sample_present_s2_q & averager_running_mask_q) : sample_present_s2_q;
   // hls/stages/census.hpp:130
-  logic and_540;
-  assign and_540 = whole & (averager_memory_rdata_q[24] | equal_530_s2_q);
+  logic and_545;
+  assign and_545 = whole & (averager_memory_rdata_q[24] | equal_535_s2_q);
   // hls/stages/agreement.hpp:423
   logic all_of_skin;
-  assign all_of_skin = select_512_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
+  assign all_of_skin = select_517_s2_q[0] ? (sample_of_skin_q & averager_running_of_skin_q) : sample_of_skin_q;
   // hls/stages/census.hpp:131
-  logic and_544;
-  assign and_544 = all_of_skin & (averager_memory_rdata_q[25] | equal_530_s2_q);
+  logic and_549;
+  assign and_549 = all_of_skin & (averager_memory_rdata_q[25] | equal_535_s2_q);
   // hls/stages/census.hpp:218
   logic [8:0] grey;
-  assign grey = and_524_s2_q ? sum_532[11:3] : 9'h0;
+  assign grey = and_529_s2_q ? sum_537[11:3] : 9'h0;
   // hls/stages/census.hpp:134
-  logic equal_554;
-  assign equal_554 = select_512_s2_q == 3'h1;
+  logic equal_559;
+  assign equal_559 = select_517_s2_q == 3'h1;
   // hls/stages/census.hpp:219
   logic [10:0] total;
-  assign total = {2'h0, grey} + (equal_554 ? 11'h0 : averager_total_0_q);
+  assign total = {2'h0, grey} + (equal_559 ? 11'h0 : averager_total_0_q);
   // hls/stages/agreement.hpp:277
-  logic [8:0] select_557;
-  assign select_557 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
+  logic [8:0] select_562;
+  assign select_562 = sample_pair_whole_s2_q ? total[10:2] : 9'h0;
   // hls/stages/census.hpp:218
   logic [8:0] grey_2;
-  assign grey_2 = and_524_s2_q ? sum_536[11:3] : 9'h0;
+  assign grey_2 = and_529_s2_q ? sum_541[11:3] : 9'h0;
   // hls/stages/census.hpp:219
   logic [10:0] total_2;
-  assign total_2 = {2'h0, grey_2} + (equal_554 ? 11'h0 : averager_total_1_q);
+  assign total_2 = {2'h0, grey_2} + (equal_559 ? 11'h0 : averager_total_1_q);
   // hls/stages/agreement.hpp:277
-  logic [8:0] select_561;
-  assign select_561 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
+  logic [8:0] select_566;
+  assign select_566 = sample_pair_whole_s2_q ? total_2[10:2] : 9'h0;
   // hls/stages/census.hpp:218
-  logic and_562;
-  assign and_562 = and_524_s2_q & and_540;
+  logic and_567;
+  assign and_567 = and_529_s2_q & and_545;
   // hls/stages/census.hpp:134
-  logic select_564;
-  assign select_564 = equal_554 ? and_562 : (averager_mask_q & and_562);
+  logic select_569;
+  assign select_569 = equal_559 ? and_567 : (averager_mask_q & and_567);
   // hls/stages/agreement.hpp:277
   logic whole_2;
-  assign whole_2 = sample_pair_whole_s2_q & select_564;
+  assign whole_2 = sample_pair_whole_s2_q & select_569;
   // hls/stages/census.hpp:218
-  logic and_566;
-  assign and_566 = and_524_s2_q & and_544;
+  logic and_571;
+  assign and_571 = and_529_s2_q & and_549;
   // hls/stages/census.hpp:134
-  logic select_568;
-  assign select_568 = equal_554 ? and_566 : (averager_of_skin_q & and_566);
+  logic select_573;
+  assign select_573 = equal_559 ? and_571 : (averager_of_skin_q & and_571);
   // hls/stages/agreement.hpp:277
-  logic and_569;
-  assign and_569 = sample_pair_whole_s2_q & select_568;
+  logic and_574;
+  assign and_574 = sample_pair_whole_s2_q & select_573;
   // hls/stages/agreement.hpp:988
-  logic select_624;
-  assign select_624 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
+  logic select_628;
+  assign select_628 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
   // hls/stages/agreement.hpp:989
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:1002
-  logic [8:0] difference_634;
-  assign difference_634 = {2'h0, chosen} - {1'b0, x_s2_q};
+  logic [8:0] difference_638;
+  assign difference_638 = {2'h0, chosen} - {1'b0, x_s2_q};
   // hls/stages/agreement.hpp:1003
-  logic [9:0] sum_635;
-  assign sum_635 = {difference_634[8], difference_634} + 10'h1;
+  logic [9:0] sum_639;
+  assign sum_639 = {difference_638[8], difference_638} + 10'h1;
   // hls/stages/agreement.hpp:248
-  logic and_637;
-  assign and_637 = (and_611_s2_q & select_624) & ({{22{sum_635[9]}}, sum_635} < 32'h3);
-  // hls/stages/agreement.hpp:150
-  logic and_639;
-  assign and_639 = or_581_s2_q & (not_585_s2_q & and_637);
-  // hls/stages/agreement.hpp:263
   logic and_641;
-  assign and_641 = and_639 & not_640_s2_q;
-  // hls/stages/moments.hpp:77
-  logic and_642;
-  assign and_642 = and_602_s2_q & and_641;
+  assign and_641 = (and_615_s2_q & select_628) & ({{22{sum_639[9]}}, sum_639} < 32'h3);
+  // hls/stages/agreement.hpp:150
+  logic and_643;
+  assign and_643 = or_588_s2_q & (not_592_s2_q & and_641);
+  // hls/stages/moments.hpp:89
+  logic and_648;
+  assign and_648 = and_643 & and_647_s2_q;
   // hls/stages/census.hpp:308
-  logic less_657;
-  assign less_657 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
-  logic less_658;
-  assign less_658 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
-  logic less_659;
-  assign less_659 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_660;
-  assign less_660 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_661;
-  assign less_661 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_662;
-  assign less_662 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
-  logic less_663;
-  assign less_663 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_664;
-  assign less_664 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_664 = census_memory_rdata_q[8:0] < census_columns_values_1_cell_2_left_q;
   logic less_665;
-  assign less_665 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_665 = census_memory_rdata_q[48:40] < census_columns_values_1_cell_2_left_q;
   logic less_666;
-  assign less_666 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_666 = census_columns_values_0_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_667;
-  assign less_667 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
+  assign less_667 = census_columns_values_0_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_668;
-  assign less_668 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
-  // hls/stages/census.hpp:309
+  assign less_668 = census_columns_values_0_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_669;
-  assign less_669 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
+  assign less_669 = census_columns_values_1_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_670;
-  assign less_670 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
+  assign less_670 = census_columns_values_1_cell_3_left_q < census_columns_values_1_cell_2_left_q;
   logic less_671;
-  assign less_671 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_671 = census_columns_values_2_cell_0_left_q < census_columns_values_1_cell_2_left_q;
   logic less_672;
-  assign less_672 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_672 = census_columns_values_2_cell_2_left_q < census_columns_values_1_cell_2_left_q;
   logic less_673;
-  assign less_673 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_673 = census_columns_values_2_cell_4_left_q < census_columns_values_1_cell_2_left_q;
   logic less_674;
-  assign less_674 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_674 = census_columns_values_3_cell_1_left_q < census_columns_values_1_cell_2_left_q;
   logic less_675;
-  assign less_675 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_675 = census_columns_values_3_cell_3_left_q < census_columns_values_1_cell_2_left_q;
+  // hls/stages/census.hpp:309
   logic less_676;
-  assign less_676 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_676 = census_memory_rdata_q[17:9] < census_columns_values_1_cell_2_right_q;
   logic less_677;
-  assign less_677 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_677 = census_memory_rdata_q[57:49] < census_columns_values_1_cell_2_right_q;
   logic less_678;
-  assign less_678 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_678 = census_columns_values_0_cell_0_right_q < census_columns_values_1_cell_2_right_q;
   logic less_679;
-  assign less_679 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_679 = census_columns_values_0_cell_2_right_q < census_columns_values_1_cell_2_right_q;
   logic less_680;
-  assign less_680 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  assign less_680 = census_columns_values_0_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_681;
+  assign less_681 = census_columns_values_1_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_682;
+  assign less_682 = census_columns_values_1_cell_3_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_683;
+  assign less_683 = census_columns_values_2_cell_0_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_684;
+  assign less_684 = census_columns_values_2_cell_2_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_685;
+  assign less_685 = census_columns_values_2_cell_4_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_686;
+  assign less_686 = census_columns_values_3_cell_1_right_q < census_columns_values_1_cell_2_right_q;
+  logic less_687;
+  assign less_687 = census_columns_values_3_cell_3_right_q < census_columns_values_1_cell_2_right_q;
   // hls/stages/agreement.hpp:460
-  logic equal_681;
-  assign equal_681 = last_s2_2_q == 6'h0;
-  logic [3:0] select_685;
-  assign select_685 = equal_684_s2_q ? 4'h0 : rows_passed_above_q[3:0];
+  logic equal_688;
+  assign equal_688 = last_s2_2_q == 6'h0;
+  logic [3:0] select_692;
+  assign select_692 = equal_691_s2_q ? 4'h0 : rows_passed_above_q[3:0];
   // hls/stages/agreement.hpp:461
-  logic [4:0] select_686;
-  assign select_686 = equal_681 ? {select_685, 1'b1} : rows_passed_above_q;
+  logic [4:0] select_693;
+  assign select_693 = equal_688 ? {select_692, 1'b1} : rows_passed_above_q;
   // hls/stages/census.hpp:290
-  logic [3:0] select_687;
-  assign select_687 = equal_681 ? 4'h0 : census_filled_q;
+  logic [3:0] select_694;
+  assign select_694 = equal_688 ? 4'h0 : census_filled_q;
   // hls/stages/census.hpp:313
-  logic and_688;
-  assign and_688 = select_686[4] & select_687[3];
+  logic and_695;
+  assign and_695 = select_693[4] & select_694[3];
   // hls/stages/census.hpp:300
-  logic and_690;
-  assign and_690 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
-  logic and_692;
-  assign and_692 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_690);
+  logic and_697;
+  assign and_697 = census_memory_rdata_q[38] & (census_memory_rdata_q[18] & whole_2);
+  logic and_699;
+  assign and_699 = census_memory_rdata_q[77] & (census_memory_rdata_q[58] & and_697);
   // hls/stages/agreement.hpp:461
   logic whole_3;
-  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_692;
+  assign whole_3 = census_columns_values_0_cell_0_mask_q & and_699;
   logic whole_4;
   assign whole_4 = census_columns_values_0_cell_1_mask_q & whole_3;
   logic whole_5;
@@ -2911,881 +2929,891 @@ module horopter_agreement (
   logic whole_22;
   assign whole_22 = census_columns_values_3_cell_4_mask_q & whole_21;
   // hls/stages/census.hpp:284
-  logic [9:0] difference_715;
-  assign difference_715 = {1'b0, select_557} - {1'b0, census_columns_values_0_cell_0_left_q};
-  logic [8:0] xor_716;
-  assign xor_716 = difference_715[8:0] ^ {9{difference_715[9]}};
-  logic [9:0] sum_717;
-  assign sum_717 = {9'h0, difference_715[9]} + {1'b0, xor_716};
-  logic [9:0] difference_718;
-  assign difference_718 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
-  logic [8:0] xor_719;
-  assign xor_719 = difference_718[8:0] ^ {9{difference_718[9]}};
-  logic [9:0] sum_720;
-  assign sum_720 = {9'h0, difference_718[9]} + {1'b0, xor_719};
   logic [9:0] difference_722;
-  assign difference_722 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  assign difference_722 = {1'b0, select_562} - {1'b0, census_columns_values_0_cell_0_left_q};
   logic [8:0] xor_723;
   assign xor_723 = difference_722[8:0] ^ {9{difference_722[9]}};
   logic [9:0] sum_724;
   assign sum_724 = {9'h0, difference_722[9]} + {1'b0, xor_723};
-  logic [10:0] sum_725;
-  assign sum_725 = ({1'b0, sum_717} + {1'b0, sum_720}) + {1'b0, sum_724};
-  logic [9:0] difference_726;
-  assign difference_726 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
-  logic [8:0] xor_727;
-  assign xor_727 = difference_726[8:0] ^ {9{difference_726[9]}};
-  logic [9:0] sum_728;
-  assign sum_728 = {9'h0, difference_726[9]} + {1'b0, xor_727};
-  logic [9:0] difference_730;
-  assign difference_730 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
-  logic [8:0] xor_731;
-  assign xor_731 = difference_730[8:0] ^ {9{difference_730[9]}};
+  logic [9:0] difference_725;
+  assign difference_725 = {1'b0, census_memory_rdata_q[8:0]} - {1'b0, census_columns_values_0_cell_1_left_q};
+  logic [8:0] xor_726;
+  assign xor_726 = difference_725[8:0] ^ {9{difference_725[9]}};
+  logic [9:0] sum_727;
+  assign sum_727 = {9'h0, difference_725[9]} + {1'b0, xor_726};
+  logic [9:0] difference_729;
+  assign difference_729 = {1'b0, census_memory_rdata_q[28:20]} - {1'b0, census_columns_values_0_cell_2_left_q};
+  logic [8:0] xor_730;
+  assign xor_730 = difference_729[8:0] ^ {9{difference_729[9]}};
+  logic [9:0] sum_731;
+  assign sum_731 = {9'h0, difference_729[9]} + {1'b0, xor_730};
+  logic [10:0] sum_732;
+  assign sum_732 = ({1'b0, sum_724} + {1'b0, sum_727}) + {1'b0, sum_731};
+  logic [9:0] difference_733;
+  assign difference_733 = {1'b0, census_memory_rdata_q[48:40]} - {1'b0, census_columns_values_0_cell_3_left_q};
+  logic [8:0] xor_734;
+  assign xor_734 = difference_733[8:0] ^ {9{difference_733[9]}};
+  logic [9:0] sum_735;
+  assign sum_735 = {9'h0, difference_733[9]} + {1'b0, xor_734};
+  logic [9:0] difference_737;
+  assign difference_737 = {1'b0, census_memory_rdata_q[67:59]} - {1'b0, census_columns_values_0_cell_4_left_q};
+  logic [8:0] xor_738;
+  assign xor_738 = difference_737[8:0] ^ {9{difference_737[9]}};
   // hls/stages/agreement.hpp:461
-  logic and_739;
-  assign and_739 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
-  logic and_740;
-  assign and_740 = and_688 & and_739;
+  logic and_746;
+  assign and_746 = census_columns_values_0_cell_2_mask_q & census_columns_values_1_cell_2_mask_q;
+  logic and_747;
+  assign and_747 = and_695 & and_746;
   // hls/stages/census.hpp:320
   logic [9:0] half_grey_levels;
   assign half_grey_levels = {1'b0, census_columns_values_0_cell_2_left_q} - {1'b0, census_columns_values_1_cell_2_left_q};
-  // hls/stages/moments.hpp:30
-  logic [6:0] sum_742;
-  assign sum_742 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
+  // hls/stages/moments.hpp:33
+  logic [6:0] sum_749;
+  assign sum_749 = {half_grey_levels[9], half_grey_levels[9:4]} + 7'h7f;
   // hls/stages/census.hpp:320
-  logic and_744;
-  assign and_744 = and_740 & ({{5{sum_742[6]}}, sum_742, half_grey_levels[3:0]} < 16'hffe1);
+  logic and_751;
+  assign and_751 = and_747 & ({{5{sum_749[6]}}, sum_749, half_grey_levels[3:0]} < 16'hffe1);
   // hls/stages/census.hpp:321
   logic [9:0] half_grey_levels_2;
   assign half_grey_levels_2 = {1'b0, census_columns_values_0_cell_2_right_q} - {1'b0, census_columns_values_1_cell_2_right_q};
-  // hls/stages/moments.hpp:30
-  logic [6:0] sum_748;
-  assign sum_748 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
+  // hls/stages/moments.hpp:33
+  logic [6:0] sum_755;
+  assign sum_755 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
   // hls/stages/agreement.hpp:817
-  logic or_765;
-  assign or_765 = shift_first_s2_q | (~shift_not_right_q);
+  logic or_772;
+  assign or_772 = shift_first_s2_q | (~shift_not_right_q);
   // hls/stages/agreement.hpp:818
-  logic select_767;
-  assign select_767 = or_765 ? shift_first_s2_q : (~age_s2_q[1]);
+  logic select_774;
+  assign select_774 = or_772 ? shift_first_s2_q : (~age_s2_q[1]);
   // hls/stages/agreement.hpp:788
-  logic [5:0] select_1014;
-  assign select_1014 = age_s2_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  logic [6:0] difference_1015;
-  assign difference_1015 = {1'b0, column_s2_q} - {1'b0, select_1014};
-  logic [7:0] sum_1017;
-  assign sum_1017 = {difference_1015[6], difference_1015} + (age_s2_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
+  logic [5:0] select_1021;
+  assign select_1021 = age_s2_q[3] ? middle_sum_columns_values_6_q : 6'h0;
+  logic [6:0] difference_1022;
+  assign difference_1022 = {1'b0, column_s2_q} - {1'b0, select_1021};
+  logic [7:0] sum_1024;
+  assign sum_1024 = {difference_1022[6], difference_1022} + (age_s2_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
   // hls/stages/agreement.hpp:765
-  logic [7:0] select_1018;
-  assign select_1018 = slot_s2_q[0] ? chosen_score_q : sum_1017;
+  logic [7:0] select_1025;
+  assign select_1025 = slot_s2_q[0] ? chosen_score_q : sum_1024;
   // hls/stages/agreement.hpp:788
-  logic [6:0] difference_1264;
-  assign difference_1264 = {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1263_s2_q};
+  logic [6:0] difference_1271;
+  assign difference_1271 = {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1270_s2_q};
   // hls/stages/agreement.hpp:759
-  logic equal_1265;
-  assign equal_1265 = {age_s2_q[0], slot_s2_q[0]} == 2'h0;
+  logic equal_1272;
+  assign equal_1272 = {age_s2_q[0], slot_s2_q[0]} == 2'h0;
   // hls/stages/agreement.hpp:788
-  logic [7:0] sum_1267;
-  assign sum_1267 = {difference_1264[6], difference_1264} + (equal_1265 ? 8'h0 : sums_0_sum_sums_values_1_q);
-  logic [6:0] difference_1513;
-  assign difference_1513 = {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1512_s2_q};
-  logic [7:0] sum_1515;
-  assign sum_1515 = {difference_1513[6], difference_1513} + (equal_1265 ? 8'h0 : sums_1_sum_sums_values_1_q);
+  logic [7:0] sum_1274;
+  assign sum_1274 = {difference_1271[6], difference_1271} + (equal_1272 ? 8'h0 : sums_0_sum_sums_values_1_q);
+  logic [6:0] difference_1520;
+  assign difference_1520 = {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1519_s2_q};
+  logic [7:0] sum_1522;
+  assign sum_1522 = {difference_1520[6], difference_1520} + (equal_1272 ? 8'h0 : sums_1_sum_sums_values_1_q);
   // hls/stages/agreement.hpp:761
-  logic less_1516;
-  assign less_1516 = sum_1267 < sum_1515;
-  logic [7:0] select_1517;
-  assign select_1517 = less_1516 ? sum_1515 : sum_1267;
-  logic less_1518;
-  assign less_1518 = select_1018 < select_1517;
+  logic less_1523;
+  assign less_1523 = sum_1274 < sum_1522;
+  logic [7:0] select_1524;
+  assign select_1524 = less_1523 ? sum_1522 : sum_1274;
+  logic less_1525;
+  assign less_1525 = select_1025 < select_1524;
   // hls/stages/agreement.hpp:811
   logic [7:0] of_best;
-  assign of_best = shift_allowed_q ? (less_1518 ? select_1517 : select_1018) : 8'h0;
+  assign of_best = shift_allowed_q ? (less_1525 ? select_1524 : select_1025) : 8'h0;
   // hls/stages/agreement.hpp:818
-  logic or_1522;
-  assign or_1522 = select_767 | (best_left_rdata_s2_q[16:9] < of_best);
+  logic or_1529;
+  assign or_1529 = select_774 | (best_left_rdata_s2_q[16:9] < of_best);
   // hls/stages/agreement.hpp:823
-  logic [5:0] select_1523;
-  assign select_1523 = or_1522 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
+  logic [5:0] select_1530;
+  assign select_1530 = or_1529 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
   // hls/stages/agreement.hpp:730
-  logic not_1524;
-  assign not_1524 = ~slot_s2_q[0];
+  logic not_1531;
+  assign not_1531 = ~slot_s2_q[0];
   // hls/stages/agreement.hpp:762
-  logic [1:0] select_1525;
-  assign select_1525 = less_1516 ? {slot_s2_q[0], not_1524} : 2'h0;
-  logic [2:0] select_1527;
-  assign select_1527 = less_1518 ? {select_1525, not_1524} : (slot_s2_q[0] ? chosen_place_q : 3'h2);
+  logic [1:0] select_1532;
+  assign select_1532 = less_1523 ? {slot_s2_q[0], not_1531} : 2'h0;
+  logic [2:0] select_1534;
+  assign select_1534 = less_1525 ? {select_1532, not_1531} : (slot_s2_q[0] ? chosen_place_q : 3'h2);
   // hls/stages/agreement.hpp:823
-  logic [2:0] select_1528;
-  assign select_1528 = or_1522 ? select_1527 : best_left_rdata_s2_q[8:6];
-  logic [7:0] select_1529;
-  assign select_1529 = or_1522 ? of_best : best_left_rdata_s2_q[16:9];
-  // hls/stages/agreement.hpp:820
-  logic equal_1530;
-  assign equal_1530 = select_1527 == 3'h1;
-  logic or_1533;
-  assign or_1533 = equal_1530 | (~(select_1527 == 3'h2));
-  logic [7:0] select_1535;
-  assign select_1535 = or_1533 ? before_0_q : before_1_q;
+  logic [2:0] select_1535;
+  assign select_1535 = or_1529 ? select_1534 : best_left_rdata_s2_q[8:6];
   logic [7:0] select_1536;
-  assign select_1536 = equal_1530 ? (or_1533 ? sum_1267 : {7'h0, shift_not_right_q}) : select_1535;
+  assign select_1536 = or_1529 ? of_best : best_left_rdata_s2_q[16:9];
+  // hls/stages/agreement.hpp:820
+  logic equal_1537;
+  assign equal_1537 = select_1534 == 3'h1;
+  logic or_1540;
+  assign or_1540 = equal_1537 | (~(select_1534 == 3'h2));
+  logic [7:0] select_1542;
+  assign select_1542 = or_1540 ? before_0_q : before_1_q;
+  logic [7:0] select_1543;
+  assign select_1543 = equal_1537 ? (or_1540 ? sum_1274 : {7'h0, shift_not_right_q}) : select_1542;
   // hls/stages/agreement.hpp:823
-  logic [7:0] select_1537;
-  assign select_1537 = or_1522 ? select_1536 : best_left_rdata_s2_q[24:17];
-  logic [7:0] select_1540;
-  assign select_1540 = or_1522 ? (equal_1530 ? select_1535 : (or_1533 ? sum_1515 : before_2_q)) : best_left_rdata_s2_q[32:25];
+  logic [7:0] select_1544;
+  assign select_1544 = or_1529 ? select_1543 : best_left_rdata_s2_q[24:17];
+  logic [7:0] select_1547;
+  assign select_1547 = or_1529 ? (equal_1537 ? select_1542 : (or_1540 ? sum_1522 : before_2_q)) : best_left_rdata_s2_q[32:25];
   // hls/stages/agreement.hpp:789
   logic [5:0] before_v;
   assign before_v = age_s2_q[1] ? middle_sum_columns_values_3_q : 6'h0;
   // hls/stages/agreement.hpp:790
-  logic [6:0] sum_1542;
-  assign sum_1542 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
-  logic [6:0] sum_1543;
-  assign sum_1543 = {1'b0, before_v} + sum_1542;
+  logic [6:0] sum_1549;
+  assign sum_1549 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
+  logic [6:0] sum_1550;
+  assign sum_1550 = {1'b0, before_v} + sum_1549;
   // hls/stages/agreement.hpp:765
-  logic [6:0] select_1544;
-  assign select_1544 = slot_s2_q[0] ? chosen_near_q : sum_1543;
+  logic [6:0] select_1551;
+  assign select_1551 = slot_s2_q[0] ? chosen_near_q : sum_1550;
   // hls/stages/agreement.hpp:789
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[1] ? sums_0_columns_values_8_q : 6'h0;
   // hls/stages/agreement.hpp:790
-  logic [6:0] sum_1546;
-  assign sum_1546 = {1'b0, sums_0_columns_values_4_q} + {1'b0, sums_0_columns_values_6_q};
-  logic [6:0] sum_1547;
-  assign sum_1547 = {1'b0, before_v_2} + sum_1546;
+  logic [6:0] sum_1553;
+  assign sum_1553 = {1'b0, sums_0_columns_values_4_q} + {1'b0, sums_0_columns_values_6_q};
+  logic [6:0] sum_1554;
+  assign sum_1554 = {1'b0, before_v_2} + sum_1553;
   // hls/stages/agreement.hpp:789
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[1] ? sums_1_columns_values_8_q : 6'h0;
   // hls/stages/agreement.hpp:790
-  logic [6:0] sum_1549;
-  assign sum_1549 = {1'b0, sums_1_columns_values_4_q} + {1'b0, sums_1_columns_values_6_q};
-  logic [6:0] sum_1550;
-  assign sum_1550 = {1'b0, before_v_3} + sum_1549;
+  logic [6:0] sum_1556;
+  assign sum_1556 = {1'b0, sums_1_columns_values_4_q} + {1'b0, sums_1_columns_values_6_q};
+  logic [6:0] sum_1557;
+  assign sum_1557 = {1'b0, before_v_3} + sum_1556;
   // hls/stages/agreement.hpp:761
-  logic [6:0] select_1552;
-  assign select_1552 = (sum_1547 < sum_1550) ? sum_1550 : sum_1547;
+  logic [6:0] select_1559;
+  assign select_1559 = (sum_1554 < sum_1557) ? sum_1557 : sum_1554;
   // hls/stages/agreement.hpp:812
   logic [6:0] of_near;
-  assign of_near = shift_allowed_q ? ((select_1544 < select_1552) ? select_1552 : select_1544) : 7'h0;
+  assign of_near = shift_allowed_q ? ((select_1551 < select_1559) ? select_1559 : select_1551) : 7'h0;
   // hls/stages/agreement.hpp:823
-  logic less_1556;
-  assign less_1556 = best_left_rdata_s2_q[39:33] < of_near;
+  logic less_1563;
+  assign less_1563 = best_left_rdata_s2_q[39:33] < of_near;
   // hls/stages/agreement.hpp:827
-  logic [6:0] select_1558;
-  assign select_1558 = select_767 ? of_near : (less_1556 ? of_near : best_left_rdata_s2_q[39:33]);
-  logic [5:0] select_1560;
-  assign select_1560 = select_767 ? run_shift_s2_q : (less_1556 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
-  logic [7:0] select_1563;
-  assign select_1563 = (run_shift_s2_q == 6'h3f) ? of_best : (select_767 ? 8'h0 : best_left_rdata_s2_q[53:46]);
+  logic [6:0] select_1565;
+  assign select_1565 = select_774 ? of_near : (less_1563 ? of_near : best_left_rdata_s2_q[39:33]);
+  logic [5:0] select_1567;
+  assign select_1567 = select_774 ? run_shift_s2_q : (less_1563 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
+  logic [7:0] select_1570;
+  assign select_1570 = (run_shift_s2_q == 6'h3f) ? of_best : (select_774 ? 8'h0 : best_left_rdata_s2_q[53:46]);
   // hls/stages/agreement.hpp:828
-  logic [7:0] select_1566;
-  assign select_1566 = (run_shift_s2_q == 6'h1) ? of_best : (select_767 ? 8'h0 : best_left_rdata_s2_q[61:54]);
+  logic [7:0] select_1573;
+  assign select_1573 = (run_shift_s2_q == 6'h1) ? of_best : (select_774 ? 8'h0 : best_left_rdata_s2_q[61:54]);
   // hls/stages/agreement.hpp:833
-  logic select_1569;
-  assign select_1569 = or_765 ? shift_first_s2_q : equal_1568_s2_q;
+  logic select_1576;
+  assign select_1576 = or_772 ? shift_first_s2_q : equal_1575_s2_q;
   // hls/stages/agreement.hpp:834
-  logic or_1571;
-  assign or_1571 = select_1569 | (best_right_rdata_q[7:0] < of_best);
+  logic or_1578;
+  assign or_1578 = select_1576 | (best_right_rdata_q[7:0] < of_best);
   // hls/stages/agreement.hpp:838
-  logic [7:0] select_1572;
-  assign select_1572 = or_1571 ? of_best : best_right_rdata_q[7:0];
-  logic [6:0] select_1573;
-  assign select_1573 = or_1571 ? x_s2_2_q : best_right_rdata_q[14:8];
-  logic or_1575;
-  assign or_1575 = select_1569 | (best_right_rdata_q[21:15] < of_near);
+  logic [7:0] select_1579;
+  assign select_1579 = or_1578 ? of_best : best_right_rdata_q[7:0];
+  logic [6:0] select_1580;
+  assign select_1580 = or_1578 ? x_s2_2_q : best_right_rdata_q[14:8];
+  logic or_1582;
+  assign or_1582 = select_1576 | (best_right_rdata_q[21:15] < of_near);
   // hls/stages/agreement.hpp:842
-  logic [6:0] select_1576;
-  assign select_1576 = or_1575 ? of_near : best_right_rdata_q[21:15];
-  logic [6:0] select_1577;
-  assign select_1577 = or_1575 ? x_s2_2_q : best_right_rdata_q[28:22];
+  logic [6:0] select_1583;
+  assign select_1583 = or_1582 ? of_near : best_right_rdata_q[21:15];
+  logic [6:0] select_1584;
+  assign select_1584 = or_1582 ? x_s2_2_q : best_right_rdata_q[28:22];
   // hls/stages/agreement.hpp:150
-  logic and_1591;
-  assign and_1591 = or_581_s2_q & (not_585_s2_q & (and_637 & or_1588_s2_q));
+  logic and_1598;
+  assign and_1598 = or_588_s2_q & (not_592_s2_q & (and_641 & or_1595_s2_q));
   // hls/stages/agreement.hpp:798
-  logic and_1592;
-  assign and_1592 = not_579_s2_q & and_1591;
-  logic and_1595;
-  assign and_1595 = not_577_s2_q & (drew_q ? and_1578_s2_q : (equal_580_s2_q & and_639));
-  // hls/stages/moments.hpp:73
   logic and_1599;
-  assign and_1599 = moments_has_before_q & moments_memory_rdata_q[0];
-  // hls/stages/agreement.hpp:1013
-  logic and_1600;
-  assign and_1600 = not_589_s2_q & and_1599;
-  logic and_1603;
-  assign and_1603 = not_589_s2_q & (and_1599 & (moments_memory_rdata_q[1] ^ and_644_s2_q));
-  // hls/stages/moments.hpp:73
-  logic and_1608;
-  assign and_1608 = moments_has_before_q & moments_memory_rdata_q[2];
-  // hls/stages/agreement.hpp:1013
-  logic and_1609;
-  assign and_1609 = not_589_s2_q & and_1608;
-  logic and_1612;
-  assign and_1612 = not_589_s2_q & (and_1608 & (moments_memory_rdata_q[3] ^ and_651_s2_q));
-  // hls/stages/agreement.hpp:1140
-  logic equal_1613;
-  assign equal_1613 = x_s2_q[6:4] == 3'h7;
-  // hls/stages/agreement.hpp:1190
+  assign and_1599 = not_586_s2_q & and_1598;
+  logic and_1602;
+  assign and_1602 = not_584_s2_q & (drew_q ? and_1585_s2_q : (equal_587_s2_q & and_643));
+  // hls/stages/moments.hpp:85
+  logic and_1606;
+  assign and_1606 = moments_has_before_q & moments_memory_rdata_q[0];
+  // hls/stages/agreement.hpp:1015
+  logic and_1607;
+  assign and_1607 = not_595_s2_q & and_1606;
+  logic and_1610;
+  assign and_1610 = not_595_s2_q & (and_1606 & (moments_memory_rdata_q[1] ^ and_650_s2_q));
+  // hls/stages/moments.hpp:85
+  logic and_1615;
+  assign and_1615 = moments_has_before_q & moments_memory_rdata_q[2];
+  // hls/stages/agreement.hpp:1015
+  logic and_1616;
+  assign and_1616 = not_595_s2_q & and_1615;
+  logic and_1619;
+  assign and_1619 = not_595_s2_q & (and_1615 & (moments_memory_rdata_q[3] ^ and_658_s2_q));
+  // hls/stages/agreement.hpp:1143
+  logic equal_1620;
+  assign equal_1620 = x_s2_q[6:4] == 3'h7;
+  // hls/stages/agreement.hpp:1193
   logic [1:0] quarter;
   assign quarter = x_s2_q[1:0] + 2'h1;
   // hls/stages/registration.hpp:147
   logic all;
   assign all = x_s2_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:1141
-  logic [1:0] select_1616;
-  assign select_1616 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
-  // hls/stages/agreement.hpp:1154
-  logic [3:0] select_1618;
-  assign select_1618 = equal_1613 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_1616});
+  // hls/stages/agreement.hpp:1144
+  logic [1:0] select_1623;
+  assign select_1623 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
+  // hls/stages/agreement.hpp:1157
+  logic [3:0] select_1625;
+  assign select_1625 = equal_1620 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_1623});
   // hls/stages/registration.hpp:107
-  logic [1:0] sum_1619;
-  assign sum_1619 = slot_s2_q[1:0] + 2'h3;
+  logic [1:0] sum_1626;
+  assign sum_1626 = slot_s2_q[1:0] + 2'h3;
   // hls/stages/agreement.hpp:798
-  logic [3:0] select_1620;
-  assign select_1620 = equal_576_s2_q ? select_1618 : {sum_1619, lower_half_s2_q, registration_of_right_q};
+  logic [3:0] select_1627;
+  assign select_1627 = equal_583_s2_q ? select_1625 : {sum_1626, lower_half_s2_q, registration_of_right_q};
   // hls/stages/patches.hpp:214
-  logic equal_1621;
-  assign equal_1621 = x_s2_q[5:0] == 6'h3f;
-  logic equal_1623;
-  assign equal_1623 = x_s2_q[5:0] == 6'h3e;
-  logic equal_1625;
-  assign equal_1625 = x_s2_q[5:0] == 6'h3d;
-  logic equal_1627;
-  assign equal_1627 = x_s2_q[5:0] == 6'h3c;
-  logic equal_1629;
-  assign equal_1629 = x_s2_q[5:0] == 6'h3b;
-  logic equal_1631;
-  assign equal_1631 = x_s2_q[5:0] == 6'h36;
-  logic equal_1633;
-  assign equal_1633 = x_s2_q[5:0] == 6'h35;
-  logic equal_1635;
-  assign equal_1635 = x_s2_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1190
-  logic and_1639;
-  assign and_1639 = (~equal_1629) & ((~equal_1631) & ((~equal_1633) & (~equal_1635)));
-  logic and_1643;
-  assign and_1643 = (~equal_1621) & ((~equal_1623) & ((~equal_1625) & ((~equal_1627) & and_1639)));
-  // hls/stages/agreement.hpp:1141
-  logic less_1644;
-  assign less_1644 = x_s2_q[5:0] < 6'h29;
+  logic equal_1628;
+  assign equal_1628 = x_s2_q[5:0] == 6'h3f;
+  logic equal_1630;
+  assign equal_1630 = x_s2_q[5:0] == 6'h3e;
+  logic equal_1632;
+  assign equal_1632 = x_s2_q[5:0] == 6'h3d;
+  logic equal_1634;
+  assign equal_1634 = x_s2_q[5:0] == 6'h3c;
+  logic equal_1636;
+  assign equal_1636 = x_s2_q[5:0] == 6'h3b;
+  logic equal_1638;
+  assign equal_1638 = x_s2_q[5:0] == 6'h36;
+  logic equal_1640;
+  assign equal_1640 = x_s2_q[5:0] == 6'h35;
+  logic equal_1642;
+  assign equal_1642 = x_s2_q[5:0] == 6'h34;
+  // hls/stages/agreement.hpp:1193
+  logic and_1646;
+  assign and_1646 = (~equal_1636) & ((~equal_1638) & ((~equal_1640) & (~equal_1642)));
+  logic and_1650;
+  assign and_1650 = (~equal_1628) & ((~equal_1630) & ((~equal_1632) & ((~equal_1634) & and_1646)));
+  // hls/stages/agreement.hpp:1144
+  logic less_1651;
+  assign less_1651 = x_s2_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
   logic [1:0] kind;
   assign kind = all ? {1'b0, x_s2_q[2]} : x_s2_q[2:1];
   // hls/stages/registration.hpp:160
-  logic or_1648;
-  assign or_1648 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:1019
-  logic [4:0] sum_1653;
-  assign sum_1653 = {1'b0, last_s2_q[5:2]} + 5'h1;
+  logic or_1655;
+  assign or_1655 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
+  // hls/stages/agreement.hpp:1022
+  logic [4:0] sum_1660;
+  assign sum_1660 = {1'b0, last_s2_q[5:2]} + 5'h1;
   // hls/stages/agreement.hpp:263
   logic right_2;
-  assign right_2 = inside_v_s2_q & ({2'h0, sum_1653, last_s2_q[1]} < x_s2_q);
+  assign right_2 = inside_v_s2_q & ({2'h0, sum_1660, last_s2_q[1]} < x_s2_q);
   // hls/stages/registration.hpp:94
   logic half_ends;
   assign half_ends = inside_v_s2_q ? (right_2 & (~registration_of_right_q)) : registration_was_inside_q;
   // hls/stages/registration.hpp:107
-  logic [4:0] sum_1659;
-  assign sum_1659 = {2'h0, slot_s2_q} + 5'h1f;
-  logic and_1661;
-  assign and_1661 = half_ends & ({{3{sum_1659[4]}}, sum_1659} < 8'h3);
+  logic [4:0] sum_1666;
+  assign sum_1666 = {2'h0, slot_s2_q} + 5'h1f;
+  logic and_1668;
+  assign and_1668 = half_ends & ({{3{sum_1666[4]}}, sum_1666} < 8'h3);
   // hls/stages/agreement.hpp:798
-  logic and_1662;
-  assign and_1662 = drew_q & and_1661;
-  logic select_1663;
-  assign select_1663 = equal_576_s2_q ? (x_s2_q[6] & (equal_1613 ? and_1643 : (less_1644 & (~or_1648)))) : and_1662;
+  logic and_1669;
+  assign and_1669 = drew_q & and_1668;
+  logic select_1670;
+  assign select_1670 = equal_583_s2_q ? (x_s2_q[6] & (equal_1620 ? and_1650 : (less_1651 & (~or_1655)))) : and_1669;
   // hls/stages/registration.hpp:258
-  logic not_1665;
-  assign not_1665 = ~lower_half_s2_q;
-  logic [3:0] select_1666;
-  assign select_1666 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_1665, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_1665};
+  logic not_1672;
+  assign not_1672 = ~lower_half_s2_q;
+  logic [3:0] select_1673;
+  assign select_1673 = registration_of_right_q ? {lower_half_s2_q, 1'b0, not_1672, 1'b0} : {1'b0, lower_half_s2_q, 1'b0, not_1672};
   // hls/stages/patches.hpp:377
-  logic [1:0] select_1692;
-  assign select_1692 = and_1691_s2_q ? 2'h1 : patches_fetch_q;
-  logic [4:0] select_1693;
-  assign select_1693 = and_1691_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
+  logic [1:0] select_1699;
+  assign select_1699 = and_1698_s2_q ? 2'h1 : patches_fetch_q;
+  logic [4:0] select_1700;
+  assign select_1700 = and_1698_s2_q ? patches_band_rows_number_s2_q : patches_band_q;
   // hls/stages/agreement.hpp:277
-  logic [5:0] select_1694;
-  assign select_1694 = row_starts_s2_q ? {select_1693, select_1692[1]} : {patches_band_q, patches_fetch_q[1]};
+  logic [5:0] select_1701;
+  assign select_1701 = row_starts_s2_q ? {select_1700, select_1699[1]} : {patches_band_q, patches_fetch_q[1]};
   // hls/stages/patches.hpp:126
-  logic [1:0] select_1695;
-  assign select_1695 = row_starts_s2_q ? select_1692 : patches_fetch_q;
-  logic equal_1696;
-  assign equal_1696 = select_1695 == 2'h0;
+  logic [1:0] select_1702;
+  assign select_1702 = row_starts_s2_q ? select_1699 : patches_fetch_q;
+  logic equal_1703;
+  assign equal_1703 = select_1702 == 2'h0;
   // hls/stages/patches.hpp:103
   logic right_3;
   assign right_3 = {3'h0, last_s2_q[5:1]} < x_s2_q;
   // hls/stages/agreement.hpp:798
-  logic and_1704;
-  assign and_1704 = not_577_s2_q & (drew_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
+  logic and_1711;
+  assign and_1711 = not_584_s2_q & (drew_q & (ends_cell_s2_q & (inside_v_s2_q & right_3)));
   // hls/stages/registration.hpp:83
-  logic equal_1706;
-  assign equal_1706 = slot_s2_q == 3'h7;
+  logic equal_1713;
+  assign equal_1713 = slot_s2_q == 3'h7;
   // hls/stages/agreement.hpp:150
   logic [5:0] b;
-  assign b = or_581_s2_q ? (less_584_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
+  assign b = or_588_s2_q ? (less_591_s2_q ? 6'h0 : best_left_rdata_s2_q[5:0]) : 6'h0;
   // hls/stages/registration.hpp:89
   logic [7:0] a;
-  assign a = equal_1706 ? registration_slope_here_q : change_s2_q;
+  assign a = equal_1713 ? registration_slope_here_q : change_s2_q;
   // hls/stages/registration.hpp:211
-  logic [6:0] select_1714;
-  assign select_1714 = b[0] ? a[7:1] : 7'h0;
-  logic [7:0] select_1715;
-  assign select_1715 = b[1] ? a : 8'h0;
-  logic [8:0] sum_1716;
-  assign sum_1716 = {{2{select_1714[6]}}, select_1714} + {select_1715[7], select_1715};
-  // hls/stages/registration.hpp:212
-  logic [7:0] select_1717;
-  assign select_1717 = b[2] ? a : 8'h0;
-  logic [7:0] select_1718;
-  assign select_1718 = b[3] ? a : 8'h0;
-  logic [8:0] sum_1719;
-  assign sum_1719 = {{2{select_1717[7]}}, select_1717[7:1]} + {select_1718[7], select_1718};
-  // hls/stages/registration.hpp:214
-  logic [10:0] sum_1720;
-  assign sum_1720 = {{3{sum_1716[8]}}, sum_1716[8:1]} + {sum_1719[8], sum_1719, select_1717[0]};
-  // hls/stages/registration.hpp:213
-  logic [7:0] select_1721;
-  assign select_1721 = b[4] ? a : 8'h0;
+  logic [6:0] select_1721;
+  assign select_1721 = b[0] ? a[7:1] : 7'h0;
   logic [7:0] select_1722;
-  assign select_1722 = b[5] ? a : 8'h0;
-  logic [8:0] difference_1723;
-  assign difference_1723 = {{2{select_1721[7]}}, select_1721[7:1]} - {select_1722[7], select_1722};
+  assign select_1722 = b[1] ? a : 8'h0;
+  logic [8:0] sum_1723;
+  assign sum_1723 = {{2{select_1721[6]}}, select_1721} + {select_1722[7], select_1722};
+  // hls/stages/registration.hpp:212
+  logic [7:0] select_1724;
+  assign select_1724 = b[2] ? a : 8'h0;
+  logic [7:0] select_1725;
+  assign select_1725 = b[3] ? a : 8'h0;
+  logic [8:0] sum_1726;
+  assign sum_1726 = {{2{select_1724[7]}}, select_1724[7:1]} + {select_1725[7], select_1725};
   // hls/stages/registration.hpp:214
-  logic [9:0] sum_1724;
-  assign sum_1724 = {difference_1723, select_1721[0]} + {sum_1720[10], sum_1720[10:2]};
+  logic [10:0] sum_1727;
+  assign sum_1727 = {{3{sum_1723[8]}}, sum_1723[8:1]} + {sum_1726[8], sum_1726, select_1724[0]};
+  // hls/stages/registration.hpp:213
+  logic [7:0] select_1728;
+  assign select_1728 = b[4] ? a : 8'h0;
+  logic [7:0] select_1729;
+  assign select_1729 = b[5] ? a : 8'h0;
+  logic [8:0] difference_1730;
+  assign difference_1730 = {{2{select_1728[7]}}, select_1728[7:1]} - {select_1729[7], select_1729};
+  // hls/stages/registration.hpp:214
+  logic [9:0] sum_1731;
+  assign sum_1731 = {difference_1730, select_1728[0]} + {sum_1727[10], sum_1727[10:2]};
   // hls/stages/registration.hpp:107
   logic [10:0] expected;
-  assign expected = equal_1706 ? {sum_1724, sum_1720[1]} : registration_expected_q;
+  assign expected = equal_1713 ? {sum_1731, sum_1727[1]} : registration_expected_q;
   // hls/stages/patches.hpp:98
-  logic [9:0] sum_1726;
-  assign sum_1726 = {expected[10], expected[10:2]} + 10'h5;
+  logic [9:0] sum_1733;
+  assign sum_1733 = {expected[10], expected[10:2]} + 10'h5;
   // hls/stages/agreement.hpp:263
-  logic and_1729;
-  assign and_1729 = less_1705_s2_q & (and_639 & ({{4{sum_1726[9]}}, sum_1726, expected[1:0]} < 16'h29));
+  logic and_1736;
+  assign and_1736 = less_1712_s2_q & (and_643 & ({{4{sum_1733[9]}}, sum_1733, expected[1:0]} < 16'h29));
   // hls/stages/patches.hpp:104
-  logic and_1733;
-  assign and_1733 = ({4'h0, last_s2_q[5:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
+  logic and_1740;
+  assign and_1740 = ({4'h0, last_s2_q[5:1]} < ({1'b0, x_s2_q} + 9'h1)) & (~right_3);
   // hls/stages/patches.hpp:102
-  logic [9:0] sum_1739;
-  assign sum_1739 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
+  logic [9:0] sum_1746;
+  assign sum_1746 = {2'h0, x_s2_q} + {{4{b[5]}}, b};
   // hls/stages/patches.hpp:106
-  logic [9:0] sum_1741;
-  assign sum_1741 = {sum_1739[9], sum_1739[9:1]} + 10'h1;
-  // hls/stages/agreement.hpp:1028
-  logic and_1744;
-  assign and_1744 = ($signed(9'h0) < $signed(sum_1739[9:1])) & (~($signed({5'h0, last_s2_q}) < $signed({sum_1741, sum_1739[0]})));
-  logic and_1745;
-  assign and_1745 = (~(and_1733 | (equal_571_s2_q | (~(x_s2_q < {2'h0, last_s2_q}))))) & and_1744;
-  // hls/stages/agreement.hpp:798
-  logic and_1749;
-  assign and_1749 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1729 & and_1745)));
-  logic and_1750;
-  assign and_1750 = not_577_s2_q & and_1749;
-  // hls/stages/patches.hpp:157
+  logic [9:0] sum_1748;
+  assign sum_1748 = {sum_1746[9], sum_1746[9:1]} + 10'h1;
+  // hls/stages/agreement.hpp:1031
+  logic and_1751;
+  assign and_1751 = ($signed(9'h0) < $signed(sum_1746[9:1])) & (~($signed({5'h0, last_s2_q}) < $signed({sum_1748, sum_1746[0]})));
   logic and_1752;
-  assign and_1752 = and_1750 & (~patches_fixed_q);
-  // hls/stages/patches.hpp:348
-  logic select_1753;
-  assign select_1753 = and_1752 ? and_1750 : patches_choice_valid_q;
+  assign and_1752 = (~(and_1740 | (equal_576_s2_q | (~(x_s2_q < {2'h0, last_s2_q}))))) & and_1751;
   // hls/stages/agreement.hpp:798
-  logic [7:0] select_1756;
-  assign select_1756 = drew_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
+  logic and_1756;
+  assign and_1756 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1736 & and_1752)));
+  logic and_1757;
+  assign and_1757 = not_584_s2_q & and_1756;
+  // hls/stages/patches.hpp:157
+  logic and_1759;
+  assign and_1759 = and_1757 & (~patches_fixed_q);
   // hls/stages/patches.hpp:348
-  logic [7:0] select_1758;
-  assign select_1758 = and_1752 ? (equal_576_s2_q ? 8'h0 : select_1756) : patches_choice_column_q;
+  logic select_1760;
+  assign select_1760 = and_1759 ? and_1757 : patches_choice_valid_q;
   // hls/stages/agreement.hpp:798
-  logic [5:0] select_1761;
-  assign select_1761 = drew_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
+  logic [7:0] select_1763;
+  assign select_1763 = drew_q ? (ends_cell_s2_q ? (inside_v_s2_q ? x_s2_q : 8'h0) : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:348
-  logic [5:0] select_1763;
-  assign select_1763 = and_1752 ? (equal_576_s2_q ? 6'h0 : select_1761) : patches_choice_shift_q;
+  logic [7:0] select_1765;
+  assign select_1765 = and_1759 ? (equal_583_s2_q ? 8'h0 : select_1763) : patches_choice_column_q;
+  // hls/stages/agreement.hpp:798
+  logic [5:0] select_1768;
+  assign select_1768 = drew_q ? (ends_cell_s2_q ? (inside_v_s2_q ? b : 6'h0) : 6'h0) : 6'h0;
+  // hls/stages/patches.hpp:348
+  logic [5:0] select_1770;
+  assign select_1770 = and_1759 ? (equal_583_s2_q ? 6'h0 : select_1768) : patches_choice_shift_q;
   // hls/stages/registration.hpp:96
-  logic [12:0] sum_1764;
-  assign sum_1764 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_1724[9]}}, sum_1724[9:2]};
+  logic [12:0] sum_1771;
+  assign sum_1771 = {registration_slope_s2_q[11], registration_slope_s2_q} + {{5{sum_1731[9]}}, sum_1731[9:2]};
   // hls/stages/registration.hpp:218
-  logic [7:0] select_1767;
-  assign select_1767 = ($signed(sum_1764[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1764[7:0];
+  logic [7:0] select_1774;
+  assign select_1774 = ($signed(sum_1771[12:7]) < $signed(6'h3f)) ? 8'h80 : sum_1771[7:0];
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
-  assign slope = equal_1706 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_1764[12:7])) ? 8'h7f : select_1767);
+  assign slope = equal_1713 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_1771[12:7])) ? 8'h7f : select_1774);
   // hls/stages/agreement.hpp:798
-  logic [7:0] select_1772;
-  assign select_1772 = drew_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_1779;
+  assign select_1779 = drew_q ? (ends_cell_s2_q ? (inside_v_s2_q ? slope : 8'h0) : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:348
-  logic [7:0] select_1774;
-  assign select_1774 = and_1752 ? (equal_576_s2_q ? 8'h0 : select_1772) : patches_choice_slope_q;
+  logic [7:0] select_1781;
+  assign select_1781 = and_1759 ? (equal_583_s2_q ? 8'h0 : select_1779) : patches_choice_slope_q;
   // hls/stages/patches.hpp:113
-  logic equal_1775;
-  assign equal_1775 = x_s2_q == {2'h0, last_s2_q};
+  logic equal_1782;
+  assign equal_1782 = x_s2_q == {2'h0, last_s2_q};
   // hls/stages/agreement.hpp:798
-  logic and_1779;
-  assign and_1779 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1733 | equal_1775)));
-  logic and_1780;
-  assign and_1780 = not_577_s2_q & and_1779;
+  logic and_1786;
+  assign and_1786 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (and_1740 | equal_1782)));
+  logic and_1787;
+  assign and_1787 = not_584_s2_q & and_1786;
   // hls/stages/patches.hpp:348
-  logic and_1781;
-  assign and_1781 = patches_chooses_s2_q & and_1780;
+  logic and_1788;
+  assign and_1788 = patches_chooses_s2_q & and_1787;
   // hls/stages/patches.hpp:126
-  logic [4:0] select_1795;
-  assign select_1795 = row_starts_s2_q ? select_1693 : patches_band_q;
+  logic [4:0] select_1802;
+  assign select_1802 = row_starts_s2_q ? select_1700 : patches_band_q;
   // hls/stages/patches.hpp:357
-  logic equal_1796;
-  assign equal_1796 = {patches_choosing_band_s2_q, and_1704} == {select_1795, select_1695[1]};
+  logic equal_1803;
+  assign equal_1803 = {patches_choosing_band_s2_q, and_1711} == {select_1802, select_1702[1]};
   // hls/stages/patches.hpp:490
-  logic [2:0] sum_1895;
-  assign sum_1895 = patches_code_row_s2_q[4:2] + 3'h7;
+  logic [2:0] sum_1902;
+  assign sum_1902 = patches_code_row_s2_q[4:2] + 3'h7;
   // hls/stages/patches.hpp:457
-  logic and_1911;
-  assign and_1911 = not_1904_s2_q & or_1910_s2_q;
+  logic and_1918;
+  assign and_1918 = not_1911_s2_q & or_1917_s2_q;
   // hls/stages/patches.hpp:494
-  logic [1:0] sum_1951;
-  assign sum_1951 = patches_code_row_s2_q[3:2] + 2'h3;
+  logic [1:0] sum_1958;
+  assign sum_1958 = patches_code_row_s2_q[3:2] + 2'h3;
   // hls/stages/agreement.hpp:206
-  logic [7:0] select_1982;
-  assign select_1982 = drew_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:1061
-  logic or_1985;
-  assign or_1985 = select_1982[7] | (~({select_1982[5], select_1982[3], select_1982[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1060
-  logic or_1988;
-  assign or_1988 = select_1982[7] | (~({select_1982[6], select_1982[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:1059
-  logic or_1991;
-  assign or_1991 = select_1982[7] | (~(select_1982[6:4] == 3'h0));
+  logic [7:0] select_1989;
+  assign select_1989 = drew_q ? region_columns_q : 8'h1;
+  // hls/stages/agreement.hpp:1064
+  logic or_1992;
+  assign or_1992 = select_1989[7] | (~({select_1989[5], select_1989[3], select_1989[1]} == 3'h0));
+  // hls/stages/agreement.hpp:1063
+  logic or_1995;
+  assign or_1995 = select_1989[7] | (~({select_1989[6], select_1989[3:2]} == 3'h0));
+  // hls/stages/agreement.hpp:1062
+  logic or_1998;
+  assign or_1998 = select_1989[7] | (~(select_1989[6:4] == 3'h0));
   // hls/stages/agreement.hpp:798
-  logic [5:0] select_1992;
-  assign select_1992 = equal_576_s2_q ? x_s2_q[5:0] : {region_row_q, or_1991, or_1988, or_1985};
-  // hls/stages/agreement.hpp:1140
-  logic not_1993;
-  assign not_1993 = ~equal_1613;
-  // hls/stages/agreement.hpp:1069
-  logic or_1997;
-  assign or_1997 = (~sum_1995_s2_q) | equal_1775;
+  logic [5:0] select_1999;
+  assign select_1999 = equal_583_s2_q ? x_s2_q[5:0] : {region_row_q, or_1998, or_1995, or_1992};
+  // hls/stages/agreement.hpp:1143
+  logic not_2000;
+  assign not_2000 = ~equal_1620;
+  // hls/stages/agreement.hpp:1072
+  logic or_2004;
+  assign or_2004 = (~sum_2002_s2_q) | equal_1782;
   // hls/stages/agreement.hpp:798
-  logic and_2000;
-  assign and_2000 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & or_1997));
+  logic and_2007;
+  assign and_2007 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & or_2004));
   // hls/stages/agreement.hpp:150
-  logic and_2004;
-  assign and_2004 = or_581_s2_q & (not_585_s2_q & and_611_s2_q);
-  logic and_2019;
-  assign and_2019 = or_581_s2_q & (not_585_s2_q & and_2017_s2_q);
+  logic and_2011;
+  assign and_2011 = or_588_s2_q & (not_592_s2_q & and_615_s2_q);
+  logic and_2028;
+  assign and_2028 = or_588_s2_q & (not_592_s2_q & and_2026_s2_q);
   // hls/stages/agreement.hpp:263
   logic textured;
-  assign textured = inside_v_s2_q & and_2004;
-  logic and_2030;
-  assign and_2030 = inside_v_s2_q & and_2019;
+  assign textured = inside_v_s2_q & and_2011;
+  logic and_2039;
+  assign and_2039 = inside_v_s2_q & and_2028;
   logic explained;
-  assign explained = inside_v_s2_q & and_639;
-  // hls/stages/agreement.hpp:1024
-  logic select_2032;
-  assign select_2032 = slot_s2_q[2] ? shown_shown_q : and_639;
+  assign explained = inside_v_s2_q & and_643;
+  // hls/stages/agreement.hpp:1027
+  logic select_2041;
+  assign select_2041 = slot_s2_q[2] ? shown_shown_q : and_643;
   // hls/stages/agreement.hpp:263
   logic shown;
-  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2032);
-  // hls/stages/agreement.hpp:1024
-  logic select_2035;
-  assign select_2035 = slot_s2_q[2] ? shown_nearer_q : and_1591;
+  assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2041);
+  // hls/stages/agreement.hpp:1027
+  logic select_2044;
+  assign select_2044 = slot_s2_q[2] ? shown_nearer_q : and_1598;
   // hls/stages/agreement.hpp:263
   logic near;
-  assign near = inside_v_s2_q & (select_2032 ? select_2035 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:1283
-  logic select_2038;
-  assign select_2038 = done_s2_q ? write_half_q : read_half_q;
-  // hls/stages/agreement.hpp:1287
-  logic select_2039;
-  assign select_2039 = left_first_s2_q ? select_2038 : read_half_q;
-  logic or_2040;
-  assign or_2040 = left_first_s2_q | line_ended_q;
-  // hls/stages/agreement.hpp:1288
-  logic [8:0] select_2041;
-  assign select_2041 = or_2040 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1289
-  logic [9:0] select_2043;
-  assign select_2043 = left_first_s2_q ? 10'h1 : (or_2040 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
+  assign near = inside_v_s2_q & (select_2041 ? select_2044 : shown_right_rdata_q[1]);
+  // hls/stages/agreement.hpp:1286
+  logic select_2047;
+  assign select_2047 = done_s2_q ? write_half_q : read_half_q;
+  // hls/stages/agreement.hpp:1290
+  logic select_2048;
+  assign select_2048 = left_first_s2_q ? select_2047 : read_half_q;
+  logic or_2049;
+  assign or_2049 = left_first_s2_q | line_ended_q;
+  // hls/stages/agreement.hpp:1291
+  logic [8:0] select_2050;
+  assign select_2050 = or_2049 ? 9'h0 : columns_passed_q;
   // hls/stages/agreement.hpp:1292
-  logic and_2044;
-  assign and_2044 = select_2041[8] & select_2043[9];
+  logic [9:0] select_2052;
+  assign select_2052 = left_first_s2_q ? 10'h1 : (or_2049 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
+  // hls/stages/agreement.hpp:1295
+  logic and_2053;
+  assign and_2053 = select_2050[8] & select_2052[9];
   // hls/stages/agreement.hpp:441
   logic next_row;
-  assign next_row = and_2044 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1303
-  logic [5:0] select_2047;
-  assign select_2047 = next_row ? cfg_width_i[8:3] : 6'h0;
-  logic [10:0] select_2049;
-  assign select_2049 = left_first_s2_q ? 11'h0 : (seen_base_q + {5'h0, select_2047});
-  // hls/stages/agreement.hpp:1314
-  logic equal_2050;
-  assign equal_2050 = seen_x_q == 3'h7;
-  logic [7:0] select_2052;
-  assign select_2052 = and_2044 ? 8'h0 : (seen_column_q + {7'h0, equal_2050});
-  // hls/stages/agreement.hpp:1321
+  assign next_row = and_2053 & (began_q & at_cell_end_q);
+  // hls/stages/agreement.hpp:1306
+  logic [5:0] select_2056;
+  assign select_2056 = next_row ? cfg_width_i[8:3] : 6'h0;
+  logic [10:0] select_2058;
+  assign select_2058 = left_first_s2_q ? 11'h0 : (seen_base_q + {5'h0, select_2056});
+  // hls/stages/agreement.hpp:1317
+  logic equal_2059;
+  assign equal_2059 = seen_x_q == 3'h7;
+  logic [7:0] select_2061;
+  assign select_2061 = and_2053 ? 8'h0 : (seen_column_q + {7'h0, equal_2059});
+  // hls/stages/agreement.hpp:1324
   logic [10:0] index;
-  assign index = select_2049 + {3'h0, select_2052};
-  // hls/stages/agreement.hpp:1273
-  logic [11:0] sum_2054;
-  assign sum_2054 = {1'b0, {2{select_2039}}, 2'h0, {2{select_2039}}, 1'b0, {2{select_2039}}, 1'b0, select_2039} + {1'b0, index};
+  assign index = select_2058 + {3'h0, select_2061};
+  // hls/stages/agreement.hpp:1276
+  logic [11:0] sum_2063;
+  assign sum_2063 = {1'b0, {2{select_2048}}, 2'h0, {2{select_2048}}, 1'b0, {2{select_2048}}, 1'b0, select_2048} + {1'b0, index};
   // hls/stages/agreement.hpp:441
-  logic and_2057;
-  assign and_2057 = not_2055_s2_q & (began_q | and_2044);
-  // hls/stages/agreement.hpp:1315
-  logic [2:0] select_2059;
-  assign select_2059 = and_2044 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:1320
-  logic and_2061;
-  assign and_2061 = and_2057 & (select_2059 == 3'h0);
-  logic less_2062;
-  assign less_2062 = select_2052 < {2'h0, cfg_width_i[8:3]};
+  logic and_2066;
+  assign and_2066 = not_2064_s2_q & (began_q | and_2053);
+  // hls/stages/agreement.hpp:1318
+  logic [2:0] select_2068;
+  assign select_2068 = and_2053 ? 3'h0 : (seen_x_q + 3'h1);
+  // hls/stages/agreement.hpp:1323
+  logic and_2070;
+  assign and_2070 = and_2066 & (select_2068 == 3'h0);
+  logic less_2071;
+  assign less_2071 = select_2061 < {2'h0, cfg_width_i[8:3]};
   // hls/stages/agreement.hpp:443
-  logic and_2063;
-  assign and_2063 = and_2061 & less_2062;
-  logic and_2064;
-  assign and_2064 = and_1974_s2_q & and_2063;
-  // hls/stages/agreement.hpp:279
-  logic select_2066;
-  assign select_2066 = and_1974_s2_q ? (left_first_s2_q ? and_2063 : and_2064) : and_2064;
-  // hls/stages/agreement.hpp:1123
-  logic select_2068;
-  assign select_2068 = draws_late_q ? read_half_q : write_half_q;
-  logic [7:0] sum_2069;
-  assign sum_2069 = {2'h0, x_s2_q[7:2]} + 8'hff;
-  logic [10:0] index_2;
-  assign index_2 = {sum_2069[7], sum_2069, x_s2_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1273
-  logic [11:0] sum_2071;
-  assign sum_2071 = {1'b0, {2{select_2068}}, 2'h0, {2{select_2068}}, 1'b0, {2{select_2068}}, 1'b0, select_2068} + {1'b0, index_2};
-  // hls/stages/agreement.hpp:1040
   logic and_2072;
-  assign and_2072 = seen_columns_rdata_q[14] & inside_v_s2_q;
+  assign and_2072 = and_2070 & less_2071;
   logic and_2073;
-  assign and_2073 = seen_columns_rdata_q[10] & inside_v_s2_q;
-  logic and_2074;
-  assign and_2074 = seen_columns_rdata_q[5] & inside_v_s2_q;
-  logic and_2075;
-  assign and_2075 = seen_columns_rdata_q[0] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1098
-  logic [1:0] sum_2077;
-  assign sum_2077 = {1'b0, and_2074} + ({1'b0, textured} + {1'b0, and_2075});
-  logic [2:0] textured_2;
-  assign textured_2 = {2'h0, and_2072} + ({2'h0, and_2073} + {1'b0, sum_2077});
-  // hls/stages/agreement.hpp:1040
-  logic [7:0] select_2086;
-  assign select_2086 = inside_v_s2_q ? (sum_1995_s2_q ? select_1982 : {select_1982[6:0], 1'b0}) : select_1982;
-  // hls/stages/agreement.hpp:1061
-  logic or_2089;
-  assign or_2089 = select_2086[7] | (~({select_2086[5], select_2086[3], select_2086[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1040
-  logic and_2106;
-  assign and_2106 = seen_columns_rdata_q[16] & inside_v_s2_q;
-  logic and_2107;
-  assign and_2107 = seen_columns_rdata_q[12] & inside_v_s2_q;
-  logic and_2108;
-  assign and_2108 = seen_columns_rdata_q[8] & inside_v_s2_q;
-  logic and_2109;
-  assign and_2109 = seen_columns_rdata_q[3] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1100
-  logic [1:0] sum_2111;
-  assign sum_2111 = {1'b0, and_2108} + ({1'b0, shown} + {1'b0, and_2109});
-  logic [2:0] shown_2;
-  assign shown_2 = {2'h0, and_2106} + ({2'h0, and_2107} + {1'b0, sum_2111});
-  // hls/stages/agreement.hpp:1040
-  logic and_2122;
-  assign and_2122 = seen_columns_rdata_q[17] & inside_v_s2_q;
-  logic and_2123;
-  assign and_2123 = seen_columns_rdata_q[13] & inside_v_s2_q;
-  logic and_2124;
-  assign and_2124 = seen_columns_rdata_q[9] & inside_v_s2_q;
-  logic and_2125;
-  assign and_2125 = seen_columns_rdata_q[4] & inside_v_s2_q;
+  assign and_2073 = and_1981_s2_q & and_2072;
+  // hls/stages/agreement.hpp:279
+  logic select_2075;
+  assign select_2075 = and_1981_s2_q ? (left_first_s2_q ? and_2072 : and_2073) : and_2073;
+  // hls/stages/agreement.hpp:1126
+  logic select_2077;
+  assign select_2077 = draws_late_q ? read_half_q : write_half_q;
+  logic [7:0] sum_2078;
+  assign sum_2078 = {2'h0, x_s2_q[7:2]} + 8'hff;
+  logic [10:0] index_2;
+  assign index_2 = {sum_2078[7], sum_2078, x_s2_q[1:0]} + map_row_q;
+  // hls/stages/agreement.hpp:1276
+  logic [11:0] sum_2080;
+  assign sum_2080 = {1'b0, {2{select_2077}}, 2'h0, {2{select_2077}}, 1'b0, {2{select_2077}}, 1'b0, select_2077} + {1'b0, index_2};
+  // hls/stages/agreement.hpp:1043
+  logic and_2081;
+  assign and_2081 = seen_columns_rdata_q[14] & inside_v_s2_q;
+  logic and_2082;
+  assign and_2082 = seen_columns_rdata_q[10] & inside_v_s2_q;
+  logic and_2083;
+  assign and_2083 = seen_columns_rdata_q[5] & inside_v_s2_q;
+  logic and_2084;
+  assign and_2084 = seen_columns_rdata_q[0] & inside_v_s2_q;
   // hls/stages/agreement.hpp:1101
-  logic [1:0] sum_2127;
-  assign sum_2127 = {1'b0, and_2124} + ({1'b0, near} + {1'b0, and_2125});
+  logic [1:0] sum_2086;
+  assign sum_2086 = {1'b0, and_2083} + ({1'b0, textured} + {1'b0, and_2084});
+  logic [2:0] textured_2;
+  assign textured_2 = {2'h0, and_2081} + ({2'h0, and_2082} + {1'b0, sum_2086});
+  // hls/stages/agreement.hpp:1043
+  logic [7:0] select_2095;
+  assign select_2095 = inside_v_s2_q ? (sum_2002_s2_q ? select_1989 : {select_1989[6:0], 1'b0}) : select_1989;
+  // hls/stages/agreement.hpp:1064
+  logic or_2098;
+  assign or_2098 = select_2095[7] | (~({select_2095[5], select_2095[3], select_2095[1]} == 3'h0));
+  // hls/stages/agreement.hpp:1043
+  logic and_2115;
+  assign and_2115 = seen_columns_rdata_q[16] & inside_v_s2_q;
+  logic and_2116;
+  assign and_2116 = seen_columns_rdata_q[12] & inside_v_s2_q;
+  logic and_2117;
+  assign and_2117 = seen_columns_rdata_q[8] & inside_v_s2_q;
+  logic and_2118;
+  assign and_2118 = seen_columns_rdata_q[3] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1103
+  logic [1:0] sum_2120;
+  assign sum_2120 = {1'b0, and_2117} + ({1'b0, shown} + {1'b0, and_2118});
+  logic [2:0] shown_2;
+  assign shown_2 = {2'h0, and_2115} + ({2'h0, and_2116} + {1'b0, sum_2120});
+  // hls/stages/agreement.hpp:1043
+  logic and_2131;
+  assign and_2131 = seen_columns_rdata_q[17] & inside_v_s2_q;
+  logic and_2132;
+  assign and_2132 = seen_columns_rdata_q[13] & inside_v_s2_q;
+  logic and_2133;
+  assign and_2133 = seen_columns_rdata_q[9] & inside_v_s2_q;
+  logic and_2134;
+  assign and_2134 = seen_columns_rdata_q[4] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1104
+  logic [1:0] sum_2136;
+  assign sum_2136 = {1'b0, and_2133} + ({1'b0, near} + {1'b0, and_2134});
   logic [2:0] near_2;
-  assign near_2 = {2'h0, and_2122} + ({2'h0, and_2123} + {1'b0, sum_2127});
-  // hls/stages/agreement.hpp:1122
-  logic not_2138;
-  assign not_2138 = ~(x_s2_q[7:2] == 6'h0);
-  // hls/stages/agreement.hpp:1123
-  logic not_2140;
-  assign not_2140 = ~({1'b0, sum_1653, last_s2_q[1:0]} < x_s2_q);
+  assign near_2 = {2'h0, and_2131} + ({2'h0, and_2132} + {1'b0, sum_2136});
+  // hls/stages/agreement.hpp:1125
+  logic not_2147;
+  assign not_2147 = ~(x_s2_q[7:2] == 6'h0);
+  // hls/stages/agreement.hpp:1126
+  logic not_2149;
+  assign not_2149 = ~({1'b0, sum_1660, last_s2_q[1:0]} < x_s2_q);
   // hls/stages/agreement.hpp:798
-  logic select_2144;
-  assign select_2144 = less_2136_s2_q ? (not_2138 & not_2140) : ((draws_late_q & not_2138) & not_2140);
-  logic and_2147;
-  assign and_2147 = not_577_s2_q & (drew_q & (ends_cell_s2_q & select_2144));
+  logic select_2153;
+  assign select_2153 = less_2145_s2_q ? (not_2147 & not_2149) : ((draws_late_q & not_2147) & not_2149);
+  logic and_2156;
+  assign and_2156 = not_584_s2_q & (drew_q & (ends_cell_s2_q & select_2153));
   // hls/stages/agreement.hpp:277
-  logic [10:0] select_2181;
-  assign select_2181 = sample_pair_whole_s2_q ? (and_549_s2_q ? total : averager_total_0_q) : averager_total_0_q;
-  logic [10:0] select_2183;
-  assign select_2183 = sample_pair_whole_s2_q ? (and_549_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
-  logic select_2203;
-  assign select_2203 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
-  logic select_2205;
-  assign select_2205 = sample_pair_whole_s2_q ? (and_549_s2_q ? select_564 : averager_mask_q) : averager_mask_q;
-  logic select_2207;
-  assign select_2207 = sample_pair_whole_s2_q ? (and_549_s2_q ? select_568 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:530
-  logic [8:0] select_2208;
-  assign select_2208 = and_551_s2_q ? select_557 : census_columns_values_0_cell_0_left_q;
-  logic [8:0] select_2209;
-  assign select_2209 = and_551_s2_q ? select_561 : census_columns_values_0_cell_0_right_q;
-  logic [8:0] select_2211;
-  assign select_2211 = and_551_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
-  logic [8:0] select_2212;
-  assign select_2212 = and_551_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
-  logic select_2213;
-  assign select_2213 = and_551_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
-  logic [8:0] select_2214;
-  assign select_2214 = and_551_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
-  logic [8:0] select_2215;
-  assign select_2215 = and_551_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic [10:0] select_2190;
+  assign select_2190 = sample_pair_whole_s2_q ? (and_554_s2_q ? total : averager_total_0_q) : averager_total_0_q;
+  logic [10:0] select_2192;
+  assign select_2192 = sample_pair_whole_s2_q ? (and_554_s2_q ? total_2 : averager_total_1_q) : averager_total_1_q;
+  logic select_2212;
+  assign select_2212 = sample_pair_whole_s2_q ? all_of_skin : averager_running_of_skin_q;
+  logic select_2214;
+  assign select_2214 = sample_pair_whole_s2_q ? (and_554_s2_q ? select_569 : averager_mask_q) : averager_mask_q;
   logic select_2216;
-  assign select_2216 = and_551_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
-  logic select_2217;
-  assign select_2217 = and_551_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
+  assign select_2216 = sample_pair_whole_s2_q ? (and_554_s2_q ? select_573 : averager_of_skin_q) : averager_of_skin_q;
+  // hls/stages/agreement.hpp:530
+  logic [8:0] select_2217;
+  assign select_2217 = and_556_s2_q ? select_562 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2218;
-  assign select_2218 = and_551_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
-  logic [8:0] select_2219;
-  assign select_2219 = and_551_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
-  logic select_2220;
-  assign select_2220 = and_551_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
+  assign select_2218 = and_556_s2_q ? select_566 : census_columns_values_0_cell_0_right_q;
+  logic [8:0] select_2220;
+  assign select_2220 = and_556_s2_q ? census_memory_rdata_q[8:0] : census_columns_values_0_cell_1_left_q;
   logic [8:0] select_2221;
-  assign select_2221 = and_551_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
-  logic [8:0] select_2222;
-  assign select_2222 = and_551_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
-  logic select_2223;
-  assign select_2223 = and_551_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  assign select_2221 = and_556_s2_q ? census_memory_rdata_q[17:9] : census_columns_values_0_cell_1_right_q;
+  logic select_2222;
+  assign select_2222 = and_556_s2_q ? census_memory_rdata_q[18] : census_columns_values_0_cell_1_mask_q;
+  logic [8:0] select_2223;
+  assign select_2223 = and_556_s2_q ? census_memory_rdata_q[28:20] : census_columns_values_0_cell_2_left_q;
   logic [8:0] select_2224;
-  assign select_2224 = and_551_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
-  logic [8:0] select_2225;
-  assign select_2225 = and_551_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  assign select_2224 = and_556_s2_q ? census_memory_rdata_q[37:29] : census_columns_values_0_cell_2_right_q;
+  logic select_2225;
+  assign select_2225 = and_556_s2_q ? census_memory_rdata_q[38] : census_columns_values_0_cell_2_mask_q;
   logic select_2226;
-  assign select_2226 = and_551_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  assign select_2226 = and_556_s2_q ? census_memory_rdata_q[39] : census_columns_values_0_cell_2_of_skin_q;
   logic [8:0] select_2227;
-  assign select_2227 = and_551_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
+  assign select_2227 = and_556_s2_q ? census_memory_rdata_q[48:40] : census_columns_values_0_cell_3_left_q;
   logic [8:0] select_2228;
-  assign select_2228 = and_551_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  assign select_2228 = and_556_s2_q ? census_memory_rdata_q[57:49] : census_columns_values_0_cell_3_right_q;
   logic select_2229;
-  assign select_2229 = and_551_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  assign select_2229 = and_556_s2_q ? census_memory_rdata_q[58] : census_columns_values_0_cell_3_mask_q;
   logic [8:0] select_2230;
-  assign select_2230 = and_551_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
+  assign select_2230 = and_556_s2_q ? census_memory_rdata_q[67:59] : census_columns_values_0_cell_4_left_q;
   logic [8:0] select_2231;
-  assign select_2231 = and_551_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  assign select_2231 = and_556_s2_q ? census_memory_rdata_q[76:68] : census_columns_values_0_cell_4_right_q;
   logic select_2232;
-  assign select_2232 = and_551_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
-  logic select_2233;
-  assign select_2233 = and_551_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
+  assign select_2232 = and_556_s2_q ? census_memory_rdata_q[77] : census_columns_values_0_cell_4_mask_q;
+  logic [8:0] select_2233;
+  assign select_2233 = and_556_s2_q ? census_columns_values_0_cell_0_left_q : census_columns_values_1_cell_0_left_q;
   logic [8:0] select_2234;
-  assign select_2234 = and_551_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
-  logic [8:0] select_2235;
-  assign select_2235 = and_551_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
-  logic select_2236;
-  assign select_2236 = and_551_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
+  assign select_2234 = and_556_s2_q ? census_columns_values_0_cell_0_right_q : census_columns_values_1_cell_0_right_q;
+  logic select_2235;
+  assign select_2235 = and_556_s2_q ? census_columns_values_0_cell_0_mask_q : census_columns_values_1_cell_0_mask_q;
+  logic [8:0] select_2236;
+  assign select_2236 = and_556_s2_q ? census_columns_values_0_cell_1_left_q : census_columns_values_1_cell_1_left_q;
   logic [8:0] select_2237;
-  assign select_2237 = and_551_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
-  logic [8:0] select_2238;
-  assign select_2238 = and_551_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
-  logic select_2239;
-  assign select_2239 = and_551_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
+  assign select_2237 = and_556_s2_q ? census_columns_values_0_cell_1_right_q : census_columns_values_1_cell_1_right_q;
+  logic select_2238;
+  assign select_2238 = and_556_s2_q ? census_columns_values_0_cell_1_mask_q : census_columns_values_1_cell_1_mask_q;
+  logic [8:0] select_2239;
+  assign select_2239 = and_556_s2_q ? census_columns_values_0_cell_2_left_q : census_columns_values_1_cell_2_left_q;
   logic [8:0] select_2240;
-  assign select_2240 = and_551_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
-  logic [8:0] select_2241;
-  assign select_2241 = and_551_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
+  assign select_2240 = and_556_s2_q ? census_columns_values_0_cell_2_right_q : census_columns_values_1_cell_2_right_q;
+  logic select_2241;
+  assign select_2241 = and_556_s2_q ? census_columns_values_0_cell_2_mask_q : census_columns_values_1_cell_2_mask_q;
   logic select_2242;
-  assign select_2242 = and_551_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
+  assign select_2242 = and_556_s2_q ? census_columns_values_0_cell_2_of_skin_q : census_columns_values_1_cell_2_of_skin_q;
   logic [8:0] select_2243;
-  assign select_2243 = and_551_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
+  assign select_2243 = and_556_s2_q ? census_columns_values_0_cell_3_left_q : census_columns_values_1_cell_3_left_q;
   logic [8:0] select_2244;
-  assign select_2244 = and_551_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
+  assign select_2244 = and_556_s2_q ? census_columns_values_0_cell_3_right_q : census_columns_values_1_cell_3_right_q;
   logic select_2245;
-  assign select_2245 = and_551_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  assign select_2245 = and_556_s2_q ? census_columns_values_0_cell_3_mask_q : census_columns_values_1_cell_3_mask_q;
   logic [8:0] select_2246;
-  assign select_2246 = and_551_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
+  assign select_2246 = and_556_s2_q ? census_columns_values_0_cell_4_left_q : census_columns_values_1_cell_4_left_q;
   logic [8:0] select_2247;
-  assign select_2247 = and_551_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  assign select_2247 = and_556_s2_q ? census_columns_values_0_cell_4_right_q : census_columns_values_1_cell_4_right_q;
   logic select_2248;
-  assign select_2248 = and_551_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  assign select_2248 = and_556_s2_q ? census_columns_values_0_cell_4_mask_q : census_columns_values_1_cell_4_mask_q;
   logic [8:0] select_2249;
-  assign select_2249 = and_551_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  assign select_2249 = and_556_s2_q ? census_columns_values_1_cell_0_left_q : census_columns_values_2_cell_0_left_q;
   logic [8:0] select_2250;
-  assign select_2250 = and_551_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  assign select_2250 = and_556_s2_q ? census_columns_values_1_cell_0_right_q : census_columns_values_2_cell_0_right_q;
   logic select_2251;
-  assign select_2251 = and_551_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
+  assign select_2251 = and_556_s2_q ? census_columns_values_1_cell_0_mask_q : census_columns_values_2_cell_0_mask_q;
   logic [8:0] select_2252;
-  assign select_2252 = and_551_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  assign select_2252 = and_556_s2_q ? census_columns_values_1_cell_1_left_q : census_columns_values_2_cell_1_left_q;
   logic [8:0] select_2253;
-  assign select_2253 = and_551_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
+  assign select_2253 = and_556_s2_q ? census_columns_values_1_cell_1_right_q : census_columns_values_2_cell_1_right_q;
   logic select_2254;
-  assign select_2254 = and_551_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
-  logic select_2255;
-  assign select_2255 = and_551_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  assign select_2254 = and_556_s2_q ? census_columns_values_1_cell_1_mask_q : census_columns_values_2_cell_1_mask_q;
+  logic [8:0] select_2255;
+  assign select_2255 = and_556_s2_q ? census_columns_values_1_cell_2_left_q : census_columns_values_2_cell_2_left_q;
   logic [8:0] select_2256;
-  assign select_2256 = and_551_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
-  logic [8:0] select_2257;
-  assign select_2257 = and_551_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
-  logic select_2258;
-  assign select_2258 = and_551_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
-  logic select_2259;
-  assign select_2259 = and_551_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
-  logic [8:0] select_2260;
-  assign select_2260 = and_551_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  assign select_2256 = and_556_s2_q ? census_columns_values_1_cell_2_right_q : census_columns_values_2_cell_2_right_q;
+  logic select_2257;
+  assign select_2257 = and_556_s2_q ? census_columns_values_1_cell_2_mask_q : census_columns_values_2_cell_2_mask_q;
+  logic [8:0] select_2258;
+  assign select_2258 = and_556_s2_q ? census_columns_values_1_cell_3_left_q : census_columns_values_2_cell_3_left_q;
+  logic [8:0] select_2259;
+  assign select_2259 = and_556_s2_q ? census_columns_values_1_cell_3_right_q : census_columns_values_2_cell_3_right_q;
+  logic select_2260;
+  assign select_2260 = and_556_s2_q ? census_columns_values_1_cell_3_mask_q : census_columns_values_2_cell_3_mask_q;
   logic [8:0] select_2261;
-  assign select_2261 = and_551_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
-  logic select_2262;
-  assign select_2262 = and_551_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  assign select_2261 = and_556_s2_q ? census_columns_values_1_cell_4_left_q : census_columns_values_2_cell_4_left_q;
+  logic [8:0] select_2262;
+  assign select_2262 = and_556_s2_q ? census_columns_values_1_cell_4_right_q : census_columns_values_2_cell_4_right_q;
   logic select_2263;
-  assign select_2263 = and_551_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
+  assign select_2263 = and_556_s2_q ? census_columns_values_1_cell_4_mask_q : census_columns_values_2_cell_4_mask_q;
+  logic select_2264;
+  assign select_2264 = and_556_s2_q ? census_columns_values_2_cell_0_mask_q : census_columns_values_3_cell_0_mask_q;
+  logic [8:0] select_2265;
+  assign select_2265 = and_556_s2_q ? census_columns_values_2_cell_1_left_q : census_columns_values_3_cell_1_left_q;
+  logic [8:0] select_2266;
+  assign select_2266 = and_556_s2_q ? census_columns_values_2_cell_1_right_q : census_columns_values_3_cell_1_right_q;
+  logic select_2267;
+  assign select_2267 = and_556_s2_q ? census_columns_values_2_cell_1_mask_q : census_columns_values_3_cell_1_mask_q;
+  logic select_2268;
+  assign select_2268 = and_556_s2_q ? census_columns_values_2_cell_2_mask_q : census_columns_values_3_cell_2_mask_q;
+  logic [8:0] select_2269;
+  assign select_2269 = and_556_s2_q ? census_columns_values_2_cell_3_left_q : census_columns_values_3_cell_3_left_q;
+  logic [8:0] select_2270;
+  assign select_2270 = and_556_s2_q ? census_columns_values_2_cell_3_right_q : census_columns_values_3_cell_3_right_q;
+  logic select_2271;
+  assign select_2271 = and_556_s2_q ? census_columns_values_2_cell_3_mask_q : census_columns_values_3_cell_3_mask_q;
+  logic select_2272;
+  assign select_2272 = and_556_s2_q ? census_columns_values_2_cell_4_mask_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:286
-  logic [9:0] difference_2265;
-  assign difference_2265 = {1'b0, select_561} - {1'b0, census_columns_values_0_cell_0_right_q};
-  logic [8:0] xor_2266;
-  assign xor_2266 = difference_2265[8:0] ^ {9{difference_2265[9]}};
-  logic [9:0] sum_2267;
-  assign sum_2267 = {9'h0, difference_2265[9]} + {1'b0, xor_2266};
-  logic [9:0] difference_2268;
-  assign difference_2268 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
-  logic [8:0] xor_2269;
-  assign xor_2269 = difference_2268[8:0] ^ {9{difference_2268[9]}};
-  logic [9:0] sum_2270;
-  assign sum_2270 = {9'h0, difference_2268[9]} + {1'b0, xor_2269};
-  logic [9:0] difference_2272;
-  assign difference_2272 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
-  logic [8:0] xor_2273;
-  assign xor_2273 = difference_2272[8:0] ^ {9{difference_2272[9]}};
-  logic [9:0] sum_2274;
-  assign sum_2274 = {9'h0, difference_2272[9]} + {1'b0, xor_2273};
-  logic [10:0] sum_2275;
-  assign sum_2275 = ({1'b0, sum_2267} + {1'b0, sum_2270}) + {1'b0, sum_2274};
-  logic [9:0] difference_2276;
-  assign difference_2276 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
-  logic [8:0] xor_2277;
-  assign xor_2277 = difference_2276[8:0] ^ {9{difference_2276[9]}};
-  logic [9:0] sum_2278;
-  assign sum_2278 = {9'h0, difference_2276[9]} + {1'b0, xor_2277};
-  logic [9:0] difference_2280;
-  assign difference_2280 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
-  logic [8:0] xor_2281;
-  assign xor_2281 = difference_2280[8:0] ^ {9{difference_2280[9]}};
-  // hls/stages/moments.hpp:54
-  logic [13:0] sum_2302;
-  assign sum_2302 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
-  logic [13:0] sum_2304;
-  assign sum_2304 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
-  // hls/stages/agreement.hpp:1154
-  logic equal_2305;
-  assign equal_2305 = x_s2_q[6:0] == 7'h70;
-  // hls/stages/moments.hpp:117
-  logic [13:0] select_2306;
-  assign select_2306 = equal_2305 ? sum_2302 : moments_before_0_q;
-  logic [13:0] select_2308;
-  assign select_2308 = equal_2305 ? sum_2304 : moments_before_1_q;
+  logic [9:0] difference_2274;
+  assign difference_2274 = {1'b0, select_566} - {1'b0, census_columns_values_0_cell_0_right_q};
+  logic [8:0] xor_2275;
+  assign xor_2275 = difference_2274[8:0] ^ {9{difference_2274[9]}};
+  logic [9:0] sum_2276;
+  assign sum_2276 = {9'h0, difference_2274[9]} + {1'b0, xor_2275};
+  logic [9:0] difference_2277;
+  assign difference_2277 = {1'b0, census_memory_rdata_q[17:9]} - {1'b0, census_columns_values_0_cell_1_right_q};
+  logic [8:0] xor_2278;
+  assign xor_2278 = difference_2277[8:0] ^ {9{difference_2277[9]}};
+  logic [9:0] sum_2279;
+  assign sum_2279 = {9'h0, difference_2277[9]} + {1'b0, xor_2278};
+  logic [9:0] difference_2281;
+  assign difference_2281 = {1'b0, census_memory_rdata_q[37:29]} - {1'b0, census_columns_values_0_cell_2_right_q};
+  logic [8:0] xor_2282;
+  assign xor_2282 = difference_2281[8:0] ^ {9{difference_2281[9]}};
+  logic [9:0] sum_2283;
+  assign sum_2283 = {9'h0, difference_2281[9]} + {1'b0, xor_2282};
+  logic [10:0] sum_2284;
+  assign sum_2284 = ({1'b0, sum_2276} + {1'b0, sum_2279}) + {1'b0, sum_2283};
+  logic [9:0] difference_2285;
+  assign difference_2285 = {1'b0, census_memory_rdata_q[57:49]} - {1'b0, census_columns_values_0_cell_3_right_q};
+  logic [8:0] xor_2286;
+  assign xor_2286 = difference_2285[8:0] ^ {9{difference_2285[9]}};
+  logic [9:0] sum_2287;
+  assign sum_2287 = {9'h0, difference_2285[9]} + {1'b0, xor_2286};
+  logic [9:0] difference_2289;
+  assign difference_2289 = {1'b0, census_memory_rdata_q[76:68]} - {1'b0, census_columns_values_0_cell_4_right_q};
+  logic [8:0] xor_2290;
+  assign xor_2290 = difference_2289[8:0] ^ {9{difference_2289[9]}};
+  // hls/stages/moments.hpp:65
+  logic [13:0] sum_2311;
+  assign sum_2311 = {13'h0, moments_turns_0_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_0_q);
+  logic [13:0] sum_2313;
+  assign sum_2313 = {13'h0, moments_turns_1_q} + (moments_starts_s2_q ? 14'h0 : moments_turned_1_q);
+  // hls/stages/moments.hpp:153
+  logic [13:0] select_2315;
+  assign select_2315 = equal_2314_s2_q ? moments_other_field_before_0_q : moments_before_0_q;
+  logic [13:0] select_2317;
+  assign select_2317 = equal_2314_s2_q ? moments_other_field_before_1_q : moments_before_1_q;
+  logic select_2319;
+  assign select_2319 = equal_2314_s2_q ? moments_other_field_has_before_q : moments_has_before_q;
   // hls/stages/agreement.hpp:798
-  logic select_2311;
-  assign select_2311 = equal_576_s2_q ? (moments_has_before_q | equal_2305) : moments_has_before_q;
-  logic [13:0] select_2314;
-  assign select_2314 = equal_576_s2_q ? ((select_2308 < select_2306) ? select_2306 : select_2308) : moments_most_before_q;
-  // hls/stages/moments.hpp:117
-  logic [14:0] sum_2315;
-  assign sum_2315 = {1'b0, moments_most_before_q} + 15'h3;
+  logic [13:0] select_2323;
+  assign select_2323 = equal_583_s2_q ? ((select_2317 < select_2315) ? select_2315 : select_2317) : moments_most_before_q;
+  // hls/stages/moments.hpp:153
+  logic [14:0] sum_2324;
+  assign sum_2324 = {1'b0, moments_most_before_q} + 15'h3;
   // hls/stages/agreement.hpp:798
-  logic select_2318;
-  assign select_2318 = equal_576_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2315)) : moments_left_begins_q;
-  // hls/stages/moments.hpp:117
-  logic [14:0] sum_2319;
-  assign sum_2319 = {1'b0, sum_2304} + 15'h3;
+  logic select_2327;
+  assign select_2327 = equal_583_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2324)) : moments_left_begins_q;
+  // hls/stages/moments.hpp:153
+  logic [14:0] sum_2328;
+  assign sum_2328 = {1'b0, sum_2313} + 15'h3;
   // hls/stages/agreement.hpp:798
-  logic select_2322;
-  assign select_2322 = equal_576_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2319)) : moments_left_alone_q;
-  logic select_2325;
-  assign select_2325 = equal_576_s2_q ? (~({3'h0, select_2308[13:2]} < sum_2319)) : moments_left_other_stops_q;
-  logic select_2328;
-  assign select_2328 = equal_576_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2315)) : moments_right_begins_q;
-  // hls/stages/moments.hpp:117
-  logic [14:0] sum_2329;
-  assign sum_2329 = {1'b0, sum_2302} + 15'h3;
+  logic select_2331;
+  assign select_2331 = equal_583_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2328)) : moments_left_alone_q;
+  logic select_2334;
+  assign select_2334 = equal_583_s2_q ? (~({3'h0, select_2317[13:2]} < sum_2328)) : moments_left_other_stops_q;
+  logic select_2337;
+  assign select_2337 = equal_583_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2324)) : moments_right_begins_q;
+  // hls/stages/moments.hpp:153
+  logic [14:0] sum_2338;
+  assign sum_2338 = {1'b0, sum_2311} + 15'h3;
   // hls/stages/agreement.hpp:798
-  logic select_2332;
-  assign select_2332 = equal_576_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2329)) : moments_right_alone_q;
-  logic select_2335;
-  assign select_2335 = equal_576_s2_q ? (~({3'h0, select_2306[13:2]} < sum_2329)) : moments_right_other_stops_q;
-  // hls/stages/moments.hpp:51
-  logic or_2338;
-  assign or_2338 = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
+  logic select_2341;
+  assign select_2341 = equal_583_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2338)) : moments_right_alone_q;
+  logic select_2344;
+  assign select_2344 = equal_583_s2_q ? (~({3'h0, select_2315[13:2]} < sum_2338)) : moments_right_other_stops_q;
+  // hls/stages/moments.hpp:55
+  logic out_of_step;
+  assign out_of_step = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
+  // hls/stages/moments.hpp:59
+  logic select_2348;
+  assign select_2348 = moments_ended_q ? moments_other_field_out_of_step_q : out_of_step;
   // hls/stages/agreement.hpp:798
-  logic and_2346;
-  assign and_2346 = not_577_s2_q & (not_579_s2_q & (equal_580_s2_q & (inside_v_s2_q & and_1603)));
-  logic and_2350;
-  assign and_2350 = not_577_s2_q & (not_579_s2_q & (equal_580_s2_q & (inside_v_s2_q & and_1612)));
-  // hls/stages/moments.hpp:94
-  logic and_2352;
-  assign and_2352 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
-  logic select_2355;
-  assign select_2355 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2352)) : and_2352;
-  // hls/stages/agreement.hpp:798
-  logic and_2359;
-  assign and_2359 = equal_576_s2_q & (equal_2305 & (cfg_prove_i & (cfg_same_table_i & select_2355)));
-  // hls/stages/moments.hpp:95
+  logic and_2356;
+  assign and_2356 = not_584_s2_q & (not_586_s2_q & (equal_587_s2_q & (inside_v_s2_q & and_1610)));
+  logic and_2360;
+  assign and_2360 = not_584_s2_q & (not_586_s2_q & (equal_587_s2_q & (inside_v_s2_q & and_1619)));
+  // hls/stages/moments.hpp:106
   logic and_2362;
-  assign and_2362 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  assign and_2362 = moments_right_alone_q & (moments_right_begins_q | moments_right_other_stops_q);
+  logic select_2365;
+  assign select_2365 = moments_left_alone_q ? (moments_left_begins_q | (moments_left_other_stops_q | and_2362)) : and_2362;
+  // hls/stages/moments.hpp:153
+  logic and_2368;
+  assign and_2368 = equal_2314_s2_q & (cfg_prove_i & (cfg_same_table_i & select_2365));
+  // hls/stages/moments.hpp:107
+  logic and_2372;
+  assign and_2372 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
+  // hls/stages/agreement.hpp:798
+  logic [13:0] select_2377;
+  assign select_2377 = equal_583_s2_q ? (equal_2314_s2_q ? sum_2311 : moments_other_field_before_0_q) : moments_other_field_before_0_q;
+  logic [13:0] select_2379;
+  assign select_2379 = equal_583_s2_q ? (equal_2314_s2_q ? sum_2313 : moments_other_field_before_1_q) : moments_other_field_before_1_q;
+  logic select_2381;
+  assign select_2381 = equal_583_s2_q ? (moments_other_field_has_before_q | equal_2314_s2_q) : moments_other_field_has_before_q;
+  // hls/stages/moments.hpp:61
+  logic select_2382;
+  assign select_2382 = moments_ended_q ? out_of_step : moments_other_field_out_of_step_q;
   // hls/stages/census.hpp:371
-  logic [9:0] difference_2376;
-  assign difference_2376 = {1'b0, select_557} - {1'b0, sharpness_last_mean_0_q};
+  logic [9:0] difference_2396;
+  assign difference_2396 = {1'b0, select_562} - {1'b0, sharpness_last_mean_0_q};
   logic [8:0] contrast;
-  assign contrast = {8'h0, difference_2376[9]} + (difference_2376[8:0] ^ {9{difference_2376[9]}});
-  logic [9:0] difference_2388;
-  assign difference_2388 = {1'b0, select_561} - {1'b0, sharpness_last_mean_1_q};
+  assign contrast = {8'h0, difference_2396[9]} + (difference_2396[8:0] ^ {9{difference_2396[9]}});
+  logic [9:0] difference_2408;
+  assign difference_2408 = {1'b0, select_566} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
-  assign contrast_2 = {8'h0, difference_2388[9]} + (difference_2388[8:0] ^ {9{difference_2388[9]}});
+  assign contrast_2 = {8'h0, difference_2408[9]} + (difference_2408[8:0] ^ {9{difference_2408[9]}});
   // hls/stages/agreement.hpp:530
-  logic select_2587;
-  assign select_2587 = and_551_s2_q ? (equal_2479_s2_q ? and_2585_s2_q : draws_late_q) : draws_late_q;
+  logic select_2607;
+  assign select_2607 = and_556_s2_q ? (equal_2499_s2_q ? and_2605_s2_q : draws_late_q) : draws_late_q;
   // hls/stages/agreement.hpp:240
-  logic [5:0] select_2589;
-  assign select_2589 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
-  logic [5:0] select_2590;
-  assign select_2590 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
-  logic [5:0] select_2591;
-  assign select_2591 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
-  logic [5:0] select_2592;
-  assign select_2592 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
-  logic [5:0] select_2593;
-  assign select_2593 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
-  logic [5:0] select_2594;
-  assign select_2594 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
-  logic [7:0] select_2598;
-  assign select_2598 = slot_s2_q[0] ? 8'h0 : sum_1017;
+  logic [5:0] select_2609;
+  assign select_2609 = slot_s2_q[0] ? middle_sum_columns_values_1_q : middle_sum_columns_values_0_q;
+  logic [5:0] select_2610;
+  assign select_2610 = slot_s2_q[0] ? middle_sum_columns_values_2_q : middle_sum_columns_values_1_q;
+  logic [5:0] select_2611;
+  assign select_2611 = slot_s2_q[0] ? middle_sum_columns_values_3_q : middle_sum_columns_values_2_q;
+  logic [5:0] select_2612;
+  assign select_2612 = slot_s2_q[0] ? middle_sum_columns_values_4_q : middle_sum_columns_values_3_q;
+  logic [5:0] select_2613;
+  assign select_2613 = slot_s2_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
+  logic [5:0] select_2614;
+  assign select_2614 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
+  logic [7:0] select_2618;
+  assign select_2618 = slot_s2_q[0] ? 8'h0 : sum_1024;
   // hls/stages/agreement.hpp:761
-  logic less_2599;
-  assign less_2599 = select_2598 < select_1517;
+  logic less_2619;
+  assign less_2619 = select_2618 < select_1524;
   // hls/stages/agreement.hpp:240
-  logic [6:0] select_2601;
-  assign select_2601 = slot_s2_q[0] ? 7'h0 : sum_1543;
+  logic [6:0] select_2621;
+  assign select_2621 = slot_s2_q[0] ? 7'h0 : sum_1550;
   // hls/stages/agreement.hpp:798
-  logic not_2606;
-  assign not_2606 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
-  logic less_2607;
-  assign less_2607 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
+  logic not_2626;
+  assign not_2626 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
+  logic less_2627;
+  assign less_2627 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
   // hls/stages/agreement.hpp:530
-  logic and_2614;
-  assign and_2614 = and_551_s2_q & (equal_684_s2_q & equal_2479_s2_q);
+  logic and_2634;
+  assign and_2634 = and_556_s2_q & (equal_691_s2_q & equal_2499_s2_q);
   // hls/stages/agreement.hpp:798
-  logic and_2619;
-  assign and_2619 = ends_cell_s2_q & (inside_v_s2_q & (and_2616_s2_q & not_640_s2_q));
-  // hls/stages/agreement.hpp:1040
-  logic and_2643;
-  assign and_2643 = seen_columns_rdata_q[15] & inside_v_s2_q;
-  logic and_2644;
-  assign and_2644 = seen_columns_rdata_q[11] & inside_v_s2_q;
-  logic and_2645;
-  assign and_2645 = seen_columns_rdata_q[7] & inside_v_s2_q;
-  logic and_2646;
-  assign and_2646 = seen_columns_rdata_q[2] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1099
-  logic [1:0] sum_2648;
-  assign sum_2648 = {1'b0, and_2645} + ({1'b0, explained} + {1'b0, and_2646});
+  logic and_2639;
+  assign and_2639 = ends_cell_s2_q & (inside_v_s2_q & (and_2636_s2_q & not_2012_s2_q));
+  // hls/stages/agreement.hpp:1043
+  logic and_2663;
+  assign and_2663 = seen_columns_rdata_q[15] & inside_v_s2_q;
+  logic and_2664;
+  assign and_2664 = seen_columns_rdata_q[11] & inside_v_s2_q;
+  logic and_2665;
+  assign and_2665 = seen_columns_rdata_q[7] & inside_v_s2_q;
+  logic and_2666;
+  assign and_2666 = seen_columns_rdata_q[2] & inside_v_s2_q;
+  // hls/stages/agreement.hpp:1102
+  logic [1:0] sum_2668;
+  assign sum_2668 = {1'b0, and_2665} + ({1'b0, explained} + {1'b0, and_2666});
   logic [2:0] explained_2;
-  assign explained_2 = {2'h0, and_2643} + ({2'h0, and_2644} + {1'b0, sum_2648});
+  assign explained_2 = {2'h0, and_2663} + ({2'h0, and_2664} + {1'b0, sum_2668});
   // hls/stages/agreement.hpp:798
-  logic and_2684;
-  assign and_2684 = ends_cell_s2_q & (inside_v_s2_q & (not_640_s2_q & (and_2616_s2_q & and_2019)));
+  logic and_2704;
+  assign and_2704 = ends_cell_s2_q & (inside_v_s2_q & (not_2012_s2_q & (and_2636_s2_q & and_2028)));
   // hls/stages/agreement.hpp:996
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
@@ -3793,627 +3821,627 @@ module horopter_agreement (
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
   // hls/stages/agreement.hpp:998
-  logic [7:0] difference_2709;
-  assign difference_2709 = best_left_rdata_s2_q[16:9] - lower;
-  logic less_2712;
-  assign less_2712 = {2'h0, difference_2709[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
+  logic [7:0] difference_2729;
+  assign difference_2729 = best_left_rdata_s2_q[16:9] - lower;
+  logic less_2732;
+  assign less_2732 = {2'h0, difference_2729[7:2]} < ({7'h0, rise[8]} + (rise[7:0] ^ {8{rise[8]}}));
   // hls/stages/agreement.hpp:248
-  logic and_2715;
-  assign and_2715 = not_585_s2_q & (((and_2017_s2_q & and_637) & equal_2705_s2_q) & (~less_2712));
+  logic and_2735;
+  assign and_2735 = not_592_s2_q & (((and_2026_s2_q & and_641) & equal_2725_s2_q) & (~less_2732));
   // hls/stages/agreement.hpp:798
-  logic and_2719;
-  assign and_2719 = ends_cell_s2_q & (inside_v_s2_q & ((or_581_s2_q & and_2715) & not_640_s2_q));
-  // hls/stages/agreement.hpp:150
-  logic and_2725;
-  assign and_2725 = not_585_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
-  // hls/stages/agreement.hpp:248
-  logic and_2727;
-  assign and_2727 = not_585_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
-  // hls/stages/agreement.hpp:150
-  logic [1:0] select_2728;
-  assign select_2728 = or_581_s2_q ? {and_2727, and_2725} : 2'h0;
-  // hls/stages/agreement.hpp:248
-  logic [1:0] select_2730;
-  assign select_2730 = less_584_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
-  // hls/stages/agreement.hpp:150
-  logic [1:0] select_2731;
-  assign select_2731 = or_581_s2_q ? select_2730 : 2'h0;
-  // hls/stages/agreement.hpp:1037
-  logic and_2733;
-  assign and_2733 = and_639 & (select_2728[0] & select_2731[0]);
-  // hls/stages/agreement.hpp:798
-  logic and_2737;
-  assign and_2737 = ends_cell_s2_q & (inside_v_s2_q & (not_640_s2_q & (select_2728[1] & and_2733)));
   logic and_2739;
-  assign and_2739 = not_577_s2_q & (drew_q & and_2737);
-  logic and_2745;
-  assign and_2745 = ends_cell_s2_q & (inside_v_s2_q & (not_640_s2_q & (select_2731[1] & and_2733)));
-  logic and_2747;
-  assign and_2747 = not_577_s2_q & (drew_q & and_2745);
-  // hls/stages/registration.hpp:76
-  logic less_2750;
-  assign less_2750 = slot_s2_q < 3'h3;
+  assign and_2739 = ends_cell_s2_q & (inside_v_s2_q & ((or_588_s2_q & and_2735) & not_2012_s2_q));
   // hls/stages/agreement.hpp:150
-  logic [7:0] select_2752;
-  assign select_2752 = or_581_s2_q ? (less_584_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
-  logic [7:0] select_2754;
-  assign select_2754 = or_581_s2_q ? (less_584_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
-  logic [7:0] select_2756;
-  assign select_2756 = or_581_s2_q ? (less_584_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
+  logic and_2745;
+  assign and_2745 = not_592_s2_q & (slot_s2_q[2] & left_turns_rdata_q[0]);
+  // hls/stages/agreement.hpp:248
+  logic and_2747;
+  assign and_2747 = not_592_s2_q & (slot_s2_q[2] & left_turns_rdata_q[1]);
+  // hls/stages/agreement.hpp:150
+  logic [1:0] select_2748;
+  assign select_2748 = or_588_s2_q ? {and_2747, and_2745} : 2'h0;
+  // hls/stages/agreement.hpp:248
+  logic [1:0] select_2750;
+  assign select_2750 = less_591_s2_q ? 2'h0 : (slot_s2_q[2] ? right_turns_rdata_q : 2'h0);
+  // hls/stages/agreement.hpp:150
+  logic [1:0] select_2751;
+  assign select_2751 = or_588_s2_q ? select_2750 : 2'h0;
+  // hls/stages/agreement.hpp:1040
+  logic and_2753;
+  assign and_2753 = and_643 & (select_2748[0] & select_2751[0]);
+  // hls/stages/agreement.hpp:798
+  logic and_2757;
+  assign and_2757 = ends_cell_s2_q & (inside_v_s2_q & (not_2012_s2_q & (select_2748[1] & and_2753)));
+  logic and_2759;
+  assign and_2759 = not_584_s2_q & (drew_q & and_2757);
+  logic and_2765;
+  assign and_2765 = ends_cell_s2_q & (inside_v_s2_q & (not_2012_s2_q & (select_2751[1] & and_2753)));
+  logic and_2767;
+  assign and_2767 = not_584_s2_q & (drew_q & and_2765);
+  // hls/stages/registration.hpp:76
+  logic less_2770;
+  assign less_2770 = slot_s2_q < 3'h3;
+  // hls/stages/agreement.hpp:150
+  logic [7:0] select_2772;
+  assign select_2772 = or_588_s2_q ? (less_591_s2_q ? 8'h0 : best_left_rdata_s2_q[16:9]) : 8'h0;
+  logic [7:0] select_2774;
+  assign select_2774 = or_588_s2_q ? (less_591_s2_q ? 8'h0 : best_left_rdata_s2_q[32:25]) : 8'h0;
+  logic [7:0] select_2776;
+  assign select_2776 = or_588_s2_q ? (less_591_s2_q ? 8'h0 : best_left_rdata_s2_q[24:17]) : 8'h0;
   // hls/stages/registration.hpp:33
   logic [8:0] rise_2;
-  assign rise_2 = {1'b0, select_2754} - {1'b0, select_2756};
+  assign rise_2 = {1'b0, select_2774} - {1'b0, select_2776};
   // hls/stages/registration.hpp:35
-  logic [7:0] select_2758;
-  assign select_2758 = rise_2[8] ? select_2754 : select_2756;
+  logic [7:0] select_2778;
+  assign select_2778 = rise_2[8] ? select_2774 : select_2776;
   logic [8:0] fall;
-  assign fall = {1'b0, select_2752} - {1'b0, select_2758};
+  assign fall = {1'b0, select_2772} - {1'b0, select_2778};
   // hls/stages/registration.hpp:36
   logic [7:0] wide;
   assign wide = fall[8] ? 8'h0 : fall[7:0];
   // hls/stages/registration.hpp:37
-  logic not_2761;
-  assign not_2761 = ~registration_displacement_over_q[9];
+  logic not_2781;
+  assign not_2781 = ~registration_displacement_over_q[9];
   // hls/stages/registration.hpp:39
   logic [9:0] left;
-  assign left = less_2750 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2761};
+  assign left = less_2770 ? {1'b0, wide, 1'b0} : {registration_displacement_over_q[8:0], not_2781};
   // hls/stages/registration.hpp:34
-  logic [7:0] xor_2763;
-  assign xor_2763 = rise_2[7:0] ^ {8{rise_2[8]}};
+  logic [7:0] xor_2783;
+  assign xor_2783 = rise_2[7:0] ^ {8{rise_2[8]}};
   logic [8:0] size_3;
-  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_2763};
+  assign size_3 = {8'h0, rise_2[8]} + {1'b0, xor_2783};
   // hls/stages/registration.hpp:40
   logic [8:0] taken;
   assign taken = ~(({wide, 1'b0} < size_3) ? {wide, 1'b0} : size_3);
-  logic [7:0] select_2769;
-  assign select_2769 = registration_displacement_over_q[9] ? wide : (~wide);
+  logic [7:0] select_2789;
+  assign select_2789 = registration_displacement_over_q[9] ? wide : (~wide);
   logic [9:0] taken_2;
-  assign taken_2 = less_2750 ? {taken, 1'b1} : {not_2761, select_2769, not_2761};
+  assign taken_2 = less_2770 ? {taken, 1'b1} : {not_2781, select_2789, not_2781};
   // hls/stages/registration.hpp:42
-  logic [10:0] sum_2771;
-  assign sum_2771 = {left, 1'b1} + {taken_2, less_2750};
+  logic [10:0] sum_2791;
+  assign sum_2791 = {left, 1'b1} + {taken_2, less_2770};
   // hls/stages/agreement.hpp:258
-  logic [4:0] select_2773;
-  assign select_2773 = drew_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
+  logic [4:0] select_2793;
+  assign select_2793 = drew_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
   // hls/stages/agreement.hpp:798
-  logic [7:0] select_2775;
-  assign select_2775 = equal_576_s2_q ? registration_slope_here_q : (drew_q ? slope : registration_slope_here_q);
-  logic [10:0] select_2777;
-  assign select_2777 = equal_576_s2_q ? registration_expected_q : (drew_q ? expected : registration_expected_q);
+  logic [7:0] select_2795;
+  assign select_2795 = equal_583_s2_q ? registration_slope_here_q : (drew_q ? slope : registration_slope_here_q);
+  logic [10:0] select_2797;
+  assign select_2797 = equal_583_s2_q ? registration_expected_q : (drew_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:108
-  logic equal_2778;
-  assign equal_2778 = slot_s2_q == 3'h4;
+  logic equal_2798;
+  assign equal_2798 = slot_s2_q == 3'h4;
   // hls/stages/agreement.hpp:263
-  logic and_2782;
-  assign and_2782 = and_639 & less_1705_s2_q;
+  logic and_2802;
+  assign and_2802 = and_643 & less_1712_s2_q;
   // hls/stages/agreement.hpp:150
-  logic [2:0] select_2784;
-  assign select_2784 = or_581_s2_q ? (less_584_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
+  logic [2:0] select_2804;
+  assign select_2804 = or_588_s2_q ? (less_591_s2_q ? 3'h0 : best_left_rdata_s2_q[8:6]) : 3'h0;
   // hls/stages/registration.hpp:45
-  logic [1:0] sum_2788;
-  assign sum_2788 = select_2784[2:1] + 2'h3;
+  logic [1:0] sum_2808;
+  assign sum_2808 = select_2804[2:1] + 2'h3;
   // hls/stages/registration.hpp:102
-  logic [7:0] select_2791;
-  assign select_2791 = (select_2754 < select_2756) ? ({sum_2788, select_2784[0], 5'h0} - {3'h0, select_2773}) : {sum_2788, select_2784[0], select_2773};
-  logic [7:0] select_2792;
-  assign select_2792 = ((select_2784 == 3'h0) | (select_2784 == 3'h4)) ? {sum_2788, select_2784[0], 5'h0} : select_2791;
+  logic [7:0] select_2811;
+  assign select_2811 = (select_2774 < select_2776) ? ({sum_2808, select_2804[0], 5'h0} - {3'h0, select_2793}) : {sum_2808, select_2804[0], select_2793};
+  logic [7:0] select_2812;
+  assign select_2812 = ((select_2804 == 3'h0) | (select_2804 == 3'h4)) ? {sum_2808, select_2804[0], 5'h0} : select_2811;
   logic [11:0] value_2;
-  assign value_2 = {{4{select_2792[7]}}, select_2792} - {sum_1724[9], sum_1724, sum_1720[1]};
+  assign value_2 = {{4{select_2812[7]}}, select_2812} - {sum_1731[9], sum_1731, sum_1727[1]};
   // hls/stages/registration.hpp:218
-  logic [11:0] select_2795;
-  assign select_2795 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
+  logic [11:0] select_2815;
+  assign select_2815 = ($signed(value_2[11:7]) < $signed(5'h1f)) ? 12'hf80 : value_2;
   logic [11:0] residual;
-  assign residual = ($signed(5'h0) < $signed(select_2795[11:7])) ? 12'h7f : select_2795;
+  assign residual = ($signed(5'h0) < $signed(select_2815[11:7])) ? 12'h7f : select_2815;
   // hls/stages/registration.hpp:205
-  logic [12:0] difference_2816;
-  assign difference_2816 = 13'h0 - {residual[11], residual};
+  logic [12:0] difference_2836;
+  assign difference_2836 = 13'h0 - {residual[11], residual};
   // hls/stages/registration.hpp:107
-  logic and_2818;
-  assign and_2818 = and_2782 & ($signed(difference_2816) < $signed({7'h0, cfg_moved_limit_i}));
+  logic and_2838;
+  assign and_2838 = and_2802 & ($signed(difference_2836) < $signed({7'h0, cfg_moved_limit_i}));
   // hls/stages/registration.hpp:205
-  logic less_2831;
-  assign less_2831 = $signed(difference_2816) < $signed({7'h0, cfg_moved_half_limit_i});
+  logic less_2851;
+  assign less_2851 = $signed(difference_2836) < $signed({7'h0, cfg_moved_half_limit_i});
   // hls/stages/agreement.hpp:798
-  logic select_2839;
-  assign select_2839 = drew_q ? (equal_2778 ? right_2 : registration_of_right_q) : registration_of_right_q;
-  logic select_2842;
-  assign select_2842 = drew_q ? (equal_1706 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
+  logic select_2859;
+  assign select_2859 = drew_q ? (equal_2798 ? right_2 : registration_of_right_q) : registration_of_right_q;
+  logic select_2862;
+  assign select_2862 = drew_q ? (equal_1713 ? inside_v_s2_q : registration_was_inside_q) : registration_was_inside_q;
   // hls/stages/registration.hpp:269
-  logic [3:0] select_2847;
-  assign select_2847 = (sum_1619 == 2'h2) ? (registration_fresh_q & (~select_1666)) : registration_fresh_q;
+  logic [3:0] select_2867;
+  assign select_2867 = (sum_1626 == 2'h2) ? (registration_fresh_q & (~select_1673)) : registration_fresh_q;
   // hls/stages/agreement.hpp:798
-  logic [3:0] select_2849;
-  assign select_2849 = drew_q ? (and_1661 ? select_2847 : registration_fresh_q) : registration_fresh_q;
+  logic [3:0] select_2869;
+  assign select_2869 = drew_q ? (and_1668 ? select_2867 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
-  logic [3:0] select_2851;
-  assign select_2851 = and_2614 ? 4'hf : (equal_576_s2_q ? registration_fresh_q : select_2849);
-  // hls/stages/agreement.hpp:1141
+  logic [3:0] select_2871;
+  assign select_2871 = and_2634 ? 4'hf : (equal_583_s2_q ? registration_fresh_q : select_2869);
+  // hls/stages/agreement.hpp:1144
   logic [1:0] quarter_2;
-  assign quarter_2 = all ? x_s2_q[1:0] : select_1616;
+  assign quarter_2 = all ? x_s2_q[1:0] : select_1623;
   // hls/stages/registration.hpp:258
-  logic not_2871;
-  assign not_2871 = ~quarter_2[1];
-  logic [3:0] select_2872;
-  assign select_2872 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2871, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2871};
+  logic not_2891;
+  assign not_2891 = ~quarter_2[1];
+  logic [3:0] select_2892;
+  assign select_2892 = quarter_2[0] ? {quarter_2[1], 1'b0, not_2891, 1'b0} : {1'b0, quarter_2[1], 1'b0, not_2891};
   // hls/stages/patches.hpp:91
-  logic parity_3006;
-  assign parity_3006 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
+  logic parity_3026;
+  assign parity_3026 = ^{patches_chance_q[15], patches_chance_q[13:12], patches_chance_q[10]};
   // hls/stages/agreement.hpp:465
-  logic [15:0] select_3007;
-  assign select_3007 = equal_2479_s2_q ? {patches_chance_q[14:0], parity_3006} : patches_chance_q;
+  logic [15:0] select_3027;
+  assign select_3027 = equal_2499_s2_q ? {patches_chance_q[14:0], parity_3026} : patches_chance_q;
   // hls/stages/patches.hpp:349
-  logic not_3009;
-  assign not_3009 = ~and_1780;
+  logic not_3029;
+  assign not_3029 = ~and_1787;
   // hls/stages/patches.hpp:108
   logic [4:0] of_32;
   assign of_32 = right_3 ? patches_chance_q[4:0] : patches_chance_q[9:5];
   // hls/stages/patches.hpp:110
-  logic [4:0] select_3011;
-  assign select_3011 = right_3 ? last_s2_q[5:1] : 5'h0;
+  logic [4:0] select_3031;
+  assign select_3031 = right_3 ? last_s2_q[5:1] : 5'h0;
   logic [5:0] from;
-  assign from = {1'b0, of_32} + {1'b0, select_3011};
+  assign from = {1'b0, of_32} + {1'b0, select_3031};
   // hls/stages/agreement.hpp:798
-  logic and_3017;
-  assign and_3017 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {2'h0, from}))));
+  logic and_3037;
+  assign and_3037 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & (~(x_s2_q < {2'h0, from}))));
   // hls/stages/patches.hpp:157
-  logic and_3021;
-  assign and_3021 = not_3009 & (patches_fixed_q | ((not_577_s2_q & and_3017) & and_1752));
+  logic and_3041;
+  assign and_3041 = not_3029 & (patches_fixed_q | ((not_584_s2_q & and_3037) & and_1759));
   // hls/stages/patches.hpp:358
-  logic not_3033;
-  assign not_3033 = ~select_1695[1];
+  logic not_3053;
+  assign not_3053 = ~select_1702[1];
   // hls/stages/agreement.hpp:277
-  logic [1:0] select_3035;
-  assign select_3035 = sample_pair_whole_s2_q ? (equal_1696 ? select_1695 : {not_3033, 1'b0}) : patches_fetch_q;
+  logic [1:0] select_3055;
+  assign select_3055 = sample_pair_whole_s2_q ? (equal_1703 ? select_1702 : {not_3053, 1'b0}) : patches_fetch_q;
   // hls/stages/patches.hpp:526
   logic [55:0] other;
   assign other = new_row_s2_q ? patches_next_codes_q : {patches_codes_further_q[3:0], patches_codes_at_q};
   // hls/stages/agreement.hpp:276
-  logic [51:0] select_3134;
-  assign select_3134 = or_1788_s2_q ? {and_1933_s2_q, and_1930_s2_q, and_1914_s2_q, and_1911, patches_codes_at_q[51:4]} : patches_codes_at_q;
-  logic [51:0] select_3136;
-  assign select_3136 = equal_1782_s2_q ? patches_codes_at_q : (equal_1784_s2_q ? other[55:4] : select_3134);
+  logic [51:0] select_3154;
+  assign select_3154 = or_1795_s2_q ? {and_1940_s2_q, and_1937_s2_q, and_1921_s2_q, and_1918, patches_codes_at_q[51:4]} : patches_codes_at_q;
+  logic [51:0] select_3156;
+  assign select_3156 = equal_1789_s2_q ? patches_codes_at_q : (equal_1791_s2_q ? other[55:4] : select_3154);
   // hls/stages/patches.hpp:509
   logic [27:0] word;
-  assign word = or_1887_s2_q ? patches_right_codes_rdata_q : 28'h0;
+  assign word = or_1894_s2_q ? patches_right_codes_rdata_q : 28'h0;
   // hls/stages/patches.hpp:525
-  logic [27:0] select_3139;
-  assign select_3139 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
+  logic [27:0] select_3159;
+  assign select_3159 = (patches_along_s2_q == 5'h7) ? word : {4'h0, patches_codes_further_q[27:4]};
   // hls/stages/agreement.hpp:276
-  logic [27:0] select_3141;
-  assign select_3141 = equal_1784_s2_q ? (new_row_s2_q ? word : select_3139) : patches_codes_further_q;
+  logic [27:0] select_3161;
+  assign select_3161 = equal_1791_s2_q ? (new_row_s2_q ? word : select_3159) : patches_codes_further_q;
   // hls/stages/patches.hpp:527
-  logic [55:0] select_3143;
-  assign select_3143 = less_1874_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3163;
+  assign select_3163 = less_1881_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/patches.hpp:497
-  logic [55:0] select_3145;
-  assign select_3145 = less_3144_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
+  logic [55:0] select_3165;
+  assign select_3165 = less_3164_s2_q ? {word, patches_next_codes_q[55:28]} : patches_next_codes_q;
   // hls/stages/agreement.hpp:276
-  logic [55:0] select_3147;
-  assign select_3147 = or_1788_s2_q ? (equal_1787_s2_q ? patches_next_codes_q : select_3145) : patches_next_codes_q;
-  logic [55:0] select_3149;
-  assign select_3149 = equal_1782_s2_q ? patches_next_codes_q : (equal_1784_s2_q ? select_3143 : select_3147);
+  logic [55:0] select_3167;
+  assign select_3167 = or_1795_s2_q ? (equal_1794_s2_q ? patches_next_codes_q : select_3165) : patches_next_codes_q;
+  logic [55:0] select_3169;
+  assign select_3169 = equal_1789_s2_q ? patches_next_codes_q : (equal_1791_s2_q ? select_3163 : select_3167);
   // hls/stages/count_bits.hpp:24
-  logic parity_3154;
-  assign parity_3154 = ^{and_1933_s2_q, and_1930_s2_q, and_1914_s2_q, and_1911};
+  logic parity_3174;
+  assign parity_3174 = ^{and_1940_s2_q, and_1937_s2_q, and_1921_s2_q, and_1918};
   // hls/stages/count_bits.hpp:25
-  logic or_3158;
-  assign or_3158 = ({and_1914_s2_q, and_1911} == 2'h3) | (and_1930_s2_q & (and_1914_s2_q | and_1911));
-  logic and_3159;
-  assign and_3159 = and_1933_s2_q & (^{and_1930_s2_q, and_1914_s2_q, and_1911});
+  logic or_3178;
+  assign or_3178 = ({and_1921_s2_q, and_1918} == 2'h3) | (and_1937_s2_q & (and_1921_s2_q | and_1918));
+  logic and_3179;
+  assign and_3179 = and_1940_s2_q & (^{and_1937_s2_q, and_1921_s2_q, and_1918});
   // hls/stages/count_bits.hpp:24
-  logic xor_3160;
-  assign xor_3160 = or_3158 ^ and_3159;
+  logic xor_3180;
+  assign xor_3180 = or_3178 ^ and_3179;
   // hls/stages/count_bits.hpp:27
-  logic and_3161;
-  assign and_3161 = or_3158 & and_3159;
+  logic and_3181;
+  assign and_3181 = or_3178 & and_3179;
   // hls/stages/agreement.hpp:276
-  logic [2:0] select_3163;
-  assign select_3163 = or_1788_s2_q ? (and_1956_s2_q ? {and_3161, xor_3160, parity_3154} : 3'h0) : 3'h0;
+  logic [2:0] select_3183;
+  assign select_3183 = or_1795_s2_q ? (and_1963_s2_q ? {and_3181, xor_3180, parity_3174} : 3'h0) : 3'h0;
   // hls/stages/patches.hpp:168
-  logic [9:0] sum_3167;
-  assign sum_3167 = {7'h0, patches_set_q} + (equal_1787_s2_q ? 10'h0 : patches_size_q);
+  logic [9:0] sum_3187;
+  assign sum_3187 = {7'h0, patches_set_q} + (equal_1794_s2_q ? 10'h0 : patches_size_q);
   // hls/stages/patches.hpp:526
-  logic [47:0] select_3177;
-  assign select_3177 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
+  logic [47:0] select_3197;
+  assign select_3197 = new_row_s2_q ? patches_left_codes_rdata_q : patches_left_row_q;
   // hls/stages/agreement.hpp:276
-  logic [47:0] select_3179;
-  assign select_3179 = equal_1782_s2_q ? patches_left_row_q : (equal_1784_s2_q ? select_3177 : patches_left_row_q);
+  logic [47:0] select_3199;
+  assign select_3199 = equal_1789_s2_q ? patches_left_row_q : (equal_1791_s2_q ? select_3197 : patches_left_row_q);
   // hls/stages/patches.hpp:528
   logic [47:0] bits;
-  assign bits = other[47:0] ^ select_3177;
+  assign bits = other[47:0] ^ select_3197;
   // hls/stages/count_bits.hpp:24
-  logic xor_3183;
-  assign xor_3183 = bits[17] ^ (^{select_3177[16:15], other[16:15]});
-  logic xor_3186;
-  assign xor_3186 = bits[11] ^ (^{select_3177[10:9], other[10:9]});
-  logic xor_3189;
-  assign xor_3189 = bits[14] ^ (^{select_3177[13:12], other[13:12]});
-  logic xor_3192;
-  assign xor_3192 = xor_3183 ^ (^{select_3177[14:9], other[14:9]});
-  logic xor_3195;
-  assign xor_3195 = bits[47] ^ (^{select_3177[46:45], other[46:45]});
-  logic xor_3198;
-  assign xor_3198 = bits[8] ^ (^{select_3177[7:6], other[7:6]});
-  logic xor_3201;
-  assign xor_3201 = bits[2] ^ (^{select_3177[1:0], other[1:0]});
-  logic xor_3204;
-  assign xor_3204 = bits[5] ^ (^{select_3177[4:3], other[4:3]});
-  logic xor_3207;
-  assign xor_3207 = xor_3198 ^ (^{select_3177[5:0], other[5:0]});
-  logic parity_3209;
-  assign parity_3209 = ^{select_3177[47:45], select_3177[8:0], other[47:45], other[8:0]};
-  logic xor_3210;
-  assign xor_3210 = xor_3192 ^ parity_3209;
-  logic xor_3213;
-  assign xor_3213 = bits[44] ^ (^{select_3177[43:42], other[43:42]});
-  logic xor_3216;
-  assign xor_3216 = bits[38] ^ (^{select_3177[37:36], other[37:36]});
-  logic xor_3219;
-  assign xor_3219 = bits[41] ^ (^{select_3177[40:39], other[40:39]});
-  logic xor_3225;
-  assign xor_3225 = bits[26] ^ (^{select_3177[25:24], other[25:24]});
-  logic xor_3228;
-  assign xor_3228 = bits[20] ^ (^{select_3177[19:18], other[19:18]});
-  logic xor_3231;
-  assign xor_3231 = bits[23] ^ (^{select_3177[22:21], other[22:21]});
-  logic xor_3234;
-  assign xor_3234 = xor_3225 ^ (^{select_3177[23:18], other[23:18]});
-  logic xor_3237;
-  assign xor_3237 = bits[35] ^ (^{select_3177[34:33], other[34:33]});
-  logic xor_3240;
-  assign xor_3240 = bits[29] ^ (^{select_3177[28:27], other[28:27]});
-  logic xor_3243;
-  assign xor_3243 = bits[32] ^ (^{select_3177[31:30], other[31:30]});
-  logic xor_3246;
-  assign xor_3246 = xor_3237 ^ (^{select_3177[32:27], other[32:27]});
-  logic xor_3247;
-  assign xor_3247 = xor_3234 ^ xor_3246;
+  logic xor_3203;
+  assign xor_3203 = bits[17] ^ (^{select_3197[16:15], other[16:15]});
+  logic xor_3206;
+  assign xor_3206 = bits[11] ^ (^{select_3197[10:9], other[10:9]});
+  logic xor_3209;
+  assign xor_3209 = bits[14] ^ (^{select_3197[13:12], other[13:12]});
+  logic xor_3212;
+  assign xor_3212 = xor_3203 ^ (^{select_3197[14:9], other[14:9]});
+  logic xor_3215;
+  assign xor_3215 = bits[47] ^ (^{select_3197[46:45], other[46:45]});
+  logic xor_3218;
+  assign xor_3218 = bits[8] ^ (^{select_3197[7:6], other[7:6]});
+  logic xor_3221;
+  assign xor_3221 = bits[2] ^ (^{select_3197[1:0], other[1:0]});
+  logic xor_3224;
+  assign xor_3224 = bits[5] ^ (^{select_3197[4:3], other[4:3]});
+  logic xor_3227;
+  assign xor_3227 = xor_3218 ^ (^{select_3197[5:0], other[5:0]});
+  logic parity_3229;
+  assign parity_3229 = ^{select_3197[47:45], select_3197[8:0], other[47:45], other[8:0]};
+  logic xor_3230;
+  assign xor_3230 = xor_3212 ^ parity_3229;
+  logic xor_3233;
+  assign xor_3233 = bits[44] ^ (^{select_3197[43:42], other[43:42]});
+  logic xor_3236;
+  assign xor_3236 = bits[38] ^ (^{select_3197[37:36], other[37:36]});
+  logic xor_3239;
+  assign xor_3239 = bits[41] ^ (^{select_3197[40:39], other[40:39]});
+  logic xor_3245;
+  assign xor_3245 = bits[26] ^ (^{select_3197[25:24], other[25:24]});
+  logic xor_3248;
+  assign xor_3248 = bits[20] ^ (^{select_3197[19:18], other[19:18]});
+  logic xor_3251;
+  assign xor_3251 = bits[23] ^ (^{select_3197[22:21], other[22:21]});
+  logic xor_3254;
+  assign xor_3254 = xor_3245 ^ (^{select_3197[23:18], other[23:18]});
+  logic xor_3257;
+  assign xor_3257 = bits[35] ^ (^{select_3197[34:33], other[34:33]});
+  logic xor_3260;
+  assign xor_3260 = bits[29] ^ (^{select_3197[28:27], other[28:27]});
+  logic xor_3263;
+  assign xor_3263 = bits[32] ^ (^{select_3197[31:30], other[31:30]});
+  logic xor_3266;
+  assign xor_3266 = xor_3257 ^ (^{select_3197[32:27], other[32:27]});
+  logic xor_3267;
+  assign xor_3267 = xor_3254 ^ xor_3266;
   // hls/stages/count_bits.hpp:25
-  logic or_3255;
-  assign or_3255 = (xor_3186 & xor_3189) | (xor_3183 & (xor_3186 | xor_3189));
-  logic or_3259;
-  assign or_3259 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
-  logic or_3263;
-  assign or_3263 = (xor_3201 & xor_3204) | (xor_3198 & (xor_3201 | xor_3204));
+  logic or_3275;
+  assign or_3275 = (xor_3206 & xor_3209) | (xor_3203 & (xor_3206 | xor_3209));
+  logic or_3279;
+  assign or_3279 = (bits[46:45] == 2'h3) | (bits[47] & (bits[45] | bits[46]));
+  logic or_3283;
+  assign or_3283 = (xor_3221 & xor_3224) | (xor_3218 & (xor_3221 | xor_3224));
   // hls/stages/count_bits.hpp:23
-  logic or_3270;
-  assign or_3270 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
+  logic or_3290;
+  assign or_3290 = (bits[34:33] == 2'h3) | (bits[35] & (bits[33] | bits[34]));
   // hls/stages/count_bits.hpp:25
-  logic or_3274;
-  assign or_3274 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
-  logic or_3278;
-  assign or_3278 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
+  logic or_3294;
+  assign or_3294 = (bits[28:27] == 2'h3) | (bits[29] & (bits[27] | bits[28]));
+  logic or_3298;
+  assign or_3298 = (bits[31:30] == 2'h3) | (bits[32] & (bits[30] | bits[31]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3281;
-  assign parity_3281 = ^{or_3278, or_3274, or_3270};
+  logic parity_3301;
+  assign parity_3301 = ^{or_3298, or_3294, or_3290};
   // hls/stages/count_bits.hpp:23
-  logic or_3285;
-  assign or_3285 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
+  logic or_3305;
+  assign or_3305 = (bits[43:42] == 2'h3) | (bits[44] & (bits[42] | bits[43]));
   // hls/stages/count_bits.hpp:25
-  logic or_3289;
-  assign or_3289 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
-  logic or_3293;
-  assign or_3293 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
+  logic or_3309;
+  assign or_3309 = (bits[37:36] == 2'h3) | (bits[38] & (bits[36] | bits[37]));
+  logic or_3313;
+  assign or_3313 = (bits[40:39] == 2'h3) | (bits[41] & (bits[39] | bits[40]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3296;
-  assign parity_3296 = ^{or_3293, or_3289, or_3285};
-  logic parity_3299;
-  assign parity_3299 = ^{or_3293, or_3289, or_3285, or_3278, or_3274, or_3270, or_3263, or_3259, or_3255};
+  logic parity_3316;
+  assign parity_3316 = ^{or_3313, or_3309, or_3305};
+  logic parity_3319;
+  assign parity_3319 = ^{or_3313, or_3309, or_3305, or_3298, or_3294, or_3290, or_3283, or_3279, or_3275};
   // hls/stages/count_bits.hpp:23
-  logic or_3303;
-  assign or_3303 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
-  // hls/stages/count_bits.hpp:25
-  logic or_3307;
-  assign or_3307 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
-  logic or_3311;
-  assign or_3311 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
-  // hls/stages/count_bits.hpp:23
-  logic or_3319;
-  assign or_3319 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
-  // hls/stages/count_bits.hpp:25
   logic or_3323;
-  assign or_3323 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  assign or_3323 = (bits[25:24] == 2'h3) | (bits[26] & (bits[24] | bits[25]));
+  // hls/stages/count_bits.hpp:25
   logic or_3327;
-  assign or_3327 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3330;
-  assign parity_3330 = ^{or_3327, or_3323, or_3319};
+  assign or_3327 = (bits[19:18] == 2'h3) | (bits[20] & (bits[18] | bits[19]));
+  logic or_3331;
+  assign or_3331 = (bits[22:21] == 2'h3) | (bits[23] & (bits[21] | bits[22]));
   // hls/stages/count_bits.hpp:23
-  logic or_3334;
-  assign or_3334 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
+  logic or_3339;
+  assign or_3339 = (bits[7:6] == 2'h3) | (bits[8] & (~(bits[7:6] == 2'h0)));
   // hls/stages/count_bits.hpp:25
-  logic or_3338;
-  assign or_3338 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
-  logic or_3342;
-  assign or_3342 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
+  logic or_3343;
+  assign or_3343 = (bits[1:0] == 2'h3) | (bits[2] & (bits[0] | bits[1]));
+  logic or_3347;
+  assign or_3347 = (bits[4:3] == 2'h3) | (bits[5] & (bits[3] | bits[4]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3345;
-  assign parity_3345 = ^{or_3342, or_3338, or_3334};
-  logic parity_3348;
-  assign parity_3348 = ^{or_3342, or_3338, or_3334, or_3327, or_3323, or_3319, or_3311, or_3307, or_3303};
+  logic parity_3350;
+  assign parity_3350 = ^{or_3347, or_3343, or_3339};
+  // hls/stages/count_bits.hpp:23
+  logic or_3354;
+  assign or_3354 = (bits[16:15] == 2'h3) | (bits[17] & (bits[15] | bits[16]));
   // hls/stages/count_bits.hpp:25
-  logic or_3352;
-  assign or_3352 = (xor_3216 & xor_3219) | (xor_3213 & (xor_3216 | xor_3219));
-  logic or_3356;
-  assign or_3356 = (xor_3228 & xor_3231) | (xor_3225 & (xor_3228 | xor_3231));
-  logic or_3360;
-  assign or_3360 = (xor_3240 & xor_3243) | (xor_3237 & (xor_3240 | xor_3243));
+  logic or_3358;
+  assign or_3358 = (bits[10:9] == 2'h3) | (bits[11] & (bits[9] | bits[10]));
+  logic or_3362;
+  assign or_3362 = (bits[13:12] == 2'h3) | (bits[14] & (bits[12] | bits[13]));
   // hls/stages/count_bits.hpp:24
-  logic parity_3363;
-  assign parity_3363 = ^{or_3360, or_3356, or_3352};
+  logic parity_3365;
+  assign parity_3365 = ^{or_3362, or_3358, or_3354};
+  logic parity_3368;
+  assign parity_3368 = ^{or_3362, or_3358, or_3354, or_3347, or_3343, or_3339, or_3331, or_3327, or_3323};
   // hls/stages/count_bits.hpp:25
-  logic and_3364;
-  assign and_3364 = xor_3210 & (^{xor_3247, select_3177[44:36], other[44:36]});
-  logic or_3368;
-  assign or_3368 = (xor_3195 & xor_3207) | (xor_3192 & (xor_3195 | xor_3207));
-  logic and_3371;
-  assign and_3371 = (xor_3213 ^ (^{select_3177[41:36], other[41:36]})) & (xor_3234 | xor_3246);
   logic or_3372;
-  assign or_3372 = (xor_3234 & xor_3246) | and_3371;
+  assign or_3372 = (xor_3236 & xor_3239) | (xor_3233 & (xor_3236 | xor_3239));
+  logic or_3376;
+  assign or_3376 = (xor_3248 & xor_3251) | (xor_3245 & (xor_3248 | xor_3251));
+  logic or_3380;
+  assign or_3380 = (xor_3260 & xor_3263) | (xor_3257 & (xor_3260 | xor_3263));
   // hls/stages/count_bits.hpp:24
-  logic parity_3375;
-  assign parity_3375 = ^{or_3372, or_3368, and_3364};
-  logic parity_3378;
-  assign parity_3378 = ^{or_3372, or_3368, and_3364, or_3360, or_3356, or_3352, or_3342, or_3338, or_3334, or_3327, or_3323, or_3319, or_3311, or_3307, or_3303};
-  logic parity_3380;
-  assign parity_3380 = ^{or_3372, or_3368, and_3364, or_3360, or_3356, or_3352, or_3342, or_3338, or_3334, or_3327, or_3323, or_3319, or_3311, or_3307, or_3303, or_3293, or_3289, or_3285, or_3278, or_3274, or_3270, or_3263, or_3259, or_3255};
+  logic parity_3383;
+  assign parity_3383 = ^{or_3380, or_3376, or_3372};
   // hls/stages/count_bits.hpp:25
-  logic and_3381;
-  assign and_3381 = parity_3299 & parity_3378;
-  logic or_3385;
-  assign or_3385 = (parity_3281 & parity_3296) | ((^{or_3263, or_3259, or_3255}) & (parity_3281 | parity_3296));
-  logic or_3389;
-  assign or_3389 = (parity_3363 & parity_3375) | (parity_3348 & (parity_3363 | parity_3375));
-  logic or_3396;
-  assign or_3396 = (parity_3330 & parity_3345) | ((^{or_3311, or_3307, or_3303}) & (parity_3330 | parity_3345));
-  logic or_3400;
-  assign or_3400 = (or_3356 & or_3360) | (or_3352 & (or_3356 | or_3360));
-  logic or_3404;
-  assign or_3404 = (or_3368 & or_3372) | (and_3364 & (or_3368 | or_3372));
+  logic and_3384;
+  assign and_3384 = xor_3230 & (^{xor_3267, select_3197[44:36], other[44:36]});
+  logic or_3388;
+  assign or_3388 = (xor_3215 & xor_3227) | (xor_3212 & (xor_3215 | xor_3227));
+  logic and_3391;
+  assign and_3391 = (xor_3233 ^ (^{select_3197[41:36], other[41:36]})) & (xor_3254 | xor_3266);
+  logic or_3392;
+  assign or_3392 = (xor_3254 & xor_3266) | and_3391;
+  // hls/stages/count_bits.hpp:24
+  logic parity_3395;
+  assign parity_3395 = ^{or_3392, or_3388, and_3384};
+  logic parity_3398;
+  assign parity_3398 = ^{or_3392, or_3388, and_3384, or_3380, or_3376, or_3372, or_3362, or_3358, or_3354, or_3347, or_3343, or_3339, or_3331, or_3327, or_3323};
+  logic parity_3400;
+  assign parity_3400 = ^{or_3392, or_3388, and_3384, or_3380, or_3376, or_3372, or_3362, or_3358, or_3354, or_3347, or_3343, or_3339, or_3331, or_3327, or_3323, or_3313, or_3309, or_3305, or_3298, or_3294, or_3290, or_3283, or_3279, or_3275};
+  // hls/stages/count_bits.hpp:25
+  logic and_3401;
+  assign and_3401 = parity_3319 & parity_3398;
+  logic or_3405;
+  assign or_3405 = (parity_3301 & parity_3316) | ((^{or_3283, or_3279, or_3275}) & (parity_3301 | parity_3316));
+  logic or_3409;
+  assign or_3409 = (parity_3383 & parity_3395) | (parity_3368 & (parity_3383 | parity_3395));
+  logic or_3416;
+  assign or_3416 = (parity_3350 & parity_3365) | ((^{or_3331, or_3327, or_3323}) & (parity_3350 | parity_3365));
+  logic or_3420;
+  assign or_3420 = (or_3376 & or_3380) | (or_3372 & (or_3376 | or_3380));
+  logic or_3424;
+  assign or_3424 = (or_3388 & or_3392) | (and_3384 & (or_3388 | or_3392));
   // hls/stages/count_bits.hpp:23
-  logic or_3411;
-  assign or_3411 = (or_3307 & or_3311) | (or_3303 & (or_3307 | or_3311));
+  logic or_3431;
+  assign or_3431 = (or_3327 & or_3331) | (or_3323 & (or_3327 | or_3331));
   // hls/stages/count_bits.hpp:25
-  logic or_3415;
-  assign or_3415 = (or_3323 & or_3327) | (or_3319 & (or_3323 | or_3327));
-  logic or_3419;
-  assign or_3419 = (or_3338 & or_3342) | (or_3334 & (or_3338 | or_3342));
+  logic or_3435;
+  assign or_3435 = (or_3343 & or_3347) | (or_3339 & (or_3343 | or_3347));
+  logic or_3439;
+  assign or_3439 = (or_3358 & or_3362) | (or_3354 & (or_3358 | or_3362));
   // hls/stages/count_bits.hpp:24
-  logic parity_3422;
-  assign parity_3422 = ^{or_3419, or_3415, or_3411};
-  // hls/stages/count_bits.hpp:23
-  logic or_3426;
-  assign or_3426 = (or_3259 & or_3263) | (or_3255 & (or_3259 | or_3263));
-  // hls/stages/count_bits.hpp:25
-  logic or_3430;
-  assign or_3430 = (or_3274 & or_3278) | (or_3270 & (or_3274 | or_3278));
-  logic or_3434;
-  assign or_3434 = (or_3289 & or_3293) | (or_3285 & (or_3289 | or_3293));
-  // hls/stages/count_bits.hpp:24
-  logic parity_3437;
-  assign parity_3437 = ^{or_3434, or_3430, or_3426};
-  logic parity_3440;
-  assign parity_3440 = ^{or_3434, or_3430, or_3426, or_3419, or_3415, or_3411, or_3404, or_3400, or_3396};
   logic parity_3442;
-  assign parity_3442 = ^{or_3434, or_3430, or_3426, or_3419, or_3415, or_3411, or_3404, or_3400, or_3396, or_3389, or_3385, and_3381};
-  // hls/stages/count_bits.hpp:25
+  assign parity_3442 = ^{or_3439, or_3435, or_3431};
+  // hls/stages/count_bits.hpp:23
   logic or_3446;
-  assign or_3446 = (or_3400 & or_3404) | (or_3396 & (or_3400 | or_3404));
+  assign or_3446 = (or_3279 & or_3283) | (or_3275 & (or_3279 | or_3283));
+  // hls/stages/count_bits.hpp:25
   logic or_3450;
-  assign or_3450 = (or_3415 & or_3419) | (or_3411 & (or_3415 | or_3419));
+  assign or_3450 = (or_3294 & or_3298) | (or_3290 & (or_3294 | or_3298));
   logic or_3454;
-  assign or_3454 = (or_3430 & or_3434) | (or_3426 & (or_3430 | or_3434));
+  assign or_3454 = (or_3309 & or_3313) | (or_3305 & (or_3309 | or_3313));
   // hls/stages/count_bits.hpp:24
   logic parity_3457;
   assign parity_3457 = ^{or_3454, or_3450, or_3446};
+  logic parity_3460;
+  assign parity_3460 = ^{or_3454, or_3450, or_3446, or_3439, or_3435, or_3431, or_3424, or_3420, or_3416};
+  logic parity_3462;
+  assign parity_3462 = ^{or_3454, or_3450, or_3446, or_3439, or_3435, or_3431, or_3424, or_3420, or_3416, or_3409, or_3405, and_3401};
   // hls/stages/count_bits.hpp:25
-  logic and_3458;
-  assign and_3458 = (^{or_3389, or_3385, and_3381}) & parity_3440;
-  logic or_3462;
-  assign or_3462 = (or_3385 & or_3389) | (and_3381 & (or_3385 | or_3389));
   logic or_3466;
-  assign or_3466 = (parity_3422 & parity_3437) | ((^{or_3404, or_3400, or_3396}) & (parity_3422 | parity_3437));
+  assign or_3466 = (or_3420 & or_3424) | (or_3416 & (or_3420 | or_3424));
+  logic or_3470;
+  assign or_3470 = (or_3435 & or_3439) | (or_3431 & (or_3435 | or_3439));
+  logic or_3474;
+  assign or_3474 = (or_3450 & or_3454) | (or_3446 & (or_3450 | or_3454));
   // hls/stages/count_bits.hpp:24
-  logic parity_3469;
-  assign parity_3469 = ^{or_3466, or_3462, and_3458};
+  logic parity_3477;
+  assign parity_3477 = ^{or_3474, or_3470, or_3466};
   // hls/stages/count_bits.hpp:25
-  logic and_3471;
-  assign and_3471 = parity_3457 & parity_3469;
-  logic or_3475;
-  assign or_3475 = (or_3450 & or_3454) | (or_3446 & (or_3450 | or_3454));
-  logic or_3479;
-  assign or_3479 = (or_3462 & or_3466) | (and_3458 & (or_3462 | or_3466));
+  logic and_3478;
+  assign and_3478 = (^{or_3409, or_3405, and_3401}) & parity_3460;
+  logic or_3482;
+  assign or_3482 = (or_3405 & or_3409) | (and_3401 & (or_3405 | or_3409));
+  logic or_3486;
+  assign or_3486 = (parity_3442 & parity_3457) | ((^{or_3424, or_3420, or_3416}) & (parity_3442 | parity_3457));
+  // hls/stages/count_bits.hpp:24
+  logic parity_3489;
+  assign parity_3489 = ^{or_3486, or_3482, and_3478};
+  // hls/stages/count_bits.hpp:25
+  logic and_3491;
+  assign and_3491 = parity_3477 & parity_3489;
+  logic or_3495;
+  assign or_3495 = (or_3470 & or_3474) | (or_3466 & (or_3470 | or_3474));
+  logic or_3499;
+  assign or_3499 = (or_3482 & or_3486) | (and_3478 & (or_3482 | or_3486));
   // hls/stages/agreement.hpp:276
-  logic [4:0] select_3524;
-  assign select_3524 = equal_1784_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
-  logic select_3527;
-  assign select_3527 = equal_1782_s2_q ? patches_summed_first_q : (equal_1784_s2_q ? new_row_s2_q : patches_summed_first_q);
+  logic [4:0] select_3544;
+  assign select_3544 = equal_1791_s2_q ? patches_along_s2_q : patches_summed_row_column_q;
+  logic select_3547;
+  assign select_3547 = equal_1789_s2_q ? patches_summed_first_q : (equal_1791_s2_q ? new_row_s2_q : patches_summed_first_q);
   // hls/stages/patches.hpp:559
-  logic [9:0] select_3535;
-  assign select_3535 = less_1962_s2_q ? (or_1965_s2_q ? patches_rows_rdata_q[9:0] : 10'h0) : 10'h0;
-  logic [4:0] select_3538;
-  assign select_3538 = less_1962_s2_q ? (or_1965_s2_q ? patches_rows_rdata_q[14:10] : 5'h0) : 5'h0;
-  logic [4:0] select_3541;
-  assign select_3541 = less_1962_s2_q ? (or_1965_s2_q ? patches_step_s2_q : 5'h0) : 5'h0;
+  logic [9:0] select_3555;
+  assign select_3555 = less_1969_s2_q ? (or_1972_s2_q ? patches_rows_rdata_q[9:0] : 10'h0) : 10'h0;
+  logic [4:0] select_3558;
+  assign select_3558 = less_1969_s2_q ? (or_1972_s2_q ? patches_rows_rdata_q[14:10] : 5'h0) : 5'h0;
+  logic [4:0] select_3561;
+  assign select_3561 = less_1969_s2_q ? (or_1972_s2_q ? patches_step_s2_q : 5'h0) : 5'h0;
   // hls/stages/agreement.hpp:276
-  logic select_3546;
-  assign select_3546 = equal_1782_s2_q ? (less_1962_s2_q & (or_1965_s2_q & (patches_step_s2_q == 5'h0))) : patches_read_first_q;
+  logic select_3566;
+  assign select_3566 = equal_1789_s2_q ? (less_1969_s2_q & (or_1972_s2_q & (patches_step_s2_q == 5'h0))) : patches_read_first_q;
   // hls/stages/patches.hpp:180
-  logic or_3551;
-  assign or_3551 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
-  logic and_3552;
-  assign and_3552 = patches_read_searches_s2_q & or_3551;
+  logic or_3571;
+  assign or_3571 = patches_read_first_q | (patches_read_row_differing_q < patches_peak_best_differing_q);
+  logic and_3572;
+  assign and_3572 = patches_read_searches_s2_q & or_3571;
   // hls/stages/patches.hpp:543
-  logic [4:0] select_3553;
-  assign select_3553 = and_3552 ? patches_read_at_q : patches_peak_row_q;
+  logic [4:0] select_3573;
+  assign select_3573 = and_3572 ? patches_read_at_q : patches_peak_row_q;
   // hls/stages/patches.hpp:550
   logic [5:0] away;
-  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3553};
+  assign away = {1'b0, patches_step_s2_q} - {1'b0, select_3573};
   // hls/stages/patches.hpp:559
-  logic and_3558;
-  assign and_3558 = less_1962_s2_q & (or_1965_s2_q & (equal_1963_s2_q & (away == 6'h3f)));
-  logic and_3563;
-  assign and_3563 = less_1962_s2_q & (or_1965_s2_q & (equal_1963_s2_q & (away == 6'h1)));
+  logic and_3578;
+  assign and_3578 = less_1969_s2_q & (or_1972_s2_q & (equal_1970_s2_q & (away == 6'h3f)));
+  logic and_3583;
+  assign and_3583 = less_1969_s2_q & (or_1972_s2_q & (equal_1970_s2_q & (away == 6'h1)));
   // hls/stages/patches.hpp:556
-  logic [6:0] sum_3565;
-  assign sum_3565 = {away[5], away} + 7'h7d;
+  logic [6:0] sum_3585;
+  assign sum_3585 = {away[5], away} + 7'h7d;
   // hls/stages/patches.hpp:557
-  logic [9:0] select_3568;
-  assign select_3568 = (equal_1963_s2_q & ({sum_3565[6], sum_3565} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
+  logic [9:0] select_3588;
+  assign select_3588 = (equal_1970_s2_q & ({sum_3585[6], sum_3585} < 8'hfb)) ? patches_rows_rdata_q[9:0] : 10'h3ff;
   // hls/stages/patches.hpp:559
-  logic [9:0] select_3570;
-  assign select_3570 = less_1962_s2_q ? (or_1965_s2_q ? select_3568 : 10'h3ff) : 10'h3ff;
+  logic [9:0] select_3590;
+  assign select_3590 = less_1969_s2_q ? (or_1972_s2_q ? select_3588 : 10'h3ff) : 10'h3ff;
   // hls/stages/patches.hpp:542
-  logic [14:0] select_3572;
-  assign select_3572 = and_3552 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
+  logic [14:0] select_3592;
+  assign select_3592 = and_3572 ? {patches_read_row_column_q, patches_read_row_differing_q} : {patches_peak_best_column_q, patches_peak_best_differing_q};
   // hls/stages/agreement.hpp:276
-  logic [9:0] select_3573;
-  assign select_3573 = equal_1782_s2_q ? select_3572[9:0] : patches_peak_best_differing_q;
-  logic [4:0] select_3574;
-  assign select_3574 = equal_1782_s2_q ? select_3572[14:10] : patches_peak_best_column_q;
+  logic [9:0] select_3593;
+  assign select_3593 = equal_1789_s2_q ? select_3592[9:0] : patches_peak_best_differing_q;
+  logic [4:0] select_3594;
+  assign select_3594 = equal_1789_s2_q ? select_3592[14:10] : patches_peak_best_column_q;
   // hls/stages/patches.hpp:544
-  logic [9:0] select_3576;
-  assign select_3576 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
+  logic [9:0] select_3596;
+  assign select_3596 = patches_read_above_q ? patches_read_row_differing_q : patches_peak_above_q;
   // hls/stages/agreement.hpp:276
-  logic [9:0] select_3577;
-  assign select_3577 = equal_1782_s2_q ? select_3576 : patches_peak_above_q;
+  logic [9:0] select_3597;
+  assign select_3597 = equal_1789_s2_q ? select_3596 : patches_peak_above_q;
   // hls/stages/patches.hpp:545
-  logic [9:0] select_3578;
-  assign select_3578 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
+  logic [9:0] select_3598;
+  assign select_3598 = patches_read_below_q ? patches_read_row_differing_q : patches_peak_below_q;
   // hls/stages/agreement.hpp:276
-  logic [9:0] select_3579;
-  assign select_3579 = equal_1782_s2_q ? select_3578 : patches_peak_below_q;
+  logic [9:0] select_3599;
+  assign select_3599 = equal_1789_s2_q ? select_3598 : patches_peak_below_q;
   // hls/stages/patches.hpp:546
-  logic [9:0] select_3581;
-  assign select_3581 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
+  logic [9:0] select_3601;
+  assign select_3601 = (patches_read_far_q < patches_peak_far_q) ? patches_read_far_q : patches_peak_far_q;
   // hls/stages/agreement.hpp:276
-  logic [9:0] select_3583;
-  assign select_3583 = equal_1782_s2_q ? (patches_read_first_q ? patches_read_far_q : select_3581) : patches_peak_far_q;
-  logic [9:0] select_3586;
-  assign select_3586 = equal_1782_s2_q ? (equal_3584_s2_q ? sum_3167 : patches_peak_size_q) : patches_peak_size_q;
+  logic [9:0] select_3603;
+  assign select_3603 = equal_1789_s2_q ? (patches_read_first_q ? patches_read_far_q : select_3601) : patches_peak_far_q;
+  logic [9:0] select_3606;
+  assign select_3606 = equal_1789_s2_q ? (equal_3604_s2_q ? sum_3187 : patches_peak_size_q) : patches_peak_size_q;
   // hls/stages/agreement.hpp:798
-  logic select_3837;
-  assign select_3837 = equal_576_s2_q ? shown_shown_q : (drew_q ? select_2032 : shown_shown_q);
-  logic select_3839;
-  assign select_3839 = equal_576_s2_q ? shown_nearer_q : (drew_q ? select_2035 : shown_nearer_q);
+  logic select_3856;
+  assign select_3856 = equal_583_s2_q ? shown_shown_q : (drew_q ? select_2041 : shown_shown_q);
+  logic select_3858;
+  assign select_3858 = equal_583_s2_q ? shown_nearer_q : (drew_q ? select_2044 : shown_nearer_q);
   // hls/stages/agreement.hpp:499
-  logic [8:0] select_3842;
-  assign select_3842 = equal_684_s2_q ? {{2{difference_3841[6]}}, difference_3841} : region_down_rest_q;
+  logic [8:0] select_3861;
+  assign select_3861 = equal_691_s2_q ? {{2{difference_3860[6]}}, difference_3860} : region_down_rest_q;
   // hls/stages/division.hpp:18
-  logic [7:0] sum_3843;
-  assign sum_3843 = select_3842[8:1] + 8'h3;
+  logic [7:0] sum_3862;
+  assign sum_3862 = select_3861[8:1] + 8'h3;
   // hls/stages/agreement.hpp:465
-  logic [2:0] select_3846;
-  assign select_3846 = less_3840_s2_q ? (sum_3843[7] ? region_row_q : next_region_row_q) : (and_2585_s2_q ? region_row_q : 3'h0);
+  logic [2:0] select_3865;
+  assign select_3865 = less_3859_s2_q ? (sum_3862[7] ? region_row_q : next_region_row_q) : (and_2605_s2_q ? region_row_q : 3'h0);
   // hls/stages/agreement.hpp:530
-  logic [2:0] select_3848;
-  assign select_3848 = and_551_s2_q ? (equal_2479_s2_q ? select_3846 : region_row_q) : region_row_q;
+  logic [2:0] select_3867;
+  assign select_3867 = and_556_s2_q ? (equal_2499_s2_q ? select_3865 : region_row_q) : region_row_q;
   // hls/stages/agreement.hpp:798
-  logic [7:0] select_3852;
-  assign select_3852 = equal_576_s2_q ? select_1982 : (drew_q ? (ends_cell_s2_q ? select_2086 : select_1982) : 8'h1);
+  logic [7:0] select_3871;
+  assign select_3871 = equal_583_s2_q ? select_1989 : (drew_q ? (ends_cell_s2_q ? select_2095 : select_1989) : 8'h1);
   // hls/stages/agreement.hpp:465
-  logic [8:0] select_3865;
-  assign select_3865 = equal_2479_s2_q ? (less_3840_s2_q ? region_down_next_q : select_3842) : region_down_rest_q;
+  logic [8:0] select_3884;
+  assign select_3884 = equal_2499_s2_q ? (less_3859_s2_q ? region_down_next_q : select_3861) : region_down_rest_q;
   // hls/stages/agreement.hpp:499
-  logic [6:0] select_3868;
-  assign select_3868 = equal_684_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
+  logic [6:0] select_3887;
+  assign select_3887 = equal_691_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
   // hls/stages/agreement.hpp:530
-  logic [6:0] select_3870;
-  assign select_3870 = and_551_s2_q ? (equal_2479_s2_q ? select_3868 : region_down_back_q) : region_down_back_q;
+  logic [6:0] select_3889;
+  assign select_3889 = and_556_s2_q ? (equal_2499_s2_q ? select_3887 : region_down_back_q) : region_down_back_q;
   // hls/stages/division.hpp:34
-  logic [7:0] sum_3871;
-  assign sum_3871 = region_down_rest_q[8:1] + 8'h3;
+  logic [7:0] sum_3890;
+  assign sum_3890 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3872;
-  assign sum_3872 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
+  logic [8:0] sum_3891;
+  assign sum_3891 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3873;
-  assign select_3873 = sum_3871[7] ? {1'b1, sum_3871[6:0], region_down_rest_q[0]} : sum_3872;
+  logic [8:0] select_3892;
+  assign select_3892 = sum_3890[7] ? {1'b1, sum_3890[6:0], region_down_rest_q[0]} : sum_3891;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3843[7];
+  assign next = ~sum_3862[7];
   // hls/stages/agreement.hpp:465
-  logic select_3877;
-  assign select_3877 = equal_2479_s2_q ? (less_3840_s2_q ? next : (region_fresh_q | equal_684_s2_q)) : region_fresh_q;
+  logic select_3896;
+  assign select_3896 = equal_2499_s2_q ? (less_3859_s2_q ? next : (region_fresh_q | equal_691_s2_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:206
-  logic or_3882;
-  assign or_3882 = segment_starts_q | not_579_s2_q;
-  // hls/stages/agreement.hpp:1040
-  logic select_3885;
-  assign select_3885 = inside_v_s2_q ? (sum_1995_s2_q ? (equal_1775 & or_1997) : or_1997) : or_3882;
+  logic or_3901;
+  assign or_3901 = segment_starts_q | not_586_s2_q;
+  // hls/stages/agreement.hpp:1043
+  logic select_3904;
+  assign select_3904 = inside_v_s2_q ? (sum_2002_s2_q ? (equal_1782 & or_2004) : or_2004) : or_3901;
   // hls/stages/agreement.hpp:798
-  logic select_3888;
-  assign select_3888 = equal_576_s2_q ? or_3882 : (drew_q ? (ends_cell_s2_q ? select_3885 : or_3882) : or_3882);
-  logic select_4048;
-  assign select_4048 = drew_q ? (ends_cell_s2_q ? and_2074 : centres_values_0_textured_q) : centres_values_0_textured_q;
-  logic select_4051;
-  assign select_4051 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
-  logic select_4053;
-  assign select_4053 = equal_576_s2_q ? centres_values_0_of_skin_q : (drew_q ? select_4051 : centres_values_0_of_skin_q);
-  logic select_4054;
-  assign select_4054 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
-  logic select_4056;
-  assign select_4056 = equal_576_s2_q ? centres_values_1_textured_q : (drew_q ? select_4054 : centres_values_1_textured_q);
-  logic select_4057;
-  assign select_4057 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
-  logic select_4059;
-  assign select_4059 = equal_576_s2_q ? centres_values_1_of_skin_q : (drew_q ? select_4057 : centres_values_1_of_skin_q);
-  // hls/stages/agreement.hpp:465
-  logic [10:0] select_4065;
-  assign select_4065 = equal_2479_s2_q ? (or_4062_s2_q ? (map_row_q + {5'h0, map_width_q}) : 11'h0) : map_row_q;
-  // hls/stages/agreement.hpp:530
-  logic [5:0] select_4068;
-  assign select_4068 = and_551_s2_q ? (equal_2479_s2_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:1283
-  logic xor_4069;
-  assign xor_4069 = write_half_q ^ done_s2_q;
-  // hls/stages/agreement.hpp:443
-  logic select_4071;
-  assign select_4071 = and_1974_s2_q ? (left_first_s2_q ? xor_4069 : write_half_q) : write_half_q;
-  // hls/stages/agreement.hpp:279
+  logic select_3907;
+  assign select_3907 = equal_583_s2_q ? or_3901 : (drew_q ? (ends_cell_s2_q ? select_3904 : or_3901) : or_3901);
+  logic select_4067;
+  assign select_4067 = drew_q ? (ends_cell_s2_q ? and_2083 : centres_values_0_textured_q) : centres_values_0_textured_q;
+  logic select_4070;
+  assign select_4070 = ends_cell_s2_q ? (seen_columns_rdata_q[6] & inside_v_s2_q) : centres_values_0_of_skin_q;
+  logic select_4072;
+  assign select_4072 = equal_583_s2_q ? centres_values_0_of_skin_q : (drew_q ? select_4070 : centres_values_0_of_skin_q);
   logic select_4073;
-  assign select_4073 = and_1974_s2_q ? (left_first_s2_q ? xor_4069 : select_4071) : write_half_q;
+  assign select_4073 = ends_cell_s2_q ? centres_values_0_textured_q : centres_values_1_textured_q;
   logic select_4075;
-  assign select_4075 = left_first_s2_q ? select_2038 : (and_1974_s2_q ? select_2039 : read_half_q);
-  logic [9:0] select_4088;
-  assign select_4088 = left_first_s2_q ? 10'h1 : (and_1974_s2_q ? select_2043 : rows_passed_q);
-  logic [8:0] select_4091;
-  assign select_4091 = left_first_s2_q ? {select_2041[7:0], or_2040} : (and_1974_s2_q ? {select_2041[7:0], or_2040} : columns_passed_q);
+  assign select_4075 = equal_583_s2_q ? centres_values_1_textured_q : (drew_q ? select_4073 : centres_values_1_textured_q);
+  logic select_4076;
+  assign select_4076 = ends_cell_s2_q ? centres_values_0_of_skin_q : centres_values_1_of_skin_q;
+  logic select_4078;
+  assign select_4078 = equal_583_s2_q ? centres_values_1_of_skin_q : (drew_q ? select_4076 : centres_values_1_of_skin_q);
+  // hls/stages/agreement.hpp:465
+  logic [10:0] select_4084;
+  assign select_4084 = equal_2499_s2_q ? (or_4081_s2_q ? (map_row_q + {5'h0, map_width_q}) : 11'h0) : map_row_q;
+  // hls/stages/agreement.hpp:530
+  logic [5:0] select_4087;
+  assign select_4087 = and_556_s2_q ? (equal_2499_s2_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
+  // hls/stages/agreement.hpp:1286
+  logic xor_4088;
+  assign xor_4088 = write_half_q ^ done_s2_q;
+  // hls/stages/agreement.hpp:443
+  logic select_4090;
+  assign select_4090 = and_1981_s2_q ? (left_first_s2_q ? xor_4088 : write_half_q) : write_half_q;
+  // hls/stages/agreement.hpp:279
+  logic select_4092;
+  assign select_4092 = and_1981_s2_q ? (left_first_s2_q ? xor_4088 : select_4090) : write_half_q;
   logic select_4094;
-  assign select_4094 = left_first_s2_q ? marks_last_s2_q : (and_1974_s2_q ? marks_last_s2_q : line_ended_q);
-  logic select_4097;
-  assign select_4097 = left_first_s2_q ? and_2057 : (and_1974_s2_q ? and_2057 : began_q);
-  logic [2:0] select_4100;
-  assign select_4100 = left_first_s2_q ? select_2059 : (and_1974_s2_q ? select_2059 : seen_x_q);
-  // hls/stages/agreement.hpp:1313
-  logic [2:0] select_4105;
-  assign select_4105 = left_first_s2_q ? 3'h0 : (and_2044 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
+  assign select_4094 = left_first_s2_q ? select_2047 : (and_1981_s2_q ? select_2048 : read_half_q);
+  logic [9:0] select_4107;
+  assign select_4107 = left_first_s2_q ? 10'h1 : (and_1981_s2_q ? select_2052 : rows_passed_q);
+  logic [8:0] select_4110;
+  assign select_4110 = left_first_s2_q ? {select_2050[7:0], or_2049} : (and_1981_s2_q ? {select_2050[7:0], or_2049} : columns_passed_q);
+  logic select_4113;
+  assign select_4113 = left_first_s2_q ? marks_last_s2_q : (and_1981_s2_q ? marks_last_s2_q : line_ended_q);
+  logic select_4116;
+  assign select_4116 = left_first_s2_q ? and_2066 : (and_1981_s2_q ? and_2066 : began_q);
+  logic [2:0] select_4119;
+  assign select_4119 = left_first_s2_q ? select_2068 : (and_1981_s2_q ? select_2068 : seen_x_q);
+  // hls/stages/agreement.hpp:1316
+  logic [2:0] select_4124;
+  assign select_4124 = left_first_s2_q ? 3'h0 : (and_2053 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
   // hls/stages/agreement.hpp:279
-  logic [2:0] select_4107;
-  assign select_4107 = left_first_s2_q ? 3'h0 : (and_1974_s2_q ? select_4105 : seen_y_q);
-  logic [7:0] select_4110;
-  assign select_4110 = left_first_s2_q ? select_2052 : (and_1974_s2_q ? select_2052 : seen_column_q);
+  logic [2:0] select_4126;
+  assign select_4126 = left_first_s2_q ? 3'h0 : (and_1981_s2_q ? select_4124 : seen_y_q);
+  logic [7:0] select_4129;
+  assign select_4129 = left_first_s2_q ? select_2061 : (and_1981_s2_q ? select_2061 : seen_column_q);
   // hls/stages/agreement.hpp:441
-  logic [7:0] select_4116;
-  assign select_4116 = left_first_s2_q ? select_4114 : (seen_rows_left_q - {7'h0, was_next_row_q});
+  logic [7:0] select_4135;
+  assign select_4135 = left_first_s2_q ? select_4133 : (seen_rows_left_q - {7'h0, was_next_row_q});
   // hls/stages/agreement.hpp:279
-  logic [7:0] select_4118;
-  assign select_4118 = left_first_s2_q ? select_4114 : (and_1974_s2_q ? select_4116 : seen_rows_left_q);
+  logic [7:0] select_4137;
+  assign select_4137 = left_first_s2_q ? select_4133 : (and_1981_s2_q ? select_4135 : seen_rows_left_q);
   // hls/stages/agreement.hpp:441
-  logic and_4123;
-  assign and_4123 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
+  logic and_4142;
+  assign and_4142 = (seen_y_q == 3'h7) & (~(seen_rows_left_q == 8'h0));
   // hls/stages/agreement.hpp:279
-  logic select_4125;
-  assign select_4125 = left_first_s2_q ? and_4123 : (and_1974_s2_q ? and_4123 : at_cell_end_q);
-  logic select_4128;
-  assign select_4128 = left_first_s2_q ? next_row : (and_1974_s2_q ? next_row : was_next_row_q);
-  logic [10:0] select_4131;
-  assign select_4131 = left_first_s2_q ? 11'h0 : (and_1974_s2_q ? select_2049 : seen_base_q);
+  logic select_4144;
+  assign select_4144 = left_first_s2_q ? and_4142 : (and_1981_s2_q ? and_4142 : at_cell_end_q);
+  logic select_4147;
+  assign select_4147 = left_first_s2_q ? next_row : (and_1981_s2_q ? next_row : was_next_row_q);
+  logic [10:0] select_4150;
+  assign select_4150 = left_first_s2_q ? 11'h0 : (and_1981_s2_q ? select_2058 : seen_base_q);
   // hls/stages/registration.hpp:258
-  logic not_4204;
-  assign not_4204 = ~quarter[1];
-  logic [3:0] select_4205;
-  assign select_4205 = quarter[0] ? {quarter[1], 1'b0, not_4204, 1'b0} : {1'b0, quarter[1], 1'b0, not_4204};
+  logic not_4224;
+  assign not_4224 = ~quarter[1];
+  logic [3:0] select_4225;
+  assign select_4225 = quarter[0] ? {quarter[1], 1'b0, not_4224, 1'b0} : {1'b0, quarter[1], 1'b0, not_4224};
 
   // Memory registration_sums, 12 x 32, DISTANCE 12, hls/stages/registration.hpp:277; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -4424,10 +4452,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 12; i++) registration_sums_mem[i] = 32'h0;
 `endif
   logic [3:0] registration_sums_raddr;
-  assign registration_sums_raddr = select_1620;
+  assign registration_sums_raddr = select_1627;
 `ifndef SYNTHESIS
   logic registration_sums_re;
-  assign registration_sums_re = s2_en & select_1663;
+  assign registration_sums_re = s2_en & select_1670;
 `endif
   logic [31:0] registration_sums_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4443,17 +4471,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) patches_choices_mem[i] = 23'h0;
 `endif
   logic [5:0] patches_choices_raddr;
-  assign patches_choices_raddr = select_1694;
+  assign patches_choices_raddr = select_1701;
 `ifndef SYNTHESIS
   logic patches_choices_re;
-  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_1696));
+  assign patches_choices_re = s2_en & (sample_pair_whole_s2_q & (~equal_1703));
 `endif
   logic [22:0] patches_choices_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) patches_choices_rdata_q <= patches_choices_mem[patches_choices_raddr];
   end
 
-  // Memory regions, 64 x 30, DISTANCE 12, hls/stages/agreement.hpp:1412; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 12, hls/stages/agreement.hpp:1415; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4462,17 +4490,17 @@ module horopter_agreement (
   initial for (int i = 0; i < 64; i++) regions_mem[i] = 30'h0;
 `endif
   logic [5:0] regions_raddr;
-  assign regions_raddr = select_1992;
+  assign regions_raddr = select_1999;
 `ifndef SYNTHESIS
   logic regions_re;
-  assign regions_re = s2_en & (equal_576_s2_q ? (x_s2_q[6] & not_1993) : and_2000);
+  assign regions_re = s2_en & (equal_583_s2_q ? (x_s2_q[6] & not_2000) : and_2007);
 `endif
   logic [29:0] regions_rdata_q;
   always_ff @(posedge clk_i) begin
     if (en_i) regions_rdata_q <= regions_mem[regions_raddr];
   end
 
-  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:1423; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:1426; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:3289];
@@ -4480,10 +4508,10 @@ module horopter_agreement (
   initial for (int i = 0; i < 3290; i++) map_mem[i] = 2'h0;
 `endif
   logic [11:0] map_raddr;
-  assign map_raddr = sum_2054;
+  assign map_raddr = sum_2063;
 `ifndef SYNTHESIS
   logic map_re;
-  assign map_re = s2_en & select_2066;
+  assign map_re = s2_en & select_2075;
 `endif
   logic [1:0] map_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -4492,11 +4520,11 @@ module horopter_agreement (
 
   // Memory averager_memory, write
   logic [7:0] averager_memory_waddr;
-  assign averager_memory_waddr = select_516_s2_q;
+  assign averager_memory_waddr = select_521_s2_q;
   logic averager_memory_we;
-  assign averager_memory_we = s2_en & and_525_s2_q;
+  assign averager_memory_we = s2_en & and_530_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_544, and_540, sum_536, sum_532};
+    if (averager_memory_we) averager_memory_mem[averager_memory_waddr] <= {and_549, and_545, sum_541, sum_537};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4514,9 +4542,9 @@ module horopter_agreement (
   logic [5:0] census_memory_waddr;
   assign census_memory_waddr = last_s2_2_q;
   logic census_memory_we;
-  assign census_memory_we = s2_en & and_551_s2_q;
+  assign census_memory_we = s2_en & and_556_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_569, whole_2, select_561, select_557};
+    if (census_memory_we) census_memory_mem[census_memory_waddr] <= {census_memory_rdata_q[58:40], census_memory_rdata_q[38:0], and_574, whole_2, select_566, select_562};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4531,12 +4559,12 @@ module horopter_agreement (
 `endif
 
   // Memory moments_memory, write
-  logic [10:0] moments_memory_waddr;
-  assign moments_memory_waddr = select_575_s2_q;
+  logic [11:0] moments_memory_waddr;
+  assign moments_memory_waddr = address_s2_q;
   logic moments_memory_we;
-  assign moments_memory_we = s2_en & and_593_s2_q;
+  assign moments_memory_we = s2_en & and_599_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {and_651_s2_q, and_649_s2_q, and_644_s2_q, and_642};
+    if (moments_memory_we) moments_memory_mem[moments_memory_waddr] <= {and_658_s2_q, and_656_s2_q, and_650_s2_q, and_648};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4544,9 +4572,9 @@ module horopter_agreement (
       if (moments_memory_re && moments_memory_raddr == moments_memory_waddr) begin
         $error("moments_memory: address %0d is read less than DISTANCE steps after its write", moments_memory_waddr);
       end
-      if (moments_memory_waddr >= 11'd1645) $error("moments_memory: write outside, address %0d", moments_memory_waddr);
+      if (moments_memory_waddr >= 12'd3290) $error("moments_memory: write outside, address %0d", moments_memory_waddr);
     end
-    if (rst_ni && moments_memory_re && moments_memory_raddr >= 11'd1645) $error("moments_memory: read outside, address %0d", moments_memory_raddr);
+    if (rst_ni && moments_memory_re && moments_memory_raddr >= 12'd3290) $error("moments_memory: read outside, address %0d", moments_memory_raddr);
   end
 `endif
 
@@ -4554,9 +4582,9 @@ module horopter_agreement (
   logic [5:0] best_left_waddr;
   assign best_left_waddr = x_s2_2_q[5:0];
   logic best_left_we;
-  assign best_left_we = s2_en & and_1567_s2_q;
+  assign best_left_we = s2_en & and_1574_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1566, select_1563, select_1560, select_1558, select_1540, select_1537, select_1529, select_1528, select_1523};
+    if (best_left_we) best_left_mem[best_left_waddr] <= {select_1573, select_1570, select_1567, select_1565, select_1547, select_1544, select_1536, select_1535, select_1530};
   end
 `ifndef SYNTHESIS
   logic [5:0] best_left_raddr_s1_sim;
@@ -4587,9 +4615,9 @@ module horopter_agreement (
   logic [5:0] best_right_waddr;
   assign best_right_waddr = right_s2_q;
   logic best_right_we;
-  assign best_right_we = s2_en & and_1567_s2_q;
+  assign best_right_we = s2_en & and_1574_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1577, select_1576, select_1573, select_1572};
+    if (best_right_we) best_right_mem[best_right_waddr] <= {select_1584, select_1583, select_1580, select_1579};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4605,11 +4633,11 @@ module horopter_agreement (
 
   // Memory shown_right, write
   logic [5:0] shown_right_waddr;
-  assign shown_right_waddr = select_1584_s2_q;
+  assign shown_right_waddr = select_1591_s2_q;
   logic shown_right_we;
-  assign shown_right_we = s2_en & and_1595;
+  assign shown_right_we = s2_en & and_1602;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1592, not_579_s2_q};
+    if (shown_right_we) shown_right_mem[shown_right_waddr] <= {and_1599, not_586_s2_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4629,7 +4657,7 @@ module horopter_agreement (
   logic left_turns_we;
   assign left_turns_we = s2_en & moments_taken_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (left_turns_we) left_turns_mem[left_turns_waddr] <= {and_1603, and_1600};
+    if (left_turns_we) left_turns_mem[left_turns_waddr] <= {and_1610, and_1607};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4649,7 +4677,7 @@ module horopter_agreement (
   logic right_turns_we;
   assign right_turns_we = s2_en & moments_taken_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (right_turns_we) right_turns_mem[right_turns_waddr] <= {and_1612, and_1609};
+    if (right_turns_we) right_turns_mem[right_turns_waddr] <= {and_1619, and_1616};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4665,11 +4693,11 @@ module horopter_agreement (
 
   // Memory patches_right_codes, write
   logic [6:0] patches_right_codes_waddr;
-  assign patches_right_codes_waddr = {sum_1895, patches_code_row_s2_q[1:0], of_row_2_s2_q};
+  assign patches_right_codes_waddr = {sum_1902, patches_code_row_s2_q[1:0], of_row_2_s2_q};
   logic patches_right_codes_we;
-  assign patches_right_codes_we = s2_en & and_1947_s2_q;
+  assign patches_right_codes_we = s2_en & and_1954_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {and_1933_s2_q, and_1930_s2_q, and_1914_s2_q, and_1911, patches_codes_at_q[51:28]};
+    if (patches_right_codes_we) patches_right_codes_mem[patches_right_codes_waddr] <= {and_1940_s2_q, and_1937_s2_q, and_1921_s2_q, and_1918, patches_codes_at_q[51:28]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4685,11 +4713,11 @@ module horopter_agreement (
 
   // Memory patches_left_codes, write
   logic [3:0] patches_left_codes_waddr;
-  assign patches_left_codes_waddr = {sum_1951, patches_code_row_s2_q[1:0]};
+  assign patches_left_codes_waddr = {sum_1958, patches_code_row_s2_q[1:0]};
   logic patches_left_codes_we;
-  assign patches_left_codes_we = s2_en & and_1961_s2_q;
+  assign patches_left_codes_we = s2_en & and_1968_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {and_1933_s2_q, and_1930_s2_q, and_1914_s2_q, and_1911, patches_codes_at_q[51:8]};
+    if (patches_left_codes_we) patches_left_codes_mem[patches_left_codes_waddr] <= {and_1940_s2_q, and_1937_s2_q, and_1921_s2_q, and_1918, patches_codes_at_q[51:8]};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4707,9 +4735,9 @@ module horopter_agreement (
   logic [5:0] seen_columns_waddr;
   assign seen_columns_waddr = x_s2_q[5:0];
   logic seen_columns_we;
-  assign seen_columns_we = s2_en & and_1580_s2_q;
+  assign seen_columns_we = s2_en & and_1587_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2030, textured};
+    if (seen_columns_we) seen_columns_mem[seen_columns_waddr] <= {seen_columns_rdata_q[13:7], seen_columns_rdata_q[5:0], near, shown, explained, and_2039, textured};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -4750,6 +4778,11 @@ module horopter_agreement (
       moments_turns_1_q <= 1'b0;
       moments_begins_alone_q <= 1'b0;
       moments_ends_q <= 1'b0;
+      moments_other_field_before_0_q <= 14'h0;
+      moments_other_field_before_1_q <= 14'h0;
+      moments_other_field_has_before_q <= 1'b0;
+      moments_other_field_out_of_step_q <= 1'b0;
+      moments_ended_q <= 1'b0;
       rows_passed_above_q <= 5'h0;
       draws_late_q <= 1'b0;
       chosen_score_q <= 8'h0;
@@ -4799,7 +4832,6 @@ module horopter_agreement (
       patches_peak_below_q <= 10'h0;
       patches_peak_far_q <= 10'h0;
       patches_peak_size_q <= 10'h0;
-      patches_frame_ended_q <= 1'b0;
       shown_shown_q <= 1'b0;
       shown_nearer_q <= 1'b0;
       region_row_q <= 3'h0;
@@ -4834,106 +4866,110 @@ module horopter_agreement (
       sample_pair_pixel_1_q <= pixel_0_s2_q;
       sample_of_skin_q <= mask_s2_q;
       averager_running_mask_q <= sample_pair_whole_s2_q ? whole : averager_running_mask_q;
-      averager_running_of_skin_q <= select_2203;
-      averager_mask_q <= select_2205;
-      averager_of_skin_q <= select_2207;
-      census_filled_q <= and_551_s2_q ? {select_687[2:0], 1'b1} : census_filled_q;
-      moments_turned_0_q <= sum_2302;
-      moments_turned_1_q <= sum_2304;
-      moments_before_0_q <= equal_576_s2_q ? select_2306 : moments_before_0_q;
-      moments_before_1_q <= equal_576_s2_q ? select_2308 : moments_before_1_q;
-      moments_has_before_q <= select_2311;
-      moments_most_before_q <= select_2314;
-      moments_left_begins_q <= select_2318;
-      moments_left_alone_q <= select_2322;
-      moments_left_other_stops_q <= select_2325;
-      moments_right_begins_q <= select_2328;
-      moments_right_alone_q <= select_2332;
-      moments_right_other_stops_q <= select_2335;
-      moments_out_of_step_q <= or_2338;
-      moments_turns_0_q <= and_2346;
-      moments_turns_1_q <= and_2350;
-      moments_begins_alone_q <= and_2359;
-      moments_ends_q <= equal_576_s2_q & (equal_2305 & (not_2360 | and_2362));
-      rows_passed_above_q <= and_551_s2_q ? select_686 : rows_passed_above_q;
-      draws_late_q <= select_2587;
-      chosen_score_q <= less_2599 ? select_1517 : select_2598;
-      chosen_near_q <= (select_2601 < select_1552) ? select_1552 : select_2601;
-      chosen_place_q <= less_2599 ? {select_1525, not_1524} : 3'h2;
-      before_0_q <= select_2598;
-      before_1_q <= sum_1267;
-      before_2_q <= sum_1515;
-      shift_allowed_q <= not_2606 & (~less_2607);
+      averager_running_of_skin_q <= select_2212;
+      averager_mask_q <= select_2214;
+      averager_of_skin_q <= select_2216;
+      census_filled_q <= and_556_s2_q ? {select_694[2:0], 1'b1} : census_filled_q;
+      moments_turned_0_q <= sum_2311;
+      moments_turned_1_q <= sum_2313;
+      moments_before_0_q <= equal_583_s2_q ? select_2315 : moments_before_0_q;
+      moments_before_1_q <= equal_583_s2_q ? select_2317 : moments_before_1_q;
+      moments_has_before_q <= equal_583_s2_q ? select_2319 : moments_has_before_q;
+      moments_most_before_q <= select_2323;
+      moments_left_begins_q <= select_2327;
+      moments_left_alone_q <= select_2331;
+      moments_left_other_stops_q <= select_2334;
+      moments_right_begins_q <= select_2337;
+      moments_right_alone_q <= select_2341;
+      moments_right_other_stops_q <= select_2344;
+      moments_out_of_step_q <= select_2348;
+      moments_turns_0_q <= and_2356;
+      moments_turns_1_q <= and_2360;
+      moments_begins_alone_q <= equal_583_s2_q & and_2368;
+      moments_ends_q <= equal_583_s2_q & (equal_2314_s2_q & (not_2370 | and_2372));
+      moments_other_field_before_0_q <= select_2377;
+      moments_other_field_before_1_q <= select_2379;
+      moments_other_field_has_before_q <= select_2381;
+      moments_other_field_out_of_step_q <= select_2382;
+      moments_ended_q <= equal_583_s2_q & equal_2314_s2_q;
+      rows_passed_above_q <= and_556_s2_q ? select_693 : rows_passed_above_q;
+      draws_late_q <= select_2607;
+      chosen_score_q <= less_2619 ? select_1524 : select_2618;
+      chosen_near_q <= (select_2621 < select_1559) ? select_1559 : select_2621;
+      chosen_place_q <= less_2619 ? {select_1532, not_1531} : 3'h2;
+      before_0_q <= select_2618;
+      before_1_q <= sum_1274;
+      before_2_q <= sum_1522;
+      shift_allowed_q <= not_2626 & (~less_2627);
       shift_not_right_q <= $signed(run_shift_s2_q) < $signed(6'h1);
-      counts_turned_left_q <= and_2614 ? 14'h0 : (counts_turned_left_q + {13'h0, and_2739});
-      counts_turned_right_q <= and_2614 ? 14'h0 : (counts_turned_right_q + {13'h0, and_2747});
-      registration_displacement_over_q <= drew_q ? sum_2771[10:1] : registration_displacement_over_q;
-      registration_displacement_fraction_q <= select_2773;
-      registration_slope_here_q <= select_2775;
-      registration_expected_q <= select_2777;
-      registration_of_right_q <= equal_576_s2_q ? registration_of_right_q : select_2839;
-      registration_was_inside_q <= equal_576_s2_q ? registration_was_inside_q : select_2842;
-      registration_fresh_q <= select_2851;
-      patches_chance_q <= and_551_s2_q ? select_3007 : patches_chance_q;
-      patches_fixed_q <= and_3021;
-      patches_choice_valid_q <= and_1780 ? (select_1753 & not_3009) : select_1753;
-      patches_choice_column_q <= select_1758;
-      patches_choice_shift_q <= select_1763;
-      patches_choice_slope_q <= select_1774;
-      patches_band_q <= sample_pair_whole_s2_q ? select_1795 : patches_band_q;
-      patches_fetch_q <= select_3035;
-      patches_codes_at_q <= select_3136;
-      patches_codes_further_q <= equal_1782_s2_q ? patches_codes_further_q : select_3141;
-      patches_next_codes_q <= select_3149;
-      patches_set_q <= equal_1782_s2_q ? 3'h0 : (equal_1784_s2_q ? 3'h0 : select_3163);
-      patches_size_q <= sum_3167;
-      patches_left_row_q <= select_3179;
-      patches_summed_row_column_q <= equal_1782_s2_q ? patches_summed_row_column_q : select_3524;
-      patches_summed_first_q <= select_3527;
-      patches_read_row_differing_q <= equal_1782_s2_q ? select_3535 : patches_read_row_differing_q;
-      patches_read_row_column_q <= equal_1782_s2_q ? select_3538 : patches_read_row_column_q;
-      patches_read_at_q <= equal_1782_s2_q ? select_3541 : patches_read_at_q;
-      patches_read_first_q <= select_3546;
-      patches_read_above_q <= equal_1782_s2_q ? and_3558 : patches_read_above_q;
-      patches_read_below_q <= equal_1782_s2_q ? and_3563 : patches_read_below_q;
-      patches_read_far_q <= equal_1782_s2_q ? select_3570 : patches_read_far_q;
-      patches_peak_best_differing_q <= select_3573;
-      patches_peak_best_column_q <= select_3574;
-      patches_peak_row_q <= equal_1782_s2_q ? select_3553 : patches_peak_row_q;
-      patches_peak_above_q <= select_3577;
-      patches_peak_below_q <= select_3579;
-      patches_peak_far_q <= select_3583;
-      patches_peak_size_q <= select_3586;
-      patches_frame_ended_q <= equal_576_s2_q & equal_2305;
-      shown_shown_q <= select_3837;
-      shown_nearer_q <= select_3839;
-      region_row_q <= select_3848;
+      counts_turned_left_q <= and_2634 ? 14'h0 : (counts_turned_left_q + {13'h0, and_2759});
+      counts_turned_right_q <= and_2634 ? 14'h0 : (counts_turned_right_q + {13'h0, and_2767});
+      registration_displacement_over_q <= drew_q ? sum_2791[10:1] : registration_displacement_over_q;
+      registration_displacement_fraction_q <= select_2793;
+      registration_slope_here_q <= select_2795;
+      registration_expected_q <= select_2797;
+      registration_of_right_q <= equal_583_s2_q ? registration_of_right_q : select_2859;
+      registration_was_inside_q <= equal_583_s2_q ? registration_was_inside_q : select_2862;
+      registration_fresh_q <= select_2871;
+      patches_chance_q <= and_556_s2_q ? select_3027 : patches_chance_q;
+      patches_fixed_q <= and_3041;
+      patches_choice_valid_q <= and_1787 ? (select_1760 & not_3029) : select_1760;
+      patches_choice_column_q <= select_1765;
+      patches_choice_shift_q <= select_1770;
+      patches_choice_slope_q <= select_1781;
+      patches_band_q <= sample_pair_whole_s2_q ? select_1802 : patches_band_q;
+      patches_fetch_q <= select_3055;
+      patches_codes_at_q <= select_3156;
+      patches_codes_further_q <= equal_1789_s2_q ? patches_codes_further_q : select_3161;
+      patches_next_codes_q <= select_3169;
+      patches_set_q <= equal_1789_s2_q ? 3'h0 : (equal_1791_s2_q ? 3'h0 : select_3183);
+      patches_size_q <= sum_3187;
+      patches_left_row_q <= select_3199;
+      patches_summed_row_column_q <= equal_1789_s2_q ? patches_summed_row_column_q : select_3544;
+      patches_summed_first_q <= select_3547;
+      patches_read_row_differing_q <= equal_1789_s2_q ? select_3555 : patches_read_row_differing_q;
+      patches_read_row_column_q <= equal_1789_s2_q ? select_3558 : patches_read_row_column_q;
+      patches_read_at_q <= equal_1789_s2_q ? select_3561 : patches_read_at_q;
+      patches_read_first_q <= select_3566;
+      patches_read_above_q <= equal_1789_s2_q ? and_3578 : patches_read_above_q;
+      patches_read_below_q <= equal_1789_s2_q ? and_3583 : patches_read_below_q;
+      patches_read_far_q <= equal_1789_s2_q ? select_3590 : patches_read_far_q;
+      patches_peak_best_differing_q <= select_3593;
+      patches_peak_best_column_q <= select_3594;
+      patches_peak_row_q <= equal_1789_s2_q ? select_3573 : patches_peak_row_q;
+      patches_peak_above_q <= select_3597;
+      patches_peak_below_q <= select_3599;
+      patches_peak_far_q <= select_3603;
+      patches_peak_size_q <= select_3606;
+      shown_shown_q <= select_3856;
+      shown_nearer_q <= select_3858;
+      region_row_q <= select_3867;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_3852;
-      region_down_rest_q <= and_551_s2_q ? select_3865 : region_down_rest_q;
-      region_down_back_q <= select_3870;
-      region_down_next_q <= select_3873;
-      region_fresh_q <= and_551_s2_q ? select_3877 : region_fresh_q;
-      segment_starts_q <= select_3888;
-      centres_values_0_textured_q <= equal_576_s2_q ? centres_values_0_textured_q : select_4048;
-      centres_values_0_of_skin_q <= select_4053;
-      centres_values_1_textured_q <= select_4056;
-      centres_values_1_of_skin_q <= select_4059;
-      map_row_q <= and_551_s2_q ? select_4065 : map_row_q;
-      map_width_q <= select_4068;
-      write_half_q <= select_4073;
-      read_half_q <= and_1974_s2_q ? select_4075 : read_half_q;
-      rows_passed_q <= and_1974_s2_q ? select_4088 : rows_passed_q;
-      columns_passed_q <= and_1974_s2_q ? select_4091 : columns_passed_q;
-      line_ended_q <= and_1974_s2_q ? select_4094 : line_ended_q;
-      began_q <= and_1974_s2_q ? select_4097 : began_q;
-      seen_x_q <= and_1974_s2_q ? select_4100 : seen_x_q;
-      seen_y_q <= and_1974_s2_q ? select_4107 : seen_y_q;
-      seen_column_q <= and_1974_s2_q ? select_4110 : seen_column_q;
-      seen_rows_left_q <= and_1974_s2_q ? select_4118 : seen_rows_left_q;
-      at_cell_end_q <= and_1974_s2_q ? select_4125 : at_cell_end_q;
-      was_next_row_q <= and_1974_s2_q ? select_4128 : was_next_row_q;
-      seen_base_q <= and_1974_s2_q ? select_4131 : seen_base_q;
+      region_columns_q <= select_3871;
+      region_down_rest_q <= and_556_s2_q ? select_3884 : region_down_rest_q;
+      region_down_back_q <= select_3889;
+      region_down_next_q <= select_3892;
+      region_fresh_q <= and_556_s2_q ? select_3896 : region_fresh_q;
+      segment_starts_q <= select_3907;
+      centres_values_0_textured_q <= equal_583_s2_q ? centres_values_0_textured_q : select_4067;
+      centres_values_0_of_skin_q <= select_4072;
+      centres_values_1_textured_q <= select_4075;
+      centres_values_1_of_skin_q <= select_4078;
+      map_row_q <= and_556_s2_q ? select_4084 : map_row_q;
+      map_width_q <= select_4087;
+      write_half_q <= select_4092;
+      read_half_q <= and_1981_s2_q ? select_4094 : read_half_q;
+      rows_passed_q <= and_1981_s2_q ? select_4107 : rows_passed_q;
+      columns_passed_q <= and_1981_s2_q ? select_4110 : columns_passed_q;
+      line_ended_q <= and_1981_s2_q ? select_4113 : line_ended_q;
+      began_q <= and_1981_s2_q ? select_4116 : began_q;
+      seen_x_q <= and_1981_s2_q ? select_4119 : seen_x_q;
+      seen_y_q <= and_1981_s2_q ? select_4126 : seen_y_q;
+      seen_column_q <= and_1981_s2_q ? select_4129 : seen_column_q;
+      seen_rows_left_q <= and_1981_s2_q ? select_4137 : seen_rows_left_q;
+      at_cell_end_q <= and_1981_s2_q ? select_4144 : at_cell_end_q;
+      was_next_row_q <= and_1981_s2_q ? select_4147 : was_next_row_q;
+      seen_base_q <= and_1981_s2_q ? select_4150 : seen_base_q;
     end
   end
 
@@ -5019,81 +5055,81 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s2_en) begin
-      left_pixel_q <= and_1974_s2_q ? left_pixel_q : pixel_0_s2_q;
-      averager_running_0_q <= sample_pair_whole_s2_q ? select_528 : averager_running_0_q;
-      averager_running_1_q <= sample_pair_whole_s2_q ? sum_534 : averager_running_1_q;
-      averager_total_0_q <= select_2181;
-      averager_total_1_q <= select_2183;
-      census_columns_values_0_cell_0_left_q <= select_2208;
-      census_columns_values_0_cell_0_right_q <= select_2209;
-      census_columns_values_0_cell_0_mask_q <= and_551_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
-      census_columns_values_0_cell_1_left_q <= select_2211;
-      census_columns_values_0_cell_1_right_q <= select_2212;
-      census_columns_values_0_cell_1_mask_q <= select_2213;
-      census_columns_values_0_cell_2_left_q <= select_2214;
-      census_columns_values_0_cell_2_right_q <= select_2215;
-      census_columns_values_0_cell_2_mask_q <= select_2216;
-      census_columns_values_0_cell_2_of_skin_q <= select_2217;
-      census_columns_values_0_cell_3_left_q <= select_2218;
-      census_columns_values_0_cell_3_right_q <= select_2219;
-      census_columns_values_0_cell_3_mask_q <= select_2220;
-      census_columns_values_0_cell_4_left_q <= select_2221;
-      census_columns_values_0_cell_4_right_q <= select_2222;
-      census_columns_values_0_cell_4_mask_q <= select_2223;
-      census_columns_values_1_cell_0_left_q <= select_2224;
-      census_columns_values_1_cell_0_right_q <= select_2225;
-      census_columns_values_1_cell_0_mask_q <= select_2226;
-      census_columns_values_1_cell_1_left_q <= select_2227;
-      census_columns_values_1_cell_1_right_q <= select_2228;
-      census_columns_values_1_cell_1_mask_q <= select_2229;
-      census_columns_values_1_cell_2_left_q <= select_2230;
-      census_columns_values_1_cell_2_right_q <= select_2231;
-      census_columns_values_1_cell_2_mask_q <= select_2232;
-      census_columns_values_1_cell_2_of_skin_q <= select_2233;
-      census_columns_values_1_cell_3_left_q <= select_2234;
-      census_columns_values_1_cell_3_right_q <= select_2235;
-      census_columns_values_1_cell_3_mask_q <= select_2236;
-      census_columns_values_1_cell_4_left_q <= select_2237;
-      census_columns_values_1_cell_4_right_q <= select_2238;
-      census_columns_values_1_cell_4_mask_q <= select_2239;
-      census_columns_values_2_cell_0_left_q <= select_2240;
-      census_columns_values_2_cell_0_right_q <= select_2241;
-      census_columns_values_2_cell_0_mask_q <= select_2242;
-      census_columns_values_2_cell_1_left_q <= select_2243;
-      census_columns_values_2_cell_1_right_q <= select_2244;
-      census_columns_values_2_cell_1_mask_q <= select_2245;
-      census_columns_values_2_cell_2_left_q <= select_2246;
-      census_columns_values_2_cell_2_right_q <= select_2247;
-      census_columns_values_2_cell_2_mask_q <= select_2248;
-      census_columns_values_2_cell_3_left_q <= select_2249;
-      census_columns_values_2_cell_3_right_q <= select_2250;
-      census_columns_values_2_cell_3_mask_q <= select_2251;
-      census_columns_values_2_cell_4_left_q <= select_2252;
-      census_columns_values_2_cell_4_right_q <= select_2253;
-      census_columns_values_2_cell_4_mask_q <= select_2254;
-      census_columns_values_3_cell_0_mask_q <= select_2255;
-      census_columns_values_3_cell_1_left_q <= select_2256;
-      census_columns_values_3_cell_1_right_q <= select_2257;
-      census_columns_values_3_cell_1_mask_q <= select_2258;
-      census_columns_values_3_cell_2_mask_q <= select_2259;
-      census_columns_values_3_cell_3_left_q <= select_2260;
-      census_columns_values_3_cell_3_right_q <= select_2261;
-      census_columns_values_3_cell_3_mask_q <= select_2262;
-      census_columns_values_3_cell_4_mask_q <= select_2263;
-      sharpness_last_mean_0_q <= and_551_s2_q ? select_557 : sharpness_last_mean_0_q;
-      sharpness_last_mean_1_q <= and_551_s2_q ? select_561 : sharpness_last_mean_1_q;
+      left_pixel_q <= and_1981_s2_q ? left_pixel_q : pixel_0_s2_q;
+      averager_running_0_q <= sample_pair_whole_s2_q ? select_533 : averager_running_0_q;
+      averager_running_1_q <= sample_pair_whole_s2_q ? sum_539 : averager_running_1_q;
+      averager_total_0_q <= select_2190;
+      averager_total_1_q <= select_2192;
+      census_columns_values_0_cell_0_left_q <= select_2217;
+      census_columns_values_0_cell_0_right_q <= select_2218;
+      census_columns_values_0_cell_0_mask_q <= and_556_s2_q ? whole_2 : census_columns_values_0_cell_0_mask_q;
+      census_columns_values_0_cell_1_left_q <= select_2220;
+      census_columns_values_0_cell_1_right_q <= select_2221;
+      census_columns_values_0_cell_1_mask_q <= select_2222;
+      census_columns_values_0_cell_2_left_q <= select_2223;
+      census_columns_values_0_cell_2_right_q <= select_2224;
+      census_columns_values_0_cell_2_mask_q <= select_2225;
+      census_columns_values_0_cell_2_of_skin_q <= select_2226;
+      census_columns_values_0_cell_3_left_q <= select_2227;
+      census_columns_values_0_cell_3_right_q <= select_2228;
+      census_columns_values_0_cell_3_mask_q <= select_2229;
+      census_columns_values_0_cell_4_left_q <= select_2230;
+      census_columns_values_0_cell_4_right_q <= select_2231;
+      census_columns_values_0_cell_4_mask_q <= select_2232;
+      census_columns_values_1_cell_0_left_q <= select_2233;
+      census_columns_values_1_cell_0_right_q <= select_2234;
+      census_columns_values_1_cell_0_mask_q <= select_2235;
+      census_columns_values_1_cell_1_left_q <= select_2236;
+      census_columns_values_1_cell_1_right_q <= select_2237;
+      census_columns_values_1_cell_1_mask_q <= select_2238;
+      census_columns_values_1_cell_2_left_q <= select_2239;
+      census_columns_values_1_cell_2_right_q <= select_2240;
+      census_columns_values_1_cell_2_mask_q <= select_2241;
+      census_columns_values_1_cell_2_of_skin_q <= select_2242;
+      census_columns_values_1_cell_3_left_q <= select_2243;
+      census_columns_values_1_cell_3_right_q <= select_2244;
+      census_columns_values_1_cell_3_mask_q <= select_2245;
+      census_columns_values_1_cell_4_left_q <= select_2246;
+      census_columns_values_1_cell_4_right_q <= select_2247;
+      census_columns_values_1_cell_4_mask_q <= select_2248;
+      census_columns_values_2_cell_0_left_q <= select_2249;
+      census_columns_values_2_cell_0_right_q <= select_2250;
+      census_columns_values_2_cell_0_mask_q <= select_2251;
+      census_columns_values_2_cell_1_left_q <= select_2252;
+      census_columns_values_2_cell_1_right_q <= select_2253;
+      census_columns_values_2_cell_1_mask_q <= select_2254;
+      census_columns_values_2_cell_2_left_q <= select_2255;
+      census_columns_values_2_cell_2_right_q <= select_2256;
+      census_columns_values_2_cell_2_mask_q <= select_2257;
+      census_columns_values_2_cell_3_left_q <= select_2258;
+      census_columns_values_2_cell_3_right_q <= select_2259;
+      census_columns_values_2_cell_3_mask_q <= select_2260;
+      census_columns_values_2_cell_4_left_q <= select_2261;
+      census_columns_values_2_cell_4_right_q <= select_2262;
+      census_columns_values_2_cell_4_mask_q <= select_2263;
+      census_columns_values_3_cell_0_mask_q <= select_2264;
+      census_columns_values_3_cell_1_left_q <= select_2265;
+      census_columns_values_3_cell_1_right_q <= select_2266;
+      census_columns_values_3_cell_1_mask_q <= select_2267;
+      census_columns_values_3_cell_2_mask_q <= select_2268;
+      census_columns_values_3_cell_3_left_q <= select_2269;
+      census_columns_values_3_cell_3_right_q <= select_2270;
+      census_columns_values_3_cell_3_mask_q <= select_2271;
+      census_columns_values_3_cell_4_mask_q <= select_2272;
+      sharpness_last_mean_0_q <= and_556_s2_q ? select_562 : sharpness_last_mean_0_q;
+      sharpness_last_mean_1_q <= and_556_s2_q ? select_566 : sharpness_last_mean_1_q;
       middle_sum_columns_values_0_q <= slot_s2_q[0] ? middle_sum_columns_values_0_q : column_s2_q;
-      middle_sum_columns_values_1_q <= select_2589;
-      middle_sum_columns_values_2_q <= select_2590;
-      middle_sum_columns_values_3_q <= select_2591;
-      middle_sum_columns_values_4_q <= select_2592;
-      middle_sum_columns_values_5_q <= select_2593;
-      middle_sum_columns_values_6_q <= select_2594;
-      middle_sum_sum_sums_values_0_q <= slot_s2_q[0] ? middle_sum_sum_sums_values_0_q : sum_1017;
-      sums_0_sum_sums_values_0_q <= sum_1267;
-      sums_0_sum_sums_values_1_q <= equal_1265 ? 8'h0 : sums_0_sum_sums_values_0_q;
-      sums_1_sum_sums_values_0_q <= sum_1515;
-      sums_1_sum_sums_values_1_q <= equal_1265 ? 8'h0 : sums_1_sum_sums_values_0_q;
+      middle_sum_columns_values_1_q <= select_2609;
+      middle_sum_columns_values_2_q <= select_2610;
+      middle_sum_columns_values_3_q <= select_2611;
+      middle_sum_columns_values_4_q <= select_2612;
+      middle_sum_columns_values_5_q <= select_2613;
+      middle_sum_columns_values_6_q <= select_2614;
+      middle_sum_sum_sums_values_0_q <= slot_s2_q[0] ? middle_sum_sum_sums_values_0_q : sum_1024;
+      sums_0_sum_sums_values_0_q <= sum_1274;
+      sums_0_sum_sums_values_1_q <= equal_1272 ? 8'h0 : sums_0_sum_sums_values_0_q;
+      sums_1_sum_sums_values_0_q <= sum_1522;
+      sums_1_sum_sums_values_1_q <= equal_1272 ? 8'h0 : sums_1_sum_sums_values_0_q;
     end
   end
 
@@ -5106,6 +5142,7 @@ module horopter_agreement (
   logic sample_pair_whole_s3_q;
   logic sample_present_s3_q;
   logic census_columns_values_1_cell_2_of_skin_s3_q;
+  logic moments_ended_s3_q;
   logic [6:0] x_s3_q;
   logic age_s3_q;
   logic [2:0] slot_s3_q;
@@ -5119,32 +5156,24 @@ module horopter_agreement (
   logic patches_summed_first_s3_q;
   logic patches_summed_last_s3_q;
   logic [4:0] patches_summed_down_by_s3_q;
-  logic patches_frame_ended_s3_q;
   logic [2:0] region_row_s3_q;
   logic region_fresh_s3_q;
   logic centres_values_1_textured_s3_q;
   logic centres_values_1_of_skin_s3_q;
-  logic [2:0] select_512_s3_q;
+  logic [2:0] select_517_s3_q;
   logic row_starts_s3_q;
-  logic [5:0] select_545_s3_q;
+  logic [5:0] select_550_s3_q;
   logic [5:0] last_s3_q;
-  logic and_549_s3_q;
-  logic and_551_s3_q;
+  logic and_554_s3_q;
+  logic and_556_s3_q;
   logic [8:0] grey_s3_q;
-  logic equal_554_s3_q;
+  logic equal_559_s3_q;
   logic [8:0] grey_2_s3_q;
   logic whole_2_s3_q;
-  logic equal_571_s3_q;
   logic equal_576_s3_q;
-  logic not_577_s3_q;
+  logic equal_583_s3_q;
+  logic not_584_s3_q;
   logic so_s3_q;
-  logic less_657_s3_q;
-  logic less_658_s3_q;
-  logic less_659_s3_q;
-  logic less_660_s3_q;
-  logic less_661_s3_q;
-  logic less_662_s3_q;
-  logic less_663_s3_q;
   logic less_664_s3_q;
   logic less_665_s3_q;
   logic less_666_s3_q;
@@ -5162,98 +5191,105 @@ module horopter_agreement (
   logic less_678_s3_q;
   logic less_679_s3_q;
   logic less_680_s3_q;
-  logic and_688_s3_q;
-  logic and_713_s3_q;
-  logic and_714_s3_q;
-  logic [11:0] sum_729_s3_q;
-  logic [9:0] sum_732_s3_q;
-  logic and_740_s3_q;
-  logic and_744_s3_q;
-  logic less_745_s3_q;
-  logic less_749_s3_q;
-  logic less_751_s3_q;
-  logic equal_1613_s3_q;
+  logic less_681_s3_q;
+  logic less_682_s3_q;
+  logic less_683_s3_q;
+  logic less_684_s3_q;
+  logic less_685_s3_q;
+  logic less_686_s3_q;
+  logic less_687_s3_q;
+  logic and_695_s3_q;
+  logic and_720_s3_q;
+  logic and_721_s3_q;
+  logic [11:0] sum_736_s3_q;
+  logic [9:0] sum_739_s3_q;
+  logic and_747_s3_q;
+  logic and_751_s3_q;
+  logic less_752_s3_q;
+  logic less_756_s3_q;
+  logic less_758_s3_q;
+  logic equal_1620_s3_q;
   logic all_s3_q;
-  logic [1:0] sum_1619_s3_q;
-  logic equal_1621_s3_q;
-  logic equal_1623_s3_q;
-  logic equal_1625_s3_q;
-  logic equal_1627_s3_q;
-  logic equal_1629_s3_q;
-  logic equal_1631_s3_q;
-  logic equal_1633_s3_q;
-  logic equal_1635_s3_q;
-  logic less_1644_s3_q;
-  logic or_1648_s3_q;
-  logic equal_1668_s3_q;
-  logic and_1678_s3_q;
-  logic select_1695_s3_q;
-  logic equal_1696_s3_q;
-  logic and_1704_s3_q;
-  logic equal_1706_s3_q;
-  logic select_1753_s3_q;
-  logic and_1781_s3_q;
-  logic equal_1782_s3_q;
-  logic equal_1784_s3_q;
-  logic not_1789_s3_q;
-  logic and_1797_s3_q;
-  logic [4:0] select_1812_s3_q;
-  logic select_1818_s3_q;
-  logic [3:0] select_1858_s3_q;
-  logic and_1974_s3_q;
-  logic select_1976_s3_q;
-  logic and_1979_s3_q;
-  logic or_1985_s3_q;
-  logic or_1988_s3_q;
-  logic or_1991_s3_q;
-  logic not_1993_s3_q;
-  logic and_2006_s3_q;
-  logic and_2011_s3_q;
-  logic and_2022_s3_q;
-  logic and_2027_s3_q;
-  logic and_2061_s3_q;
-  logic less_2062_s3_q;
-  logic [11:0] sum_2071_s3_q;
+  logic [1:0] sum_1626_s3_q;
+  logic equal_1628_s3_q;
+  logic equal_1630_s3_q;
+  logic equal_1632_s3_q;
+  logic equal_1634_s3_q;
+  logic equal_1636_s3_q;
+  logic equal_1638_s3_q;
+  logic equal_1640_s3_q;
+  logic equal_1642_s3_q;
+  logic less_1651_s3_q;
+  logic or_1655_s3_q;
+  logic equal_1675_s3_q;
+  logic and_1685_s3_q;
+  logic select_1702_s3_q;
+  logic equal_1703_s3_q;
+  logic and_1711_s3_q;
+  logic equal_1713_s3_q;
+  logic select_1760_s3_q;
+  logic and_1788_s3_q;
+  logic equal_1789_s3_q;
+  logic equal_1791_s3_q;
+  logic not_1796_s3_q;
+  logic and_1804_s3_q;
+  logic [4:0] select_1819_s3_q;
+  logic select_1825_s3_q;
+  logic [3:0] select_1865_s3_q;
+  logic and_1981_s3_q;
+  logic select_1983_s3_q;
+  logic and_1986_s3_q;
+  logic or_1992_s3_q;
+  logic or_1995_s3_q;
+  logic or_1998_s3_q;
+  logic not_2000_s3_q;
+  logic and_2014_s3_q;
+  logic and_2020_s3_q;
+  logic and_2031_s3_q;
+  logic and_2036_s3_q;
+  logic and_2070_s3_q;
+  logic less_2071_s3_q;
+  logic [11:0] sum_2080_s3_q;
   logic [2:0] textured_2_s3_q;
-  logic or_2089_s3_q;
-  logic or_2092_s3_q;
-  logic or_2095_s3_q;
+  logic or_2098_s3_q;
+  logic or_2101_s3_q;
+  logic or_2104_s3_q;
   logic [2:0] shown_2_s3_q;
   logic [2:0] near_2_s3_q;
-  logic and_2147_s3_q;
-  logic [11:0] sum_2279_s3_q;
-  logic [9:0] sum_2282_s3_q;
-  logic equal_2290_s3_q;
+  logic and_2156_s3_q;
+  logic [11:0] sum_2288_s3_q;
+  logic [9:0] sum_2291_s3_q;
+  logic equal_2299_s3_q;
   logic [8:0] contrast_s3_q;
   logic [8:0] contrast_2_s3_q;
-  logic equal_2408_s3_q;
-  logic and_2614_s3_q;
-  logic and_2621_s3_q;
-  logic not_2642_s3_q;
+  logic equal_2428_s3_q;
+  logic and_2634_s3_q;
+  logic and_2641_s3_q;
+  logic not_2662_s3_q;
   logic [2:0] explained_2_s3_q;
-  logic and_2686_s3_q;
-  logic and_2721_s3_q;
-  logic and_2781_s3_q;
-  logic and_2782_s3_q;
+  logic and_2706_s3_q;
+  logic and_2741_s3_q;
+  logic and_2801_s3_q;
+  logic and_2802_s3_q;
   logic [7:0] residual_s3_q;
-  logic and_2818_s3_q;
-  logic and_2832_s3_q;
-  logic equal_2874_s3_q;
-  logic parity_3251_s3_q;
-  logic parity_3380_s3_q;
-  logic parity_3442_s3_q;
-  logic xor_3470_s3_q;
-  logic parity_3482_s3_q;
-  logic or_3486_s3_q;
-  logic equal_3487_s3_q;
-  logic and_3587_s3_q;
-  logic less_3612_s3_q;
-  logic equal_3912_s3_q;
-  logic and_4086_s3_q;
-  logic and_4134_s3_q;
-  logic and_4136_s3_q;
-  logic not_4154_s3_q;
-  logic equal_4207_s3_q;
+  logic and_2838_s3_q;
+  logic and_2852_s3_q;
+  logic equal_2894_s3_q;
+  logic parity_3271_s3_q;
+  logic parity_3400_s3_q;
+  logic parity_3462_s3_q;
+  logic xor_3490_s3_q;
+  logic parity_3502_s3_q;
+  logic or_3506_s3_q;
+  logic equal_3507_s3_q;
+  logic and_3607_s3_q;
+  logic less_3632_s3_q;
+  logic equal_3931_s3_q;
+  logic and_4105_s3_q;
+  logic and_4153_s3_q;
+  logic and_4155_s3_q;
+  logic not_4173_s3_q;
+  logic equal_4227_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       saturated_s3_q <= saturated_s2_q;
@@ -5265,6 +5301,7 @@ module horopter_agreement (
       sample_pair_whole_s3_q <= sample_pair_whole_s2_q;
       sample_present_s3_q <= sample_present_s2_q;
       census_columns_values_1_cell_2_of_skin_s3_q <= census_columns_values_1_cell_2_of_skin_q;
+      moments_ended_s3_q <= moments_ended_q;
       x_s3_q <= x_s2_q[6:0];
       age_s3_q <= age_s2_q[2];
       slot_s3_q <= slot_s2_q;
@@ -5278,32 +5315,24 @@ module horopter_agreement (
       patches_summed_first_s3_q <= patches_summed_first_q;
       patches_summed_last_s3_q <= patches_summed_last_s2_q;
       patches_summed_down_by_s3_q <= patches_summed_down_by_s2_q;
-      patches_frame_ended_s3_q <= patches_frame_ended_q;
       region_row_s3_q <= region_row_q;
       region_fresh_s3_q <= region_fresh_q;
       centres_values_1_textured_s3_q <= centres_values_1_textured_q;
       centres_values_1_of_skin_s3_q <= centres_values_1_of_skin_q;
-      select_512_s3_q <= select_512_s2_q;
+      select_517_s3_q <= select_517_s2_q;
       row_starts_s3_q <= row_starts_s2_q;
-      select_545_s3_q <= select_545_s2_q;
+      select_550_s3_q <= select_550_s2_q;
       last_s3_q <= last_s2_2_q;
-      and_549_s3_q <= and_549_s2_q;
-      and_551_s3_q <= and_551_s2_q;
+      and_554_s3_q <= and_554_s2_q;
+      and_556_s3_q <= and_556_s2_q;
       grey_s3_q <= grey;
-      equal_554_s3_q <= equal_554;
+      equal_559_s3_q <= equal_559;
       grey_2_s3_q <= grey_2;
       whole_2_s3_q <= whole_2;
-      equal_571_s3_q <= equal_571_s2_q;
       equal_576_s3_q <= equal_576_s2_q;
-      not_577_s3_q <= not_577_s2_q;
+      equal_583_s3_q <= equal_583_s2_q;
+      not_584_s3_q <= not_584_s2_q;
       so_s3_q <= drew_q;
-      less_657_s3_q <= less_657;
-      less_658_s3_q <= less_658;
-      less_659_s3_q <= less_659;
-      less_660_s3_q <= less_660;
-      less_661_s3_q <= less_661;
-      less_662_s3_q <= less_662;
-      less_663_s3_q <= less_663;
       less_664_s3_q <= less_664;
       less_665_s3_q <= less_665;
       less_666_s3_q <= less_666;
@@ -5321,98 +5350,105 @@ module horopter_agreement (
       less_678_s3_q <= less_678;
       less_679_s3_q <= less_679;
       less_680_s3_q <= less_680;
-      and_688_s3_q <= and_688;
-      and_713_s3_q <= whole_22 & and_688;
-      and_714_s3_q <= census_columns_values_1_cell_2_mask_q & and_688;
-      sum_729_s3_q <= {1'b0, sum_725} + {2'h0, sum_728};
-      sum_732_s3_q <= {9'h0, difference_730[9]} + {1'b0, xor_731};
-      and_740_s3_q <= and_740;
-      and_744_s3_q <= and_744;
-      less_745_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
-      less_749_s3_q <= {{5{sum_748[6]}}, sum_748, half_grey_levels_2[3:0]} < 16'hffe1;
-      less_751_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
-      equal_1613_s3_q <= equal_1613;
+      less_681_s3_q <= less_681;
+      less_682_s3_q <= less_682;
+      less_683_s3_q <= less_683;
+      less_684_s3_q <= less_684;
+      less_685_s3_q <= less_685;
+      less_686_s3_q <= less_686;
+      less_687_s3_q <= less_687;
+      and_695_s3_q <= and_695;
+      and_720_s3_q <= whole_22 & and_695;
+      and_721_s3_q <= census_columns_values_1_cell_2_mask_q & and_695;
+      sum_736_s3_q <= {1'b0, sum_732} + {2'h0, sum_735};
+      sum_739_s3_q <= {9'h0, difference_737[9]} + {1'b0, xor_738};
+      and_747_s3_q <= and_747;
+      and_751_s3_q <= and_751;
+      less_752_s3_q <= $signed(10'h0) < $signed(half_grey_levels);
+      less_756_s3_q <= {{5{sum_755[6]}}, sum_755, half_grey_levels_2[3:0]} < 16'hffe1;
+      less_758_s3_q <= $signed(10'h0) < $signed(half_grey_levels_2);
+      equal_1620_s3_q <= equal_1620;
       all_s3_q <= all;
-      sum_1619_s3_q <= sum_1619;
-      equal_1621_s3_q <= equal_1621;
-      equal_1623_s3_q <= equal_1623;
-      equal_1625_s3_q <= equal_1625;
-      equal_1627_s3_q <= equal_1627;
-      equal_1629_s3_q <= equal_1629;
-      equal_1631_s3_q <= equal_1631;
-      equal_1633_s3_q <= equal_1633;
-      equal_1635_s3_q <= equal_1635;
-      less_1644_s3_q <= less_1644;
-      or_1648_s3_q <= or_1648;
-      equal_1668_s3_q <= (registration_fresh_q & select_1666) == 4'h0;
-      and_1678_s3_q <= not_577_s2_q & and_1662;
-      select_1695_s3_q <= select_1695[1];
-      equal_1696_s3_q <= equal_1696;
-      and_1704_s3_q <= and_1704;
-      equal_1706_s3_q <= equal_1706;
-      select_1753_s3_q <= select_1753;
-      and_1781_s3_q <= and_1781;
-      equal_1782_s3_q <= equal_1782_s2_q;
-      equal_1784_s3_q <= equal_1784_s2_q;
-      not_1789_s3_q <= not_1789_s2_q;
-      and_1797_s3_q <= and_1781 & equal_1796;
-      select_1812_s3_q <= select_1812_s2_q;
-      select_1818_s3_q <= select_1818_s2_q;
-      select_1858_s3_q <= select_1858_s2_q;
-      and_1974_s3_q <= and_1974_s2_q;
-      select_1976_s3_q <= select_1976_s2_q;
-      and_1979_s3_q <= and_1979_s2_q;
-      or_1985_s3_q <= or_1985;
-      or_1988_s3_q <= or_1988;
-      or_1991_s3_q <= or_1991;
-      not_1993_s3_q <= not_1993;
-      and_2006_s3_q <= inside_v_s2_q & (and_2004 & not_640_s2_q);
-      and_2011_s3_q <= inside_v_s2_q & and_641;
-      and_2022_s3_q <= inside_v_s2_q & (not_640_s2_q & (and_2019 & and_1591));
-      and_2027_s3_q <= not_577_s2_q & and_2000;
-      and_2061_s3_q <= and_2061;
-      less_2062_s3_q <= less_2062;
-      sum_2071_s3_q <= sum_2071;
+      sum_1626_s3_q <= sum_1626;
+      equal_1628_s3_q <= equal_1628;
+      equal_1630_s3_q <= equal_1630;
+      equal_1632_s3_q <= equal_1632;
+      equal_1634_s3_q <= equal_1634;
+      equal_1636_s3_q <= equal_1636;
+      equal_1638_s3_q <= equal_1638;
+      equal_1640_s3_q <= equal_1640;
+      equal_1642_s3_q <= equal_1642;
+      less_1651_s3_q <= less_1651;
+      or_1655_s3_q <= or_1655;
+      equal_1675_s3_q <= (registration_fresh_q & select_1673) == 4'h0;
+      and_1685_s3_q <= not_584_s2_q & and_1669;
+      select_1702_s3_q <= select_1702[1];
+      equal_1703_s3_q <= equal_1703;
+      and_1711_s3_q <= and_1711;
+      equal_1713_s3_q <= equal_1713;
+      select_1760_s3_q <= select_1760;
+      and_1788_s3_q <= and_1788;
+      equal_1789_s3_q <= equal_1789_s2_q;
+      equal_1791_s3_q <= equal_1791_s2_q;
+      not_1796_s3_q <= not_1796_s2_q;
+      and_1804_s3_q <= and_1788 & equal_1803;
+      select_1819_s3_q <= select_1819_s2_q;
+      select_1825_s3_q <= select_1825_s2_q;
+      select_1865_s3_q <= select_1865_s2_q;
+      and_1981_s3_q <= and_1981_s2_q;
+      select_1983_s3_q <= select_1983_s2_q;
+      and_1986_s3_q <= and_1986_s2_q;
+      or_1992_s3_q <= or_1992;
+      or_1995_s3_q <= or_1995;
+      or_1998_s3_q <= or_1998;
+      not_2000_s3_q <= not_2000;
+      and_2014_s3_q <= inside_v_s2_q & (and_2011 & not_2012_s2_q);
+      and_2020_s3_q <= inside_v_s2_q & (and_643 & not_2012_s2_q);
+      and_2031_s3_q <= inside_v_s2_q & (not_2012_s2_q & (and_2028 & and_1598));
+      and_2036_s3_q <= not_584_s2_q & and_2007;
+      and_2070_s3_q <= and_2070;
+      less_2071_s3_q <= less_2071;
+      sum_2080_s3_q <= sum_2080;
       textured_2_s3_q <= textured_2;
-      or_2089_s3_q <= or_2089;
-      or_2092_s3_q <= select_2086[7] | (~({select_2086[6], select_2086[3:2]} == 3'h0));
-      or_2095_s3_q <= select_2086[7] | (~(select_2086[6:4] == 3'h0));
+      or_2098_s3_q <= or_2098;
+      or_2101_s3_q <= select_2095[7] | (~({select_2095[6], select_2095[3:2]} == 3'h0));
+      or_2104_s3_q <= select_2095[7] | (~(select_2095[6:4] == 3'h0));
       shown_2_s3_q <= shown_2;
       near_2_s3_q <= near_2;
-      and_2147_s3_q <= and_2147;
-      sum_2279_s3_q <= {1'b0, sum_2275} + {2'h0, sum_2278};
-      sum_2282_s3_q <= {9'h0, difference_2280[9]} + {1'b0, xor_2281};
-      equal_2290_s3_q <= equal_2290_s2_q;
+      and_2156_s3_q <= and_2156;
+      sum_2288_s3_q <= {1'b0, sum_2284} + {2'h0, sum_2287};
+      sum_2291_s3_q <= {9'h0, difference_2289[9]} + {1'b0, xor_2290};
+      equal_2299_s3_q <= equal_2299_s2_q;
       contrast_s3_q <= contrast;
       contrast_2_s3_q <= contrast_2;
-      equal_2408_s3_q <= x_s2_q[7:3] == 5'h0;
-      and_2614_s3_q <= and_2614;
-      and_2621_s3_q <= not_577_s2_q & (drew_q & and_2619);
-      not_2642_s3_q <= ~((draws_late_q & not_640_s2_q) | (x_s2_q[7:1] == 7'h0));
+      equal_2428_s3_q <= x_s2_q[7:3] == 5'h0;
+      and_2634_s3_q <= and_2634;
+      and_2641_s3_q <= not_584_s2_q & (drew_q & and_2639);
+      not_2662_s3_q <= ~((draws_late_q & not_2012_s2_q) | (x_s2_q[7:1] == 7'h0));
       explained_2_s3_q <= explained_2;
-      and_2686_s3_q <= not_577_s2_q & (drew_q & and_2684);
-      and_2721_s3_q <= not_577_s2_q & (drew_q & and_2719);
-      and_2781_s3_q <= not_577_s2_q & (drew_q & (half_ends & equal_2778));
-      and_2782_s3_q <= and_2782;
+      and_2706_s3_q <= not_584_s2_q & (drew_q & and_2704);
+      and_2741_s3_q <= not_584_s2_q & (drew_q & and_2739);
+      and_2801_s3_q <= not_584_s2_q & (drew_q & (half_ends & equal_2798));
+      and_2802_s3_q <= and_2802;
       residual_s3_q <= residual[7:0];
-      and_2818_s3_q <= and_2818;
-      and_2832_s3_q <= and_2782 & less_2831;
-      equal_2874_s3_q <= (registration_fresh_q & select_2872) == 4'h0;
-      parity_3251_s3_q <= ^{xor_3247, xor_3210, select_3177[44:36], other[44:36]};
-      parity_3380_s3_q <= parity_3380;
-      parity_3442_s3_q <= parity_3442;
-      xor_3470_s3_q <= parity_3457 ^ parity_3469;
-      parity_3482_s3_q <= ^{or_3479, or_3475, and_3471};
-      or_3486_s3_q <= (or_3475 & or_3479) | (and_3471 & (or_3475 | or_3479));
-      equal_3487_s3_q <= equal_3487_s2_q;
-      and_3587_s3_q <= equal_1782_s2_q & equal_3584_s2_q;
-      less_3612_s3_q <= select_3577 < select_3579;
-      equal_3912_s3_q <= equal_3912_s2_q;
-      and_4086_s3_q <= said_q;
-      and_4134_s3_q <= and_2147 & (sum_2071 == sum_2054);
-      and_4136_s3_q <= and_4136_s2_q;
-      not_4154_s3_q <= not_4154_s2_q;
-      equal_4207_s3_q <= (registration_fresh_q & select_4205) == 4'h0;
+      and_2838_s3_q <= and_2838;
+      and_2852_s3_q <= and_2802 & less_2851;
+      equal_2894_s3_q <= (registration_fresh_q & select_2892) == 4'h0;
+      parity_3271_s3_q <= ^{xor_3267, xor_3230, select_3197[44:36], other[44:36]};
+      parity_3400_s3_q <= parity_3400;
+      parity_3462_s3_q <= parity_3462;
+      xor_3490_s3_q <= parity_3477 ^ parity_3489;
+      parity_3502_s3_q <= ^{or_3499, or_3495, and_3491};
+      or_3506_s3_q <= (or_3495 & or_3499) | (and_3491 & (or_3495 | or_3499));
+      equal_3507_s3_q <= equal_3507_s2_q;
+      and_3607_s3_q <= equal_1789_s2_q & equal_3604_s2_q;
+      less_3632_s3_q <= select_3597 < select_3599;
+      equal_3931_s3_q <= equal_3931_s2_q;
+      and_4105_s3_q <= said_q;
+      and_4153_s3_q <= and_2156 & (sum_2080 == sum_2063);
+      and_4155_s3_q <= and_4155_s2_q;
+      not_4173_s3_q <= not_4173_s2_q;
+      equal_4227_s3_q <= (registration_fresh_q & select_4225) == 4'h0;
     end
   end
 
@@ -5592,747 +5628,747 @@ module horopter_agreement (
   logic nearer_q;
   // hls/stages/census.hpp:284
   logic [11:0] texture;
-  assign texture = sum_729_s3_q + {2'h0, sum_732_s3_q};
+  assign texture = sum_736_s3_q + {2'h0, sum_739_s3_q};
   // hls/stages/census.hpp:295
-  logic [12:0] sum_734;
-  assign sum_734 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
-  logic [13:0] sum_736;
-  assign sum_736 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_734});
+  logic [12:0] sum_741;
+  assign sum_741 = {1'b0, census_changes_values_0_left_q} + {1'b0, texture};
+  logic [13:0] sum_743;
+  assign sum_743 = {2'h0, census_changes_values_2_left_q} + ({2'h0, census_changes_values_1_left_q} + {1'b0, sum_741});
   // hls/stages/census.hpp:317
-  logic less_737;
-  assign less_737 = 9'h4 < sum_736[13:5];
-  logic and_738;
-  assign and_738 = and_688_s3_q & less_737;
-  // hls/stages/moments.hpp:30
-  logic and_750;
-  assign and_750 = (and_713_s3_q & and_740_s3_q) & less_749_s3_q;
+  logic less_744;
+  assign less_744 = 9'h4 < sum_743[13:5];
+  logic and_745;
+  assign and_745 = and_695_s3_q & less_744;
+  // hls/stages/moments.hpp:33
+  logic and_757;
+  assign and_757 = (and_720_s3_q & and_747_s3_q) & less_756_s3_q;
   // hls/stages/registration.hpp:265
-  logic equal_1670;
-  assign equal_1670 = sum_1619_s3_q == 2'h0;
+  logic equal_1677;
+  assign equal_1677 = sum_1626_s3_q == 2'h0;
   // hls/stages/registration.hpp:263
   logic [6:0] down;
-  assign down = sum_1619_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
+  assign down = sum_1626_s3_q[0] ? registration_half_votes_down_q : registration_half_half_votes_down_q;
   // hls/stages/registration.hpp:265
-  logic [13:0] select_1672;
-  assign select_1672 = equal_1670 ? registration_half_across_q : {{7{down[6]}}, down};
-  logic [19:0] sum_1673;
-  assign sum_1673 = (equal_1668_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1672[13]}}, select_1672};
+  logic [13:0] select_1679;
+  assign select_1679 = equal_1677 ? registration_half_across_q : {{7{down[6]}}, down};
+  logic [19:0] sum_1680;
+  assign sum_1680 = (equal_1675_s3_q ? registration_sums_rdata_q[19:0] : 20'h0) + {{6{select_1679[13]}}, select_1679};
   // hls/stages/registration.hpp:264
   logic [6:0] up;
-  assign up = sum_1619_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
+  assign up = sum_1626_s3_q[0] ? registration_half_votes_up_q : registration_half_half_votes_up_q;
   // hls/stages/registration.hpp:266
-  logic [6:0] select_1676;
-  assign select_1676 = equal_1670 ? {1'b0, registration_half_measured_q} : up;
-  logic [11:0] sum_1677;
-  assign sum_1677 = (equal_1668_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1676[6]}}, select_1676};
+  logic [6:0] select_1683;
+  assign select_1683 = equal_1677 ? {1'b0, registration_half_measured_q} : up;
+  logic [11:0] sum_1684;
+  assign sum_1684 = (equal_1675_s3_q ? registration_sums_rdata_q[31:20] : 12'h0) + {{5{select_1683[6]}}, select_1683};
   // hls/stages/patches.hpp:357
-  logic [22:0] select_1798;
-  assign select_1798 = and_1797_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1753_s3_q} : patches_choices_rdata_q;
+  logic [22:0] select_1805;
+  assign select_1805 = and_1804_s3_q ? {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1760_s3_q} : patches_choices_rdata_q;
   // hls/stages/patches.hpp:127
-  logic select_1800;
-  assign select_1800 = equal_1696_s3_q ? patches_place_0_valid_q : (select_1695_s3_q ? patches_place_0_valid_q : select_1798[0]);
+  logic select_1807;
+  assign select_1807 = equal_1703_s3_q ? patches_place_0_valid_q : (select_1702_s3_q ? patches_place_0_valid_q : select_1805[0]);
   // hls/stages/patches.hpp:132
-  logic [7:0] sum_1801;
-  assign sum_1801 = {1'b0, select_545_s3_q, select_512_s3_q[2]} + 8'h3;
+  logic [7:0] sum_1808;
+  assign sum_1808 = {1'b0, select_550_s3_q, select_517_s3_q[2]} + 8'h3;
   // hls/stages/patches.hpp:358
-  logic [21:0] select_1802;
-  assign select_1802 = select_1695_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1798[22:1];
+  logic [21:0] select_1809;
+  assign select_1809 = select_1702_s3_q ? {patches_place_0_slope_q, patches_place_0_shift_q, patches_place_0_column_q} : select_1805[22:1];
   // hls/stages/patches.hpp:127
-  logic [7:0] select_1803;
-  assign select_1803 = equal_1696_s3_q ? patches_place_0_column_q : select_1802[7:0];
-  logic [5:0] select_1804;
-  assign select_1804 = equal_1696_s3_q ? patches_place_0_shift_q : select_1802[13:8];
+  logic [7:0] select_1810;
+  assign select_1810 = equal_1703_s3_q ? patches_place_0_column_q : select_1809[7:0];
+  logic [5:0] select_1811;
+  assign select_1811 = equal_1703_s3_q ? patches_place_0_shift_q : select_1809[13:8];
   // hls/stages/patches.hpp:328
-  logic [7:0] sum_1805;
-  assign sum_1805 = select_1803 + {{2{select_1804[5]}}, select_1804};
+  logic [7:0] sum_1812;
+  assign sum_1812 = select_1810 + {{2{select_1811[5]}}, select_1811};
   // hls/stages/patches.hpp:132
-  logic equal_1806;
-  assign equal_1806 = {sum_1805, sum_1801[0], select_512_s3_q[1:0]} == {1'b0, sum_1801[7:1], 3'h0};
+  logic equal_1813;
+  assign equal_1813 = {sum_1812, sum_1808[0], select_517_s3_q[1:0]} == {1'b0, sum_1808[7:1], 3'h0};
   // hls/stages/patches.hpp:134
-  logic or_1808;
-  assign or_1808 = row_starts_s3_q | (select_1800 & equal_1806);
+  logic or_1815;
+  assign or_1815 = row_starts_s3_q | (select_1807 & equal_1813);
   // hls/stages/agreement.hpp:277
-  logic [4:0] select_1809;
-  assign select_1809 = or_1808 ? 5'h0 : patches_right_next_0_q[4:0];
+  logic [4:0] select_1816;
+  assign select_1816 = or_1815 ? 5'h0 : patches_right_next_0_q[4:0];
   // hls/stages/patches.hpp:134
-  logic [5:0] select_1819;
-  assign select_1819 = or_1808 ? {row_starts_s3_q, 5'h0} : patches_right_next_0_q;
+  logic [5:0] select_1826;
+  assign select_1826 = or_1815 ? {row_starts_s3_q, 5'h0} : patches_right_next_0_q;
   // hls/stages/patches.hpp:138
-  logic and_1821;
-  assign and_1821 = select_1818_s3_q & (~select_1819[5]);
+  logic and_1828;
+  assign and_1828 = select_1825_s3_q & (~select_1826[5]);
   // hls/stages/patches.hpp:127
-  logic select_1829;
-  assign select_1829 = equal_1696_s3_q ? patches_place_1_valid_q : (select_1695_s3_q ? select_1798[0] : patches_place_1_valid_q);
+  logic select_1836;
+  assign select_1836 = equal_1703_s3_q ? patches_place_1_valid_q : (select_1702_s3_q ? select_1805[0] : patches_place_1_valid_q);
   // hls/stages/patches.hpp:358
-  logic [21:0] select_1830;
-  assign select_1830 = select_1695_s3_q ? select_1798[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
+  logic [21:0] select_1837;
+  assign select_1837 = select_1702_s3_q ? select_1805[22:1] : {patches_place_1_slope_q, patches_place_1_shift_q, patches_place_1_column_q};
   // hls/stages/patches.hpp:127
-  logic [7:0] select_1831;
-  assign select_1831 = equal_1696_s3_q ? patches_place_1_column_q : select_1830[7:0];
-  logic [5:0] select_1832;
-  assign select_1832 = equal_1696_s3_q ? patches_place_1_shift_q : select_1830[13:8];
+  logic [7:0] select_1838;
+  assign select_1838 = equal_1703_s3_q ? patches_place_1_column_q : select_1837[7:0];
+  logic [5:0] select_1839;
+  assign select_1839 = equal_1703_s3_q ? patches_place_1_shift_q : select_1837[13:8];
   // hls/stages/patches.hpp:328
-  logic [7:0] sum_1833;
-  assign sum_1833 = select_1831 + {{2{select_1832[5]}}, select_1832};
+  logic [7:0] sum_1840;
+  assign sum_1840 = select_1838 + {{2{select_1839[5]}}, select_1839};
   // hls/stages/patches.hpp:132
-  logic equal_1834;
-  assign equal_1834 = {sum_1833[7], sum_1801, select_512_s3_q[1:0]} == {1'b0, sum_1833[6:0], 3'h0};
+  logic equal_1841;
+  assign equal_1841 = {sum_1840[7], sum_1808, select_517_s3_q[1:0]} == {1'b0, sum_1840[6:0], 3'h0};
   // hls/stages/patches.hpp:134
-  logic or_1836;
-  assign or_1836 = row_starts_s3_q | (select_1829 & equal_1834);
+  logic or_1843;
+  assign or_1843 = row_starts_s3_q | (select_1836 & equal_1841);
   // hls/stages/agreement.hpp:277
-  logic [4:0] select_1837;
-  assign select_1837 = or_1836 ? 5'h0 : patches_right_next_1_q[4:0];
+  logic [4:0] select_1844;
+  assign select_1844 = or_1843 ? 5'h0 : patches_right_next_1_q[4:0];
   // hls/stages/patches.hpp:134
-  logic [5:0] select_1838;
-  assign select_1838 = or_1836 ? {row_starts_s3_q, 5'h0} : patches_right_next_1_q;
+  logic [5:0] select_1845;
+  assign select_1845 = or_1843 ? {row_starts_s3_q, 5'h0} : patches_right_next_1_q;
   // hls/stages/patches.hpp:138
-  logic and_1840;
-  assign and_1840 = select_1818_s3_q & (~select_1838[5]);
+  logic and_1847;
+  assign and_1847 = select_1825_s3_q & (~select_1845[5]);
   // hls/stages/patches.hpp:323
-  logic [6:0] sum_1847;
-  assign sum_1847 = select_1803[6:0] + 7'h7f;
+  logic [6:0] sum_1854;
+  assign sum_1854 = select_1810[6:0] + 7'h7f;
   // hls/stages/patches.hpp:133
-  logic equal_1848;
-  assign equal_1848 = {sum_1847[6], select_545_s3_q, select_512_s3_q} == {1'b0, sum_1847[5:0], 3'h4};
+  logic equal_1855;
+  assign equal_1855 = {sum_1854[6], select_550_s3_q, select_517_s3_q} == {1'b0, sum_1854[5:0], 3'h4};
   // hls/stages/patches.hpp:135
-  logic or_1850;
-  assign or_1850 = row_starts_s3_q | (select_1800 & equal_1848);
-  logic [4:0] select_1851;
-  assign select_1851 = or_1850 ? {row_starts_s3_q, 4'h0} : patches_left_next_0_q;
+  logic or_1857;
+  assign or_1857 = row_starts_s3_q | (select_1807 & equal_1855);
+  logic [4:0] select_1858;
+  assign select_1858 = or_1857 ? {row_starts_s3_q, 4'h0} : patches_left_next_0_q;
   // hls/stages/patches.hpp:323
-  logic [6:0] sum_1852;
-  assign sum_1852 = select_1831[6:0] + 7'h7f;
+  logic [6:0] sum_1859;
+  assign sum_1859 = select_1838[6:0] + 7'h7f;
   // hls/stages/patches.hpp:133
-  logic equal_1853;
-  assign equal_1853 = {sum_1852[6], select_545_s3_q, select_512_s3_q} == {1'b0, sum_1852[5:0], 3'h4};
+  logic equal_1860;
+  assign equal_1860 = {sum_1859[6], select_550_s3_q, select_517_s3_q} == {1'b0, sum_1859[5:0], 3'h4};
   // hls/stages/patches.hpp:135
-  logic [4:0] select_1856;
-  assign select_1856 = (row_starts_s3_q | (select_1829 & equal_1853)) ? {row_starts_s3_q, 4'h0} : patches_left_next_1_q;
+  logic [4:0] select_1863;
+  assign select_1863 = (row_starts_s3_q | (select_1836 & equal_1860)) ? {row_starts_s3_q, 4'h0} : patches_left_next_1_q;
   // hls/stages/patches.hpp:143
   logic [3:0] column_4;
-  assign column_4 = select_1851[4] ? select_1856[3:0] : select_1851[3:0];
+  assign column_4 = select_1858[4] ? select_1863[3:0] : select_1858[3:0];
   // hls/stages/agreement.hpp:277
-  logic select_1859;
-  assign select_1859 = or_1850 ? row_starts_s3_q : patches_left_next_0_q[4];
+  logic select_1866;
+  assign select_1866 = or_1857 ? row_starts_s3_q : patches_left_next_0_q[4];
   // hls/stages/patches.hpp:143
-  logic and_1865;
-  assign and_1865 = (select_1818_s3_q & (select_1812_s3_q[3] ^ select_1812_s3_q[4])) & ((~select_1851[4]) | (~select_1856[4]));
+  logic and_1872;
+  assign and_1872 = (select_1825_s3_q & (select_1819_s3_q[3] ^ select_1819_s3_q[4])) & ((~select_1858[4]) | (~select_1863[4]));
   // hls/stages/patches.hpp:186
-  logic less_1969;
-  assign less_1969 = patches_sums_values_0_q < patches_best_differing_q;
+  logic less_1976;
+  assign less_1976 = patches_sums_values_0_q < patches_best_differing_q;
   // hls/stages/patches.hpp:187
-  logic not_1970;
-  assign not_1970 = ~less_1969;
-  logic [1:0] select_1971;
-  assign select_1971 = patches_summed_first_s3_q ? 2'h2 : {less_1969, not_1970};
-  logic [12:0] select_1972;
-  assign select_1972 = select_1971[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
-  logic [14:0] select_1980;
-  assign select_1980 = select_1971[0] ? {patches_best_column_q, patches_best_differing_q} : {4'h0, and_1979_s3_q, 1'b0, select_1976_s3_q, left_pixel_q};
-  logic [14:0] select_1981;
-  assign select_1981 = select_1971[1] ? {select_1972[12:8], patches_sums_values_0_q[9:8], select_1972[7:0]} : select_1980;
+  logic not_1977;
+  assign not_1977 = ~less_1976;
+  logic [1:0] select_1978;
+  assign select_1978 = patches_summed_first_s3_q ? 2'h2 : {less_1976, not_1977};
+  logic [12:0] select_1979;
+  assign select_1979 = select_1978[0] ? {4'h0, patches_summed_first_s3_q, 3'h0, patches_summed_row_column_s3_q} : {patches_summed_row_column_s3_q, patches_sums_values_0_q[7:0]};
+  logic [14:0] select_1987;
+  assign select_1987 = select_1978[0] ? {patches_best_column_q, patches_best_differing_q} : {4'h0, and_1986_s3_q, 1'b0, select_1983_s3_q, left_pixel_q};
+  logic [14:0] select_1988;
+  assign select_1988 = select_1978[1] ? {select_1979[12:8], patches_sums_values_0_q[9:8], select_1979[7:0]} : select_1987;
   // hls/stages/agreement.hpp:910
-  logic [5:0] select_2007;
-  assign select_2007 = segment_started_q ? segment_textured_q : 6'h0;
+  logic [5:0] select_2015;
+  assign select_2015 = segment_started_q ? segment_textured_q : 6'h0;
   // hls/stages/agreement.hpp:911
-  logic [5:0] sum_2008;
-  assign sum_2008 = {5'h0, and_2006_s3_q} + select_2007;
-  // hls/stages/agreement.hpp:1072
-  logic [9:0] sum_2010;
-  assign sum_2010 = {4'h0, sum_2008} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
+  logic [5:0] sum_2016;
+  assign sum_2016 = {5'h0, and_2014_s3_q} + select_2015;
+  // hls/stages/agreement.hpp:1075
+  logic [9:0] sum_2018;
+  assign sum_2018 = {4'h0, sum_2016} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
   // hls/stages/agreement.hpp:910
-  logic [5:0] select_2012;
-  assign select_2012 = segment_started_q ? segment_explained_q : 6'h0;
+  logic [5:0] select_2021;
+  assign select_2021 = segment_started_q ? segment_explained_q : 6'h0;
   // hls/stages/agreement.hpp:911
-  logic [5:0] sum_2013;
-  assign sum_2013 = {5'h0, and_2011_s3_q} + select_2012;
-  // hls/stages/agreement.hpp:1073
-  logic [9:0] sum_2015;
-  assign sum_2015 = {4'h0, sum_2013} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
+  logic [5:0] sum_2022;
+  assign sum_2022 = {5'h0, and_2020_s3_q} + select_2021;
+  // hls/stages/agreement.hpp:1076
+  logic [9:0] sum_2024;
+  assign sum_2024 = {4'h0, sum_2022} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
   // hls/stages/agreement.hpp:910
-  logic [5:0] select_2023;
-  assign select_2023 = segment_started_q ? segment_nearer_q : 6'h0;
+  logic [5:0] select_2032;
+  assign select_2032 = segment_started_q ? segment_nearer_q : 6'h0;
   // hls/stages/agreement.hpp:912
-  logic [5:0] sum_2024;
-  assign sum_2024 = {5'h0, and_2022_s3_q} + select_2023;
-  // hls/stages/agreement.hpp:1074
-  logic [9:0] sum_2026;
-  assign sum_2026 = {4'h0, sum_2024} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
-  // hls/stages/agreement.hpp:1105
-  logic [2:0] select_2080;
-  assign select_2080 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2081;
-  assign difference_2081 = {1'b0, textured_2_s3_q} - {1'b0, select_2080};
-  logic [4:0] t;
-  assign t = {difference_2081[3], difference_2081} + (equal_571_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1111
-  logic equal_2084;
-  assign equal_2084 = t[4:1] == 4'h0;
-  // hls/stages/agreement.hpp:1112
-  logic not_2096;
-  assign not_2096 = ~region_row_s3_q[2];
-  logic [2:0] select_2097;
-  assign select_2097 = region_row_s3_q[1] ? {1'b0, not_2096, 1'b0} : {region_row_s3_q[2], 1'b0, not_2096};
-  logic [5:0] select_2098;
-  assign select_2098 = region_row_s3_q[0] ? {select_2097[2], 1'b0, select_2097[1], 1'b0, select_2097[0], 1'b0} : {1'b0, select_2097[2], 1'b0, select_2097[1], 1'b0, select_2097[0]};
-  logic [11:0] select_2099;
-  assign select_2099 = or_2095_s3_q ? {select_2098[5], 1'b0, select_2098[4], 1'b0, select_2098[3], 1'b0, select_2098[2], 1'b0, select_2098[1], 1'b0, select_2098[0], 1'b0} : {1'b0, select_2098[5], 1'b0, select_2098[4], 1'b0, select_2098[3], 1'b0, select_2098[2], 1'b0, select_2098[1], 1'b0, select_2098[0]};
-  logic [23:0] select_2100;
-  assign select_2100 = or_2092_s3_q ? {select_2099[11], 1'b0, select_2099[10], 1'b0, select_2099[9], 1'b0, select_2099[8], 1'b0, select_2099[7], 1'b0, select_2099[6], 1'b0, select_2099[5], 1'b0, select_2099[4], 1'b0, select_2099[3], 1'b0, select_2099[2], 1'b0, select_2099[1], 1'b0, select_2099[0], 1'b0} : {1'b0, select_2099[11], 1'b0, select_2099[10], 1'b0, select_2099[9], 1'b0, select_2099[8], 1'b0, select_2099[7], 1'b0, select_2099[6], 1'b0, select_2099[5], 1'b0, select_2099[4], 1'b0, select_2099[3], 1'b0, select_2099[2], 1'b0, select_2099[1], 1'b0, select_2099[0]};
-  logic [47:0] select_2101;
-  assign select_2101 = or_2089_s3_q ? {select_2100[23], 1'b0, select_2100[22], 1'b0, select_2100[21], 1'b0, select_2100[20], 1'b0, select_2100[19], 1'b0, select_2100[18], 1'b0, select_2100[17], 1'b0, select_2100[16], 1'b0, select_2100[15], 1'b0, select_2100[14], 1'b0, select_2100[13], 1'b0, select_2100[12], 1'b0, select_2100[11], 1'b0, select_2100[10], 1'b0, select_2100[9], 1'b0, select_2100[8], 1'b0, select_2100[7], 1'b0, select_2100[6], 1'b0, select_2100[5], 1'b0, select_2100[4], 1'b0, select_2100[3], 1'b0, select_2100[2], 1'b0, select_2100[1], 1'b0, select_2100[0], 1'b0} : {1'b0, select_2100[23], 1'b0, select_2100[22], 1'b0, select_2100[21], 1'b0, select_2100[20], 1'b0, select_2100[19], 1'b0, select_2100[18], 1'b0, select_2100[17], 1'b0, select_2100[16], 1'b0, select_2100[15], 1'b0, select_2100[14], 1'b0, select_2100[13], 1'b0, select_2100[12], 1'b0, select_2100[11], 1'b0, select_2100[10], 1'b0, select_2100[9], 1'b0, select_2100[8], 1'b0, select_2100[7], 1'b0, select_2100[6], 1'b0, select_2100[5], 1'b0, select_2100[4], 1'b0, select_2100[3], 1'b0, select_2100[2], 1'b0, select_2100[1], 1'b0, select_2100[0]};
-  // hls/stages/agreement.hpp:1040
-  logic and_2105;
-  assign and_2105 = good_known_q & (~((good_q & select_2101) == 48'h0));
-  // hls/stages/agreement.hpp:1107
-  logic [2:0] select_2114;
-  assign select_2114 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2115;
-  assign difference_2115 = {1'b0, shown_2_s3_q} - {1'b0, select_2114};
-  logic [4:0] around;
-  assign around = {difference_2115[3], difference_2115} + (equal_571_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1114
-  logic [5:0] sum_2118;
-  assign sum_2118 = {1'b0, around} + {2'h0, around[4:1]};
-  logic is_seen;
-  assign is_seen = equal_2084 ? and_2105 : (~({sum_2118, around[0]} < {2'h0, t}));
+  logic [5:0] sum_2033;
+  assign sum_2033 = {5'h0, and_2031_s3_q} + select_2032;
+  // hls/stages/agreement.hpp:1077
+  logic [9:0] sum_2035;
+  assign sum_2035 = {4'h0, sum_2033} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
   // hls/stages/agreement.hpp:1108
-  logic [2:0] select_2130;
-  assign select_2130 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2131;
-  assign difference_2131 = {1'b0, near_2_s3_q} - {1'b0, select_2130};
+  logic [2:0] select_2089;
+  assign select_2089 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2090;
+  assign difference_2090 = {1'b0, textured_2_s3_q} - {1'b0, select_2089};
+  logic [4:0] t;
+  assign t = {difference_2090[3], difference_2090} + (equal_576_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1114
+  logic equal_2093;
+  assign equal_2093 = t[4:1] == 4'h0;
+  // hls/stages/agreement.hpp:1115
+  logic not_2105;
+  assign not_2105 = ~region_row_s3_q[2];
+  logic [2:0] select_2106;
+  assign select_2106 = region_row_s3_q[1] ? {1'b0, not_2105, 1'b0} : {region_row_s3_q[2], 1'b0, not_2105};
+  logic [5:0] select_2107;
+  assign select_2107 = region_row_s3_q[0] ? {select_2106[2], 1'b0, select_2106[1], 1'b0, select_2106[0], 1'b0} : {1'b0, select_2106[2], 1'b0, select_2106[1], 1'b0, select_2106[0]};
+  logic [11:0] select_2108;
+  assign select_2108 = or_2104_s3_q ? {select_2107[5], 1'b0, select_2107[4], 1'b0, select_2107[3], 1'b0, select_2107[2], 1'b0, select_2107[1], 1'b0, select_2107[0], 1'b0} : {1'b0, select_2107[5], 1'b0, select_2107[4], 1'b0, select_2107[3], 1'b0, select_2107[2], 1'b0, select_2107[1], 1'b0, select_2107[0]};
+  logic [23:0] select_2109;
+  assign select_2109 = or_2101_s3_q ? {select_2108[11], 1'b0, select_2108[10], 1'b0, select_2108[9], 1'b0, select_2108[8], 1'b0, select_2108[7], 1'b0, select_2108[6], 1'b0, select_2108[5], 1'b0, select_2108[4], 1'b0, select_2108[3], 1'b0, select_2108[2], 1'b0, select_2108[1], 1'b0, select_2108[0], 1'b0} : {1'b0, select_2108[11], 1'b0, select_2108[10], 1'b0, select_2108[9], 1'b0, select_2108[8], 1'b0, select_2108[7], 1'b0, select_2108[6], 1'b0, select_2108[5], 1'b0, select_2108[4], 1'b0, select_2108[3], 1'b0, select_2108[2], 1'b0, select_2108[1], 1'b0, select_2108[0]};
+  logic [47:0] select_2110;
+  assign select_2110 = or_2098_s3_q ? {select_2109[23], 1'b0, select_2109[22], 1'b0, select_2109[21], 1'b0, select_2109[20], 1'b0, select_2109[19], 1'b0, select_2109[18], 1'b0, select_2109[17], 1'b0, select_2109[16], 1'b0, select_2109[15], 1'b0, select_2109[14], 1'b0, select_2109[13], 1'b0, select_2109[12], 1'b0, select_2109[11], 1'b0, select_2109[10], 1'b0, select_2109[9], 1'b0, select_2109[8], 1'b0, select_2109[7], 1'b0, select_2109[6], 1'b0, select_2109[5], 1'b0, select_2109[4], 1'b0, select_2109[3], 1'b0, select_2109[2], 1'b0, select_2109[1], 1'b0, select_2109[0], 1'b0} : {1'b0, select_2109[23], 1'b0, select_2109[22], 1'b0, select_2109[21], 1'b0, select_2109[20], 1'b0, select_2109[19], 1'b0, select_2109[18], 1'b0, select_2109[17], 1'b0, select_2109[16], 1'b0, select_2109[15], 1'b0, select_2109[14], 1'b0, select_2109[13], 1'b0, select_2109[12], 1'b0, select_2109[11], 1'b0, select_2109[10], 1'b0, select_2109[9], 1'b0, select_2109[8], 1'b0, select_2109[7], 1'b0, select_2109[6], 1'b0, select_2109[5], 1'b0, select_2109[4], 1'b0, select_2109[3], 1'b0, select_2109[2], 1'b0, select_2109[1], 1'b0, select_2109[0]};
+  // hls/stages/agreement.hpp:1043
+  logic and_2114;
+  assign and_2114 = good_known_q & (~((good_q & select_2110) == 48'h0));
+  // hls/stages/agreement.hpp:1110
+  logic [2:0] select_2123;
+  assign select_2123 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2124;
+  assign difference_2124 = {1'b0, shown_2_s3_q} - {1'b0, select_2123};
+  logic [4:0] around;
+  assign around = {difference_2124[3], difference_2124} + (equal_576_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1117
+  logic [5:0] sum_2127;
+  assign sum_2127 = {1'b0, around} + {2'h0, around[4:1]};
+  logic is_seen;
+  assign is_seen = equal_2093 ? and_2114 : (~({sum_2127, around[0]} < {2'h0, t}));
+  // hls/stages/agreement.hpp:1111
+  logic [2:0] select_2139;
+  assign select_2139 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2140;
+  assign difference_2140 = {1'b0, near_2_s3_q} - {1'b0, select_2139};
   logic [4:0] n;
-  assign n = {difference_2131[3], difference_2131} + (equal_571_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1124
-  logic and_2135;
-  assign and_2135 = is_seen & ({1'b0, around[4:1]} < n);
+  assign n = {difference_2140[3], difference_2140} + (equal_576_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1127
+  logic and_2144;
+  assign and_2144 = is_seen & ({1'b0, around[4:1]} < n);
   // hls/stages/agreement.hpp:277
-  logic [8:0] select_2173;
-  assign select_2173 = sample_pair_whole_s3_q ? (and_549_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
-  logic [8:0] select_2175;
-  assign select_2175 = sample_pair_whole_s3_q ? (and_549_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
-  logic [8:0] select_2177;
-  assign select_2177 = sample_pair_whole_s3_q ? (and_549_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
-  logic [8:0] select_2179;
-  assign select_2179 = sample_pair_whole_s3_q ? (and_549_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
+  logic [8:0] select_2182;
+  assign select_2182 = sample_pair_whole_s3_q ? (and_554_s3_q ? grey_s3_q : averager_quarter_1_0_q) : averager_quarter_1_0_q;
+  logic [8:0] select_2184;
+  assign select_2184 = sample_pair_whole_s3_q ? (and_554_s3_q ? grey_2_s3_q : averager_quarter_1_1_q) : averager_quarter_1_1_q;
+  logic [8:0] select_2186;
+  assign select_2186 = sample_pair_whole_s3_q ? (and_554_s3_q ? averager_quarter_1_0_q : averager_quarter_2_0_q) : averager_quarter_2_0_q;
+  logic [8:0] select_2188;
+  assign select_2188 = sample_pair_whole_s3_q ? (and_554_s3_q ? averager_quarter_1_1_q : averager_quarter_2_1_q) : averager_quarter_2_1_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2184;
-  assign sum_2184 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
-  logic [9:0] difference_2185;
-  assign difference_2185 = {1'b0, sum_2184[9:1]} - {1'b0, averager_quarter_1_0_q};
+  logic [9:0] sum_2193;
+  assign sum_2193 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s3_q};
+  logic [9:0] difference_2194;
+  assign difference_2194 = {1'b0, sum_2193[9:1]} - {1'b0, averager_quarter_1_0_q};
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2186;
-  assign xor_2186 = {difference_2185[8:0], sum_2184[0]} ^ {10{difference_2185[9]}};
+  logic [9:0] xor_2195;
+  assign xor_2195 = {difference_2194[8:0], sum_2193[0]} ^ {10{difference_2194[9]}};
   logic [10:0] size;
-  assign size = {10'h0, difference_2185[9]} + {1'b0, xor_2186};
+  assign size = {10'h0, difference_2194[9]} + {1'b0, xor_2195};
   // hls/stages/census.hpp:222
   logic [13:0] detail;
-  assign detail = {3'h0, size} + (equal_554_s3_q ? 14'h0 : averager_detail_0_q);
+  assign detail = {3'h0, size} + (equal_559_s3_q ? 14'h0 : averager_detail_0_q);
   // hls/stages/agreement.hpp:277
-  logic [13:0] select_2191;
-  assign select_2191 = sample_pair_whole_s3_q ? (and_549_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
+  logic [13:0] select_2200;
+  assign select_2200 = sample_pair_whole_s3_q ? (and_554_s3_q ? detail : averager_detail_0_q) : averager_detail_0_q;
   // hls/stages/census.hpp:220
-  logic [9:0] sum_2192;
-  assign sum_2192 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
-  logic [9:0] difference_2193;
-  assign difference_2193 = {1'b0, sum_2192[9:1]} - {1'b0, averager_quarter_1_1_q};
+  logic [9:0] sum_2201;
+  assign sum_2201 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s3_q};
+  logic [9:0] difference_2202;
+  assign difference_2202 = {1'b0, sum_2201[9:1]} - {1'b0, averager_quarter_1_1_q};
   // hls/stages/census.hpp:221
-  logic [9:0] xor_2194;
-  assign xor_2194 = {difference_2193[8:0], sum_2192[0]} ^ {10{difference_2193[9]}};
+  logic [9:0] xor_2203;
+  assign xor_2203 = {difference_2202[8:0], sum_2201[0]} ^ {10{difference_2202[9]}};
   logic [10:0] size_2;
-  assign size_2 = {10'h0, difference_2193[9]} + {1'b0, xor_2194};
+  assign size_2 = {10'h0, difference_2202[9]} + {1'b0, xor_2203};
   // hls/stages/census.hpp:222
   logic [13:0] detail_2;
-  assign detail_2 = {3'h0, size_2} + (equal_554_s3_q ? 14'h0 : averager_detail_1_q);
+  assign detail_2 = {3'h0, size_2} + (equal_559_s3_q ? 14'h0 : averager_detail_1_q);
   // hls/stages/agreement.hpp:277
-  logic [13:0] select_2199;
-  assign select_2199 = sample_pair_whole_s3_q ? (and_549_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
+  logic [13:0] select_2208;
+  assign select_2208 = sample_pair_whole_s3_q ? (and_554_s3_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
   // hls/stages/census.hpp:286
-  logic [11:0] sum_2283;
-  assign sum_2283 = sum_2279_s3_q + {2'h0, sum_2282_s3_q};
+  logic [11:0] sum_2292;
+  assign sum_2292 = sum_2288_s3_q + {2'h0, sum_2291_s3_q};
   // hls/stages/agreement.hpp:530
-  logic [11:0] select_2285;
-  assign select_2285 = and_551_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
-  logic [11:0] select_2286;
-  assign select_2286 = and_551_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
-  logic [11:0] select_2287;
-  assign select_2287 = and_551_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
-  logic [11:0] select_2288;
-  assign select_2288 = and_551_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
+  logic [11:0] select_2294;
+  assign select_2294 = and_556_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
+  logic [11:0] select_2295;
+  assign select_2295 = and_556_s3_q ? census_changes_values_0_right_q : census_changes_values_1_right_q;
+  logic [11:0] select_2296;
+  assign select_2296 = and_556_s3_q ? census_changes_values_1_left_q : census_changes_values_2_left_q;
+  logic [11:0] select_2297;
+  assign select_2297 = and_556_s3_q ? census_changes_values_1_right_q : census_changes_values_2_right_q;
   // hls/stages/census.hpp:296
-  logic [12:0] sum_2291;
-  assign sum_2291 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2283};
-  logic [13:0] sum_2293;
-  assign sum_2293 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2291});
+  logic [12:0] sum_2300;
+  assign sum_2300 = {1'b0, census_changes_values_0_right_q} + {1'b0, sum_2292};
+  logic [13:0] sum_2302;
+  assign sum_2302 = {2'h0, census_changes_values_2_right_q} + ({2'h0, census_changes_values_1_right_q} + {1'b0, sum_2300});
   // hls/stages/census.hpp:323
-  logic and_2295;
-  assign and_2295 = and_713_s3_q & (9'h4 < sum_2293[13:5]);
+  logic and_2304;
+  assign and_2304 = and_720_s3_q & (9'h4 < sum_2302[13:5]);
   // hls/stages/census.hpp:324
-  logic and_2296;
-  assign and_2296 = and_713_s3_q & less_737;
+  logic and_2305;
+  assign and_2305 = and_720_s3_q & less_744;
   // hls/stages/census.hpp:325
-  logic [19:0] sum_2297;
-  assign sum_2297 = census_left_misses_q + {{17{and_2296}}, and_2295, 1'b0, and_2295};
+  logic [19:0] sum_2306;
+  assign sum_2306 = census_left_misses_q + {{17{and_2305}}, and_2304, 1'b0, and_2304};
   // hls/stages/agreement.hpp:530
-  logic [19:0] select_2299;
-  assign select_2299 = and_551_s3_q ? (equal_2290_s3_q ? 20'h0 : sum_2297) : census_left_misses_q;
+  logic [19:0] select_2308;
+  assign select_2308 = and_556_s3_q ? (equal_2299_s3_q ? 20'h0 : sum_2306) : census_left_misses_q;
   // hls/stages/agreement.hpp:277
-  logic [27:0] select_2369;
-  assign select_2369 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
+  logic [27:0] select_2389;
+  assign select_2389 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
   // hls/stages/agreement.hpp:530
-  logic select_2372;
-  assign select_2372 = and_551_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
+  logic select_2392;
+  assign select_2392 = and_556_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:373
-  logic and_2375;
-  assign and_2375 = whole_2_s3_q & (~(last_s3_q[5:1] == 5'h0));
+  logic and_2395;
+  assign and_2395 = whole_2_s3_q & (~(last_s3_q[5:1] == 5'h0));
   // hls/stages/agreement.hpp:462
-  logic and_2381;
-  assign and_2381 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
-  logic and_2382;
-  assign and_2382 = and_2375 & and_2381;
+  logic and_2401;
+  assign and_2401 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_s3_q[8:2]));
+  logic and_2402;
+  assign and_2402 = and_2395 & and_2401;
   // hls/stages/census.hpp:372
   logic [14:0] detail_3;
-  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2369[13:0]};
+  assign detail_3 = {1'b0, sharpness_last_detail_0_q} + {1'b0, select_2389[13:0]};
   // hls/stages/census.hpp:374
-  logic [12:0] select_2384;
-  assign select_2384 = and_2382 ? detail_3[14:2] : 13'h0;
+  logic [12:0] select_2404;
+  assign select_2404 = and_2402 ? detail_3[14:2] : 13'h0;
   // hls/stages/census.hpp:375
-  logic [23:0] select_2386;
-  assign select_2386 = equal_2290_s3_q ? {11'h0, select_2384} : (sharpness_sums_detail_0_q + {11'h0, select_2384});
+  logic [23:0] select_2406;
+  assign select_2406 = equal_2299_s3_q ? {11'h0, select_2404} : (sharpness_sums_detail_0_q + {11'h0, select_2404});
   // hls/stages/agreement.hpp:462
-  logic and_2393;
-  assign and_2393 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
-  logic and_2394;
-  assign and_2394 = and_2375 & and_2393;
+  logic and_2413;
+  assign and_2413 = sharpness_last_mask_q & (sharpness_before_last_mask_q & (7'h2 < contrast_2_s3_q[8:2]));
+  logic and_2414;
+  assign and_2414 = and_2395 & and_2413;
   // hls/stages/census.hpp:372
   logic [14:0] detail_4;
-  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2369[27:14]};
+  assign detail_4 = {1'b0, sharpness_last_detail_1_q} + {1'b0, select_2389[27:14]};
   // hls/stages/census.hpp:374
-  logic [12:0] select_2396;
-  assign select_2396 = and_2394 ? detail_4[14:2] : 13'h0;
+  logic [12:0] select_2416;
+  assign select_2416 = and_2414 ? detail_4[14:2] : 13'h0;
   // hls/stages/census.hpp:375
-  logic [23:0] select_2398;
-  assign select_2398 = equal_2290_s3_q ? {11'h0, select_2396} : (sharpness_sums_detail_1_q + {11'h0, select_2396});
-  logic [8:0] select_2401;
-  assign select_2401 = and_2382 ? contrast_s3_q : 9'h0;
-  logic [23:0] sum_2402;
-  assign sum_2402 = (equal_2290_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2401};
-  logic [8:0] select_2405;
-  assign select_2405 = and_2394 ? contrast_2_s3_q : 9'h0;
-  logic [23:0] sum_2406;
-  assign sum_2406 = (equal_2290_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2405};
+  logic [23:0] select_2418;
+  assign select_2418 = equal_2299_s3_q ? {11'h0, select_2416} : (sharpness_sums_detail_1_q + {11'h0, select_2416});
+  logic [8:0] select_2421;
+  assign select_2421 = and_2402 ? contrast_s3_q : 9'h0;
+  logic [23:0] sum_2422;
+  assign sum_2422 = (equal_2299_s3_q ? 24'h0 : sharpness_sums_contrast_0_q) + {15'h0, select_2421};
+  logic [8:0] select_2425;
+  assign select_2425 = and_2414 ? contrast_2_s3_q : 9'h0;
+  logic [23:0] sum_2426;
+  assign sum_2426 = (equal_2299_s3_q ? 24'h0 : sharpness_sums_contrast_1_q) + {15'h0, select_2425};
   // hls/stages/census.hpp:388
-  logic less_2409;
-  assign less_2409 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
+  logic less_2429;
+  assign less_2429 = 7'h2 < {x_s3_q[4:0], slot_s3_q[2:1]};
   // hls/stages/census.hpp:427
-  logic less_2410;
-  assign less_2410 = x_s3_q[4:0] < 5'h3;
-  logic not_2411;
-  assign not_2411 = ~x_s3_q[1];
-  logic [2:0] select_2412;
-  assign select_2412 = x_s3_q[0] ? {1'b0, not_2411, 1'b0} : {x_s3_q[1], 1'b0, not_2411};
-  logic [5:0] select_2413;
-  assign select_2413 = slot_s3_q[2] ? {select_2412[2], 1'b0, select_2412[1], 1'b0, select_2412[0], 1'b0} : {1'b0, select_2412[2], 1'b0, select_2412[1], 1'b0, select_2412[0]};
-  logic [11:0] select_2414;
-  assign select_2414 = slot_s3_q[1] ? {select_2413[5], 1'b0, select_2413[4], 1'b0, select_2413[3], 1'b0, select_2413[2], 1'b0, select_2413[1], 1'b0, select_2413[0], 1'b0} : {1'b0, select_2413[5], 1'b0, select_2413[4], 1'b0, select_2413[3], 1'b0, select_2413[2], 1'b0, select_2413[1], 1'b0, select_2413[0]};
-  logic [23:0] select_2415;
-  assign select_2415 = slot_s3_q[0] ? {select_2414[11], 1'b0, select_2414[10], 1'b0, select_2414[9], 1'b0, select_2414[8], 1'b0, select_2414[7], 1'b0, select_2414[6], 1'b0, select_2414[5], 1'b0, select_2414[4], 1'b0, select_2414[3], 1'b0, select_2414[2], 1'b0, select_2414[1], 1'b0, select_2414[0], 1'b0} : {1'b0, select_2414[11], 1'b0, select_2414[10], 1'b0, select_2414[9], 1'b0, select_2414[8], 1'b0, select_2414[7], 1'b0, select_2414[6], 1'b0, select_2414[5], 1'b0, select_2414[4], 1'b0, select_2414[3], 1'b0, select_2414[2], 1'b0, select_2414[1], 1'b0, select_2414[0]};
+  logic less_2430;
+  assign less_2430 = x_s3_q[4:0] < 5'h3;
+  logic not_2431;
+  assign not_2431 = ~x_s3_q[1];
+  logic [2:0] select_2432;
+  assign select_2432 = x_s3_q[0] ? {1'b0, not_2431, 1'b0} : {x_s3_q[1], 1'b0, not_2431};
+  logic [5:0] select_2433;
+  assign select_2433 = slot_s3_q[2] ? {select_2432[2], 1'b0, select_2432[1], 1'b0, select_2432[0], 1'b0} : {1'b0, select_2432[2], 1'b0, select_2432[1], 1'b0, select_2432[0]};
+  logic [11:0] select_2434;
+  assign select_2434 = slot_s3_q[1] ? {select_2433[5], 1'b0, select_2433[4], 1'b0, select_2433[3], 1'b0, select_2433[2], 1'b0, select_2433[1], 1'b0, select_2433[0], 1'b0} : {1'b0, select_2433[5], 1'b0, select_2433[4], 1'b0, select_2433[3], 1'b0, select_2433[2], 1'b0, select_2433[1], 1'b0, select_2433[0]};
+  logic [23:0] select_2435;
+  assign select_2435 = slot_s3_q[0] ? {select_2434[11], 1'b0, select_2434[10], 1'b0, select_2434[9], 1'b0, select_2434[8], 1'b0, select_2434[7], 1'b0, select_2434[6], 1'b0, select_2434[5], 1'b0, select_2434[4], 1'b0, select_2434[3], 1'b0, select_2434[2], 1'b0, select_2434[1], 1'b0, select_2434[0], 1'b0} : {1'b0, select_2434[11], 1'b0, select_2434[10], 1'b0, select_2434[9], 1'b0, select_2434[8], 1'b0, select_2434[7], 1'b0, select_2434[6], 1'b0, select_2434[5], 1'b0, select_2434[4], 1'b0, select_2434[3], 1'b0, select_2434[2], 1'b0, select_2434[1], 1'b0, select_2434[0]};
   // hls/stages/census.hpp:390
-  logic and_2419;
-  assign and_2419 = less_2410 & (~((sharpness_sums_contrast_1_q & select_2415) == 24'h0));
+  logic and_2439;
+  assign and_2439 = less_2430 & (~((sharpness_sums_contrast_1_q & select_2435) == 24'h0));
   // hls/stages/census.hpp:395
-  logic [17:0] select_2421;
-  assign select_2421 = (less_2409 & and_2419) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
+  logic [17:0] select_2441;
+  assign select_2441 = (less_2429 & and_2439) ? sharpness_sums_detail_0_q[23:6] : 18'h0;
   logic [18:0] sum;
-  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2421};
+  assign sum = {1'b0, sharpness_comparing_rest_0_q} + {1'b0, select_2441};
   // hls/stages/agreement.hpp:217
-  logic [17:0] select_2424;
-  assign select_2424 = equal_2408_s3_q ? (less_2409 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
+  logic [17:0] select_2444;
+  assign select_2444 = equal_2428_s3_q ? (less_2429 ? sum[18:1] : 18'h0) : sharpness_comparing_rest_0_q;
   // hls/stages/census.hpp:390
-  logic and_2429;
-  assign and_2429 = less_2410 & (~((sharpness_sums_contrast_0_q & select_2415) == 24'h0));
+  logic and_2449;
+  assign and_2449 = less_2430 & (~((sharpness_sums_contrast_0_q & select_2435) == 24'h0));
   // hls/stages/census.hpp:395
-  logic [17:0] select_2431;
-  assign select_2431 = (less_2409 & and_2429) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
+  logic [17:0] select_2451;
+  assign select_2451 = (less_2429 & and_2449) ? sharpness_sums_detail_1_q[23:6] : 18'h0;
   logic [18:0] sum_2;
-  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2431};
+  assign sum_2 = {1'b0, sharpness_comparing_rest_1_q} + {1'b0, select_2451};
   // hls/stages/agreement.hpp:217
-  logic [17:0] select_2434;
-  assign select_2434 = equal_2408_s3_q ? (less_2409 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
-  logic [2:0] select_2436;
-  assign select_2436 = equal_2408_s3_q ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
-  logic [2:0] select_2438;
-  assign select_2438 = equal_2408_s3_q ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
-  logic [1:0] select_2440;
-  assign select_2440 = equal_2408_s3_q ? {sharpness_comparing_contrast_0_q[0], and_2429} : sharpness_comparing_contrast_0_q;
-  logic [1:0] select_2442;
-  assign select_2442 = equal_2408_s3_q ? {sharpness_comparing_contrast_1_q[0], and_2419} : sharpness_comparing_contrast_1_q;
+  logic [17:0] select_2454;
+  assign select_2454 = equal_2428_s3_q ? (less_2429 ? sum_2[18:1] : 18'h0) : sharpness_comparing_rest_1_q;
+  logic [2:0] select_2456;
+  assign select_2456 = equal_2428_s3_q ? {sharpness_comparing_product_0_q[1:0], sum[0]} : sharpness_comparing_product_0_q;
+  logic [2:0] select_2458;
+  assign select_2458 = equal_2428_s3_q ? {sharpness_comparing_product_1_q[1:0], sum_2[0]} : sharpness_comparing_product_1_q;
+  logic [1:0] select_2460;
+  assign select_2460 = equal_2428_s3_q ? {sharpness_comparing_contrast_0_q[0], and_2449} : sharpness_comparing_contrast_0_q;
+  logic [1:0] select_2462;
+  assign select_2462 = equal_2428_s3_q ? {sharpness_comparing_contrast_1_q[0], and_2439} : sharpness_comparing_contrast_1_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times;
   assign five_times = {1'b0, sharpness_comparing_carry_0_q} + ({1'b0, sharpness_comparing_product_1_q[1]} + {1'b0, sum_2[0]});
   // hls/stages/agreement.hpp:217
-  logic select_2447;
-  assign select_2447 = so_s3_q ? (equal_2408_s3_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
+  logic select_2467;
+  assign select_2467 = so_s3_q ? (equal_2428_s3_q ? five_times[1] : sharpness_comparing_carry_0_q) : sharpness_comparing_carry_0_q;
   // hls/stages/census.hpp:401
   logic [1:0] five_times_2;
   assign five_times_2 = {1'b0, sharpness_comparing_carry_1_q} + ({1'b0, sharpness_comparing_product_0_q[1]} + {1'b0, sum[0]});
   // hls/stages/agreement.hpp:217
-  logic select_2450;
-  assign select_2450 = equal_2408_s3_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
-  // hls/stages/census.hpp:387
-  logic equal_2452;
-  assign equal_2452 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
-  // hls/stages/census.hpp:403
-  logic xor_2453;
-  assign xor_2453 = sharpness_comparing_product_0_q[2] ^ five_times[0];
-  logic select_2456;
-  assign select_2456 = (equal_2452 | xor_2453) ? (five_times[0] & xor_2453) : sharpness_comparing_less_detail_0_q;
-  // hls/stages/agreement.hpp:217
-  logic select_2457;
-  assign select_2457 = equal_2408_s3_q ? select_2456 : sharpness_comparing_less_detail_0_q;
-  logic select_2458;
-  assign select_2458 = so_s3_q ? select_2457 : sharpness_comparing_less_detail_0_q;
-  // hls/stages/census.hpp:403
-  logic xor_2459;
-  assign xor_2459 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
-  logic select_2462;
-  assign select_2462 = (equal_2452 | xor_2459) ? (five_times_2[0] & xor_2459) : sharpness_comparing_less_detail_1_q;
-  // hls/stages/agreement.hpp:217
-  logic select_2463;
-  assign select_2463 = equal_2408_s3_q ? select_2462 : sharpness_comparing_less_detail_1_q;
-  logic select_2464;
-  assign select_2464 = so_s3_q ? select_2463 : sharpness_comparing_less_detail_1_q;
-  // hls/stages/census.hpp:404
-  logic xor_2465;
-  assign xor_2465 = sharpness_comparing_contrast_0_q[1] ^ and_2419;
-  logic select_2468;
-  assign select_2468 = (equal_2452 | xor_2465) ? (and_2419 & xor_2465) : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/agreement.hpp:217
-  logic select_2469;
-  assign select_2469 = equal_2408_s3_q ? select_2468 : sharpness_comparing_less_contrast_0_q;
   logic select_2470;
-  assign select_2470 = so_s3_q ? select_2469 : sharpness_comparing_less_contrast_0_q;
-  // hls/stages/census.hpp:404
-  logic xor_2471;
-  assign xor_2471 = sharpness_comparing_contrast_1_q[1] ^ and_2429;
-  logic select_2474;
-  assign select_2474 = (equal_2452 | xor_2471) ? (and_2429 & xor_2471) : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:217
-  logic select_2475;
-  assign select_2475 = equal_2408_s3_q ? select_2474 : sharpness_comparing_less_contrast_1_q;
+  assign select_2470 = equal_2428_s3_q ? five_times_2[1] : sharpness_comparing_carry_1_q;
+  // hls/stages/census.hpp:387
+  logic equal_2472;
+  assign equal_2472 = {x_s3_q[4:0], slot_s3_q} == 8'h0;
+  // hls/stages/census.hpp:403
+  logic xor_2473;
+  assign xor_2473 = sharpness_comparing_product_0_q[2] ^ five_times[0];
   logic select_2476;
-  assign select_2476 = so_s3_q ? select_2475 : sharpness_comparing_less_contrast_1_q;
+  assign select_2476 = (equal_2472 | xor_2473) ? (five_times[0] & xor_2473) : sharpness_comparing_less_detail_0_q;
+  // hls/stages/agreement.hpp:217
+  logic select_2477;
+  assign select_2477 = equal_2428_s3_q ? select_2476 : sharpness_comparing_less_detail_0_q;
+  logic select_2478;
+  assign select_2478 = so_s3_q ? select_2477 : sharpness_comparing_less_detail_0_q;
+  // hls/stages/census.hpp:403
+  logic xor_2479;
+  assign xor_2479 = sharpness_comparing_product_1_q[2] ^ five_times_2[0];
+  logic select_2482;
+  assign select_2482 = (equal_2472 | xor_2479) ? (five_times_2[0] & xor_2479) : sharpness_comparing_less_detail_1_q;
+  // hls/stages/agreement.hpp:217
+  logic select_2483;
+  assign select_2483 = equal_2428_s3_q ? select_2482 : sharpness_comparing_less_detail_1_q;
+  logic select_2484;
+  assign select_2484 = so_s3_q ? select_2483 : sharpness_comparing_less_detail_1_q;
+  // hls/stages/census.hpp:404
+  logic xor_2485;
+  assign xor_2485 = sharpness_comparing_contrast_0_q[1] ^ and_2439;
+  logic select_2488;
+  assign select_2488 = (equal_2472 | xor_2485) ? (and_2439 & xor_2485) : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/agreement.hpp:217
+  logic select_2489;
+  assign select_2489 = equal_2428_s3_q ? select_2488 : sharpness_comparing_less_contrast_0_q;
+  logic select_2490;
+  assign select_2490 = so_s3_q ? select_2489 : sharpness_comparing_less_contrast_0_q;
+  // hls/stages/census.hpp:404
+  logic xor_2491;
+  assign xor_2491 = sharpness_comparing_contrast_1_q[1] ^ and_2449;
+  logic select_2494;
+  assign select_2494 = (equal_2472 | xor_2491) ? (and_2449 & xor_2491) : sharpness_comparing_less_contrast_1_q;
+  // hls/stages/agreement.hpp:217
+  logic select_2495;
+  assign select_2495 = equal_2428_s3_q ? select_2494 : sharpness_comparing_less_contrast_1_q;
+  logic select_2496;
+  assign select_2496 = so_s3_q ? select_2495 : sharpness_comparing_less_contrast_1_q;
   // hls/stages/agreement.hpp:936
-  logic [13:0] select_2623;
-  assign select_2623 = and_2614_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2621_s3_q});
+  logic [13:0] select_2643;
+  assign select_2643 = and_2634_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2641_s3_q});
   // hls/stages/agreement.hpp:798
-  logic and_2626;
-  assign and_2626 = not_577_s3_q & (so_s3_q & (ends_cell_s3_q & and_2006_s3_q));
-  logic and_2631;
-  assign and_2631 = not_577_s3_q & (so_s3_q & (ends_cell_s3_q & and_2011_s3_q));
-  logic and_2636;
-  assign and_2636 = not_577_s3_q & (so_s3_q & (ends_cell_s3_q & and_2022_s3_q));
-  // hls/stages/agreement.hpp:1106
-  logic [2:0] select_2651;
-  assign select_2651 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
-  logic [3:0] difference_2652;
-  assign difference_2652 = {1'b0, explained_2_s3_q} - {1'b0, select_2651};
+  logic and_2646;
+  assign and_2646 = not_584_s3_q & (so_s3_q & (ends_cell_s3_q & and_2014_s3_q));
+  logic and_2651;
+  assign and_2651 = not_584_s3_q & (so_s3_q & (ends_cell_s3_q & and_2020_s3_q));
+  logic and_2656;
+  assign and_2656 = not_584_s3_q & (so_s3_q & (ends_cell_s3_q & and_2031_s3_q));
+  // hls/stages/agreement.hpp:1109
+  logic [2:0] select_2671;
+  assign select_2671 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
+  logic [3:0] difference_2672;
+  assign difference_2672 = {1'b0, explained_2_s3_q} - {1'b0, select_2671};
   logic [4:0] e;
-  assign e = {difference_2652[3], difference_2652} + (equal_571_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1113
-  logic [5:0] sum_2655;
-  assign sum_2655 = {1'b0, e} + {2'h0, e[4:1]};
-  // hls/stages/agreement.hpp:1118
-  logic not_2659;
-  assign not_2659 = ~(equal_2084 ? and_2105 : (~({sum_2655, e[0]} < {2'h0, t})));
+  assign e = {difference_2672[3], difference_2672} + (equal_576_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
+  // hls/stages/agreement.hpp:1116
+  logic [5:0] sum_2675;
+  assign sum_2675 = {1'b0, e} + {2'h0, e[4:1]};
+  // hls/stages/agreement.hpp:1121
+  logic not_2679;
+  assign not_2679 = ~(equal_2093 ? and_2114 : (~({sum_2675, e[0]} < {2'h0, t})));
   // hls/stages/agreement.hpp:798
-  logic and_2662;
-  assign and_2662 = ends_cell_s3_q & (not_2642_s3_q & (centres_values_1_textured_s3_q & not_2659));
-  logic and_2664;
-  assign and_2664 = not_577_s3_q & (so_s3_q & and_2662);
-  // hls/stages/agreement.hpp:1144
-  logic less_2667;
-  assign less_2667 = region_row_s3_q < x_s3_q[5:3];
-  logic [9:0] select_2668;
-  assign select_2668 = less_2667 ? 10'h0 : regions_rdata_q[9:0];
-  logic [9:0] select_2671;
-  assign select_2671 = less_2667 ? 10'h0 : regions_rdata_q[19:10];
-  // hls/stages/agreement.hpp:1145
-  logic [10:0] sum_2672;
-  assign sum_2672 = {1'b0, select_2671} + {3'h0, select_2671[9:2]};
-  logic and_2674;
-  assign and_2674 = (~(select_2668[9:4] == 6'h0)) & ({sum_2672, select_2671[1:0]} < {3'h0, select_2668});
-  // hls/stages/agreement.hpp:1154
-  logic [9:0] select_2677;
-  assign select_2677 = x_s3_q[6] ? (equal_1613_s3_q ? 10'h0 : (and_2674 ? select_2668 : 10'h0)) : 10'h0;
+  logic and_2682;
+  assign and_2682 = ends_cell_s3_q & (not_2662_s3_q & (centres_values_1_textured_s3_q & not_2679));
+  logic and_2684;
+  assign and_2684 = not_584_s3_q & (so_s3_q & and_2682);
+  // hls/stages/agreement.hpp:1147
+  logic less_2687;
+  assign less_2687 = region_row_s3_q < x_s3_q[5:3];
+  logic [9:0] select_2688;
+  assign select_2688 = less_2687 ? 10'h0 : regions_rdata_q[9:0];
+  logic [9:0] select_2691;
+  assign select_2691 = less_2687 ? 10'h0 : regions_rdata_q[19:10];
+  // hls/stages/agreement.hpp:1148
+  logic [10:0] sum_2692;
+  assign sum_2692 = {1'b0, select_2691} + {3'h0, select_2691[9:2]};
+  logic and_2694;
+  assign and_2694 = (~(select_2688[9:4] == 6'h0)) & ({sum_2692, select_2691[1:0]} < {3'h0, select_2688});
+  // hls/stages/agreement.hpp:1157
+  logic [9:0] select_2697;
+  assign select_2697 = x_s3_q[6] ? (equal_1620_s3_q ? 10'h0 : (and_2694 ? select_2688 : 10'h0)) : 10'h0;
   // hls/stages/agreement.hpp:798
-  logic [9:0] select_2678;
-  assign select_2678 = equal_576_s3_q ? select_2677 : 10'h0;
+  logic [9:0] select_2698;
+  assign select_2698 = equal_583_s3_q ? select_2697 : 10'h0;
   // hls/stages/agreement.hpp:936
-  logic [13:0] select_2680;
-  assign select_2680 = and_2614_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2678});
-  logic [13:0] select_2688;
-  assign select_2688 = and_2614_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2686_s3_q});
-  // hls/stages/agreement.hpp:1122
-  logic and_2690;
-  assign and_2690 = not_2642_s3_q & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
+  logic [13:0] select_2700;
+  assign select_2700 = and_2634_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2698});
+  logic [13:0] select_2708;
+  assign select_2708 = and_2634_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2706_s3_q});
+  // hls/stages/agreement.hpp:1125
+  logic and_2710;
+  assign and_2710 = not_2662_s3_q & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
   // hls/stages/agreement.hpp:798
-  logic and_2693;
-  assign and_2693 = not_577_s3_q & (so_s3_q & (ends_cell_s3_q & and_2690));
+  logic and_2713;
+  assign and_2713 = not_584_s3_q & (so_s3_q & (ends_cell_s3_q & and_2710));
   // hls/stages/agreement.hpp:936
-  logic [13:0] select_2695;
-  assign select_2695 = and_2614_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2693});
-  // hls/stages/agreement.hpp:1122
-  logic and_2697;
-  assign and_2697 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_2659);
+  logic [13:0] select_2715;
+  assign select_2715 = and_2634_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2713});
+  // hls/stages/agreement.hpp:1125
+  logic and_2717;
+  assign and_2717 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_2679);
   // hls/stages/agreement.hpp:798
-  logic and_2701;
-  assign and_2701 = not_577_s3_q & (so_s3_q & (ends_cell_s3_q & (not_2642_s3_q & and_2697)));
+  logic and_2721;
+  assign and_2721 = not_584_s3_q & (so_s3_q & (ends_cell_s3_q & (not_2662_s3_q & and_2717)));
   // hls/stages/agreement.hpp:936
-  logic [13:0] select_2703;
-  assign select_2703 = and_2614_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2701});
   logic [13:0] select_2723;
-  assign select_2723 = and_2614_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2721_s3_q});
+  assign select_2723 = and_2634_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2721});
+  logic [13:0] select_2743;
+  assign select_2743 = and_2634_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2741_s3_q});
   // hls/stages/agreement.hpp:798
-  logic [7:0] select_2800;
-  assign select_2800 = so_s3_q ? (equal_1706_s3_q ? (and_2782_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
-  logic [7:0] select_2801;
-  assign select_2801 = equal_576_s3_q ? 8'h0 : select_2800;
+  logic [7:0] select_2820;
+  assign select_2820 = so_s3_q ? (equal_1713_s3_q ? (and_2802_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
+  logic [7:0] select_2821;
+  assign select_2821 = equal_583_s3_q ? 8'h0 : select_2820;
   // hls/stages/registration.hpp:134
-  logic [13:0] select_2803;
-  assign select_2803 = and_2781_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_2801[7]}}, select_2801});
+  logic [13:0] select_2823;
+  assign select_2823 = and_2801_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_2821[7]}}, select_2821});
   // hls/stages/agreement.hpp:798
-  logic and_2806;
-  assign and_2806 = not_577_s3_q & (so_s3_q & (and_2782_s3_q & equal_1706_s3_q));
+  logic and_2826;
+  assign and_2826 = not_584_s3_q & (so_s3_q & (and_2802_s3_q & equal_1713_s3_q));
   // hls/stages/registration.hpp:134
-  logic [5:0] select_2808;
-  assign select_2808 = and_2781_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2806});
+  logic [5:0] select_2828;
+  assign select_2828 = and_2801_s3_q ? 6'h0 : (registration_half_measured_q + {5'h0, and_2826});
   // hls/stages/registration.hpp:107
-  logic and_2810;
-  assign and_2810 = and_2782_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
+  logic and_2830;
+  assign and_2830 = and_2802_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
   // hls/stages/agreement.hpp:798
-  logic [1:0] select_2812;
-  assign select_2812 = so_s3_q ? (equal_1706_s3_q ? {and_2810, and_2782_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2813;
-  assign select_2813 = equal_576_s3_q ? 2'h0 : select_2812;
+  logic [1:0] select_2832;
+  assign select_2832 = so_s3_q ? (equal_1713_s3_q ? {and_2830, and_2802_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2833;
+  assign select_2833 = equal_583_s3_q ? 2'h0 : select_2832;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2814;
-  assign sum_2814 = registration_half_votes_down_q + {{5{select_2813[1]}}, select_2813};
+  logic [6:0] sum_2834;
+  assign sum_2834 = registration_half_votes_down_q + {{5{select_2833[1]}}, select_2833};
   // hls/stages/agreement.hpp:798
-  logic [1:0] select_2820;
-  assign select_2820 = so_s3_q ? (equal_1706_s3_q ? {and_2818_s3_q, and_2782_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2821;
-  assign select_2821 = equal_576_s3_q ? 2'h0 : select_2820;
+  logic [1:0] select_2840;
+  assign select_2840 = so_s3_q ? (equal_1713_s3_q ? {and_2838_s3_q, and_2802_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2841;
+  assign select_2841 = equal_583_s3_q ? 2'h0 : select_2840;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2822;
-  assign sum_2822 = registration_half_votes_up_q + {{5{select_2821[1]}}, select_2821};
+  logic [6:0] sum_2842;
+  assign sum_2842 = registration_half_votes_up_q + {{5{select_2841[1]}}, select_2841};
   // hls/stages/registration.hpp:107
-  logic and_2825;
-  assign and_2825 = and_2782_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
+  logic and_2845;
+  assign and_2845 = and_2802_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
   // hls/stages/agreement.hpp:798
-  logic [1:0] select_2827;
-  assign select_2827 = so_s3_q ? (equal_1706_s3_q ? {and_2825, and_2782_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2828;
-  assign select_2828 = equal_576_s3_q ? 2'h0 : select_2827;
+  logic [1:0] select_2847;
+  assign select_2847 = so_s3_q ? (equal_1713_s3_q ? {and_2845, and_2802_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2848;
+  assign select_2848 = equal_583_s3_q ? 2'h0 : select_2847;
   // hls/stages/registration.hpp:184
-  logic [6:0] sum_2829;
-  assign sum_2829 = registration_half_half_votes_down_q + {{5{select_2828[1]}}, select_2828};
+  logic [6:0] sum_2849;
+  assign sum_2849 = registration_half_half_votes_down_q + {{5{select_2848[1]}}, select_2848};
   // hls/stages/agreement.hpp:798
-  logic [1:0] select_2834;
-  assign select_2834 = so_s3_q ? (equal_1706_s3_q ? {and_2832_s3_q, and_2782_s3_q} : 2'h0) : 2'h0;
-  logic [1:0] select_2835;
-  assign select_2835 = equal_576_s3_q ? 2'h0 : select_2834;
+  logic [1:0] select_2854;
+  assign select_2854 = so_s3_q ? (equal_1713_s3_q ? {and_2852_s3_q, and_2802_s3_q} : 2'h0) : 2'h0;
+  logic [1:0] select_2855;
+  assign select_2855 = equal_583_s3_q ? 2'h0 : select_2854;
   // hls/stages/registration.hpp:185
-  logic [6:0] sum_2836;
-  assign sum_2836 = registration_half_half_votes_up_q + {{5{select_2835[1]}}, select_2835};
+  logic [6:0] sum_2856;
+  assign sum_2856 = registration_half_half_votes_up_q + {{5{select_2855[1]}}, select_2855};
   // hls/stages/agreement.hpp:798
-  logic and_2869;
-  assign and_2869 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q & less_1644_s3_q));
-  // hls/stages/agreement.hpp:1142
-  logic [11:0] select_2876;
-  assign select_2876 = or_1648_s3_q ? 12'h0 : (equal_2874_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1154
-  logic [11:0] select_2879;
-  assign select_2879 = x_s3_q[6] ? (equal_1613_s3_q ? 12'h0 : (less_1644_s3_q ? select_2876 : 12'h0)) : 12'h0;
+  logic and_2889;
+  assign and_2889 = equal_583_s3_q & (x_s3_q[6] & (not_2000_s3_q & less_1651_s3_q));
+  // hls/stages/agreement.hpp:1145
+  logic [11:0] select_2896;
+  assign select_2896 = or_1655_s3_q ? 12'h0 : (equal_2894_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
+  // hls/stages/agreement.hpp:1157
+  logic [11:0] select_2899;
+  assign select_2899 = x_s3_q[6] ? (equal_1620_s3_q ? 12'h0 : (less_1651_s3_q ? select_2896 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:798
-  logic [11:0] select_2880;
-  assign select_2880 = equal_576_s3_q ? select_2879 : 12'h0;
+  logic [11:0] select_2900;
+  assign select_2900 = equal_583_s3_q ? select_2899 : 12'h0;
   // hls/stages/registration.hpp:153
-  logic and_2881;
-  assign and_2881 = x_s3_q[1] & all_s3_q;
-  // hls/stages/agreement.hpp:1154
-  logic and_2884;
-  assign and_2884 = not_1993_s3_q & (less_1644_s3_q & ({and_2881, x_s3_q[0]} == 2'h0));
+  logic and_2901;
+  assign and_2901 = x_s3_q[1] & all_s3_q;
+  // hls/stages/agreement.hpp:1157
+  logic and_2904;
+  assign and_2904 = not_2000_s3_q & (less_1651_s3_q & ({and_2901, x_s3_q[0]} == 2'h0));
   // hls/stages/agreement.hpp:798
-  logic and_2886;
-  assign and_2886 = equal_576_s3_q & (x_s3_q[6] & and_2884);
+  logic and_2906;
+  assign and_2906 = equal_583_s3_q & (x_s3_q[6] & and_2904);
   // hls/stages/registration.hpp:252
-  logic [13:0] sum_2888;
-  assign sum_2888 = {{2{select_2880[11]}}, select_2880} + (and_2886 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:1142
-  logic [11:0] select_2891;
-  assign select_2891 = or_1648_s3_q ? 12'h0 : (equal_2874_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1154
-  logic [11:0] select_2894;
-  assign select_2894 = x_s3_q[6] ? (equal_1613_s3_q ? 12'h0 : (less_1644_s3_q ? select_2891 : 12'h0)) : 12'h0;
+  logic [13:0] sum_2908;
+  assign sum_2908 = {{2{select_2900[11]}}, select_2900} + (and_2906 ? 14'h0 : registration_down_q);
+  // hls/stages/agreement.hpp:1145
+  logic [11:0] select_2911;
+  assign select_2911 = or_1655_s3_q ? 12'h0 : (equal_2894_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
+  // hls/stages/agreement.hpp:1157
+  logic [11:0] select_2914;
+  assign select_2914 = x_s3_q[6] ? (equal_1620_s3_q ? 12'h0 : (less_1651_s3_q ? select_2911 : 12'h0)) : 12'h0;
   // hls/stages/agreement.hpp:798
-  logic [11:0] select_2895;
-  assign select_2895 = equal_576_s3_q ? select_2894 : 12'h0;
+  logic [11:0] select_2915;
+  assign select_2915 = equal_583_s3_q ? select_2914 : 12'h0;
   // hls/stages/registration.hpp:253
-  logic [13:0] sum_2897;
-  assign sum_2897 = {{2{select_2895[11]}}, select_2895} + (and_2886 ? 14'h0 : registration_up_q);
+  logic [13:0] sum_2917;
+  assign sum_2917 = {{2{select_2915[11]}}, select_2915} + (and_2906 ? 14'h0 : registration_up_q);
   // hls/stages/registration.hpp:150
-  logic not_2899;
-  assign not_2899 = ~all_s3_q;
-  // hls/stages/agreement.hpp:1154
-  logic and_2902;
-  assign and_2902 = not_1993_s3_q & (less_1644_s3_q & (x_s3_q[2:0] == {all_s3_q, not_2899, 1'b0}));
+  logic not_2919;
+  assign not_2919 = ~all_s3_q;
+  // hls/stages/agreement.hpp:1157
+  logic and_2922;
+  assign and_2922 = not_2000_s3_q & (less_1651_s3_q & (x_s3_q[2:0] == {all_s3_q, not_2919, 1'b0}));
   // hls/stages/agreement.hpp:798
-  logic and_2908;
-  assign and_2908 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q & (less_1644_s3_q & all_s3_q)));
+  logic and_2928;
+  assign and_2928 = equal_583_s3_q & (x_s3_q[6] & (not_2000_s3_q & (less_1651_s3_q & all_s3_q)));
   // hls/stages/registration.hpp:246
-  logic not_2909;
-  assign not_2909 = ~and_2908;
-  logic less_2910;
-  assign less_2910 = $signed({9'h1, {2{not_2909}}, and_2908}) < $signed(registration_up_q[13:2]);
-  logic select_2911;
-  assign select_2911 = (equal_576_s3_q & (x_s3_q[6] & and_2902)) ? less_2910 : registration_enough_q;
-  // hls/stages/agreement.hpp:1154
-  logic and_2915;
-  assign and_2915 = x_s3_q[6] & (not_1993_s3_q & (less_1644_s3_q & (x_s3_q[2:0] == 3'h4)));
+  logic not_2929;
+  assign not_2929 = ~and_2928;
+  logic less_2930;
+  assign less_2930 = $signed({9'h1, {2{not_2929}}, and_2928}) < $signed(registration_up_q[13:2]);
+  logic select_2931;
+  assign select_2931 = (equal_583_s3_q & (x_s3_q[6] & and_2922)) ? less_2930 : registration_enough_q;
+  // hls/stages/agreement.hpp:1157
+  logic and_2935;
+  assign and_2935 = x_s3_q[6] & (not_2000_s3_q & (less_1651_s3_q & (x_s3_q[2:0] == 3'h4)));
   // hls/stages/agreement.hpp:798
-  logic and_2916;
-  assign and_2916 = equal_576_s3_q & and_2915;
+  logic and_2936;
+  assign and_2936 = equal_583_s3_q & and_2935;
   // hls/stages/registration.hpp:242
-  logic less_2917;
-  assign less_2917 = $signed(14'h0) < $signed(registration_down_q);
-  logic less_2919;
-  assign less_2919 = $signed(14'h0) < $signed(registration_up_q);
+  logic less_2937;
+  assign less_2937 = $signed(14'h0) < $signed(registration_down_q);
+  logic less_2939;
+  assign less_2939 = $signed(14'h0) < $signed(registration_up_q);
   // hls/stages/registration.hpp:159
-  logic equal_2921;
-  assign equal_2921 = x_s3_q[2:0] == 3'h7;
+  logic equal_2941;
+  assign equal_2941 = x_s3_q[2:0] == 3'h7;
   // hls/stages/agreement.hpp:798
-  logic and_2925;
-  assign and_2925 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q & (less_1644_s3_q & equal_2921)));
-  // hls/stages/agreement.hpp:1154
-  logic and_2932;
-  assign and_2932 = x_s3_q[6] & (not_1993_s3_q & (less_1644_s3_q & (x_s3_q[5:0] == 6'h0)));
+  logic and_2945;
+  assign and_2945 = equal_583_s3_q & (x_s3_q[6] & (not_2000_s3_q & (less_1651_s3_q & equal_2941)));
+  // hls/stages/agreement.hpp:1157
+  logic and_2952;
+  assign and_2952 = x_s3_q[6] & (not_2000_s3_q & (less_1651_s3_q & (x_s3_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
-  logic equal_2935;
-  assign equal_2935 = x_s3_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1154
-  logic and_2938;
-  assign and_2938 = not_1993_s3_q & (less_1644_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_2935));
+  logic equal_2955;
+  assign equal_2955 = x_s3_q[2:0] == 3'h6;
+  // hls/stages/agreement.hpp:1157
+  logic and_2958;
+  assign and_2958 = not_2000_s3_q & (less_1651_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_2955));
   // hls/stages/registration.hpp:244
-  logic and_2942;
-  assign and_2942 = (equal_576_s3_q & (x_s3_q[6] & and_2938)) & (less_2919 | less_2917);
-  // hls/stages/agreement.hpp:1154
-  logic and_2947;
-  assign and_2947 = not_1993_s3_q & (less_1644_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_2935)));
+  logic and_2962;
+  assign and_2962 = (equal_583_s3_q & (x_s3_q[6] & and_2958)) & (less_2939 | less_2937);
+  // hls/stages/agreement.hpp:1157
+  logic and_2967;
+  assign and_2967 = not_2000_s3_q & (less_1651_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_2955)));
   // hls/stages/registration.hpp:244
-  logic and_2950;
-  assign and_2950 = registration_votes_up_q & registration_other_down_q;
-  logic select_2952;
-  assign select_2952 = registration_votes_down_q ? (registration_other_up_q | and_2950) : and_2950;
+  logic and_2970;
+  assign and_2970 = registration_votes_up_q & registration_other_down_q;
+  logic select_2972;
+  assign select_2972 = registration_votes_down_q ? (registration_other_up_q | and_2970) : and_2970;
   // hls/stages/registration.hpp:138
-  logic and_2954;
-  assign and_2954 = (equal_576_s3_q & (x_s3_q[6] & and_2947)) & (registration_other_enough_q & select_2952);
+  logic and_2974;
+  assign and_2974 = (equal_583_s3_q & (x_s3_q[6] & and_2967)) & (registration_other_enough_q & select_2972);
   // hls/stages/registration.hpp:245
-  logic or_2957;
-  assign or_2957 = registration_moved_q | (registration_enough_q & (and_2942 | and_2954));
+  logic or_2977;
+  assign or_2977 = registration_moved_q | (registration_enough_q & (and_2962 | and_2974));
   // hls/stages/agreement.hpp:277
-  logic [7:0] select_3040;
-  assign select_3040 = sample_pair_whole_s3_q ? (equal_1696_s3_q ? patches_place_0_slope_q : select_1802[21:14]) : patches_place_0_slope_q;
-  logic [7:0] select_3045;
-  assign select_3045 = sample_pair_whole_s3_q ? (equal_1696_s3_q ? patches_place_1_slope_q : select_1830[21:14]) : patches_place_1_slope_q;
+  logic [7:0] select_3060;
+  assign select_3060 = sample_pair_whole_s3_q ? (equal_1703_s3_q ? patches_place_0_slope_q : select_1809[21:14]) : patches_place_0_slope_q;
+  logic [7:0] select_3065;
+  assign select_3065 = sample_pair_whole_s3_q ? (equal_1703_s3_q ? patches_place_1_slope_q : select_1837[21:14]) : patches_place_1_slope_q;
   // hls/stages/patches.hpp:127
-  logic select_3047;
-  assign select_3047 = equal_1696_s3_q ? patches_valid_0_q : (select_1695_s3_q ? patches_valid_0_q : select_1798[0]);
+  logic select_3067;
+  assign select_3067 = equal_1703_s3_q ? patches_valid_0_q : (select_1702_s3_q ? patches_valid_0_q : select_1805[0]);
   // hls/stages/agreement.hpp:277
-  logic select_3050;
-  assign select_3050 = sample_pair_whole_s3_q ? (and_1821 ? (sample_present_s3_q & select_3047) : select_3047) : patches_valid_0_q;
+  logic select_3070;
+  assign select_3070 = sample_pair_whole_s3_q ? (and_1828 ? (sample_present_s3_q & select_3067) : select_3067) : patches_valid_0_q;
   // hls/stages/patches.hpp:127
-  logic select_3052;
-  assign select_3052 = equal_1696_s3_q ? patches_valid_1_q : (select_1695_s3_q ? select_1798[0] : patches_valid_1_q);
+  logic select_3072;
+  assign select_3072 = equal_1703_s3_q ? patches_valid_1_q : (select_1702_s3_q ? select_1805[0] : patches_valid_1_q);
   // hls/stages/agreement.hpp:277
-  logic select_3055;
-  assign select_3055 = sample_pair_whole_s3_q ? (and_1840 ? (sample_present_s3_q & select_3052) : select_3052) : patches_valid_1_q;
-  logic [5:0] select_3058;
-  assign select_3058 = sample_pair_whole_s3_q ? (select_1819[5] ? {1'b1, select_1819[4:0]} : (select_1819 + 6'h1)) : patches_right_next_0_q;
-  logic [5:0] select_3061;
-  assign select_3061 = sample_pair_whole_s3_q ? (select_1838[5] ? {1'b1, select_1838[4:0]} : (select_1838 + 6'h1)) : patches_right_next_1_q;
-  logic [4:0] select_3064;
-  assign select_3064 = sample_pair_whole_s3_q ? (select_1851[4] ? {1'b1, select_1851[3:0]} : (select_1851 + 5'h1)) : patches_left_next_0_q;
-  logic [4:0] select_3067;
-  assign select_3067 = sample_pair_whole_s3_q ? (select_1856[4] ? {1'b1, select_1856[3:0]} : (select_1856 + 5'h1)) : patches_left_next_1_q;
+  logic select_3075;
+  assign select_3075 = sample_pair_whole_s3_q ? (and_1847 ? (sample_present_s3_q & select_3072) : select_3072) : patches_valid_1_q;
+  logic [5:0] select_3078;
+  assign select_3078 = sample_pair_whole_s3_q ? (select_1826[5] ? {1'b1, select_1826[4:0]} : (select_1826 + 6'h1)) : patches_right_next_0_q;
+  logic [5:0] select_3081;
+  assign select_3081 = sample_pair_whole_s3_q ? (select_1845[5] ? {1'b1, select_1845[4:0]} : (select_1845 + 6'h1)) : patches_right_next_1_q;
+  logic [4:0] select_3084;
+  assign select_3084 = sample_pair_whole_s3_q ? (select_1858[4] ? {1'b1, select_1858[3:0]} : (select_1858 + 5'h1)) : patches_left_next_0_q;
+  logic [4:0] select_3087;
+  assign select_3087 = sample_pair_whole_s3_q ? (select_1863[4] ? {1'b1, select_1863[3:0]} : (select_1863 + 5'h1)) : patches_left_next_1_q;
   // hls/stages/patches.hpp:529
   logic [9:0] sum_3;
-  assign sum_3 = {4'h0, or_3486_s3_q, parity_3482_s3_q, xor_3470_s3_q, parity_3442_s3_q, parity_3380_s3_q, parity_3251_s3_q} + (equal_3487_s3_q ? 10'h0 : patches_sums_values_16_q);
+  assign sum_3 = {4'h0, or_3506_s3_q, parity_3502_s3_q, xor_3490_s3_q, parity_3462_s3_q, parity_3400_s3_q, parity_3271_s3_q} + (equal_3507_s3_q ? 10'h0 : patches_sums_values_16_q);
   // hls/stages/agreement.hpp:276
-  logic [9:0] select_3491;
-  assign select_3491 = equal_1782_s3_q ? patches_sums_values_0_q : (equal_1784_s3_q ? sum_3 : patches_sums_values_0_q);
-  logic [9:0] select_3492;
-  assign select_3492 = equal_1784_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
-  logic [9:0] select_3494;
-  assign select_3494 = equal_1784_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
-  logic [9:0] select_3496;
-  assign select_3496 = equal_1784_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
-  logic [9:0] select_3498;
-  assign select_3498 = equal_1784_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
-  logic [9:0] select_3500;
-  assign select_3500 = equal_1784_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
-  logic [9:0] select_3502;
-  assign select_3502 = equal_1784_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
-  logic [9:0] select_3504;
-  assign select_3504 = equal_1784_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
-  logic [9:0] select_3506;
-  assign select_3506 = equal_1784_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
-  logic [9:0] select_3508;
-  assign select_3508 = equal_1784_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
-  logic [9:0] select_3510;
-  assign select_3510 = equal_1784_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3511;
+  assign select_3511 = equal_1789_s3_q ? patches_sums_values_0_q : (equal_1791_s3_q ? sum_3 : patches_sums_values_0_q);
   logic [9:0] select_3512;
-  assign select_3512 = equal_1784_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  assign select_3512 = equal_1791_s3_q ? patches_sums_values_0_q : patches_sums_values_1_q;
   logic [9:0] select_3514;
-  assign select_3514 = equal_1784_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  assign select_3514 = equal_1791_s3_q ? patches_sums_values_1_q : patches_sums_values_2_q;
   logic [9:0] select_3516;
-  assign select_3516 = equal_1784_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  assign select_3516 = equal_1791_s3_q ? patches_sums_values_2_q : patches_sums_values_3_q;
   logic [9:0] select_3518;
-  assign select_3518 = equal_1784_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  assign select_3518 = equal_1791_s3_q ? patches_sums_values_3_q : patches_sums_values_4_q;
   logic [9:0] select_3520;
-  assign select_3520 = equal_1784_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  assign select_3520 = equal_1791_s3_q ? patches_sums_values_4_q : patches_sums_values_5_q;
   logic [9:0] select_3522;
-  assign select_3522 = equal_1784_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
+  assign select_3522 = equal_1791_s3_q ? patches_sums_values_5_q : patches_sums_values_6_q;
+  logic [9:0] select_3524;
+  assign select_3524 = equal_1791_s3_q ? patches_sums_values_6_q : patches_sums_values_7_q;
+  logic [9:0] select_3526;
+  assign select_3526 = equal_1791_s3_q ? patches_sums_values_7_q : patches_sums_values_8_q;
+  logic [9:0] select_3528;
+  assign select_3528 = equal_1791_s3_q ? patches_sums_values_8_q : patches_sums_values_9_q;
+  logic [9:0] select_3530;
+  assign select_3530 = equal_1791_s3_q ? patches_sums_values_9_q : patches_sums_values_10_q;
+  logic [9:0] select_3532;
+  assign select_3532 = equal_1791_s3_q ? patches_sums_values_10_q : patches_sums_values_11_q;
+  logic [9:0] select_3534;
+  assign select_3534 = equal_1791_s3_q ? patches_sums_values_11_q : patches_sums_values_12_q;
+  logic [9:0] select_3536;
+  assign select_3536 = equal_1791_s3_q ? patches_sums_values_12_q : patches_sums_values_13_q;
+  logic [9:0] select_3538;
+  assign select_3538 = equal_1791_s3_q ? patches_sums_values_13_q : patches_sums_values_14_q;
+  logic [9:0] select_3540;
+  assign select_3540 = equal_1791_s3_q ? patches_sums_values_14_q : patches_sums_values_15_q;
+  logic [9:0] select_3542;
+  assign select_3542 = equal_1791_s3_q ? patches_sums_values_15_q : patches_sums_values_16_q;
   // hls/stages/patches.hpp:601
-  logic [9:0] difference_3593;
-  assign difference_3593 = patches_peak_far_q - patches_peak_best_differing_q;
-  logic and_3596;
-  assign and_3596 = (~(patches_peak_far_q < patches_peak_best_differing_q)) & (~({difference_3593, 3'h0} < {3'h0, patches_peak_size_q}));
+  logic [9:0] difference_3613;
+  assign difference_3613 = patches_peak_far_q - patches_peak_best_differing_q;
+  logic and_3616;
+  assign and_3616 = (~(patches_peak_far_q < patches_peak_best_differing_q)) & (~({difference_3613, 3'h0} < {3'h0, patches_peak_size_q}));
   // hls/stages/patches.hpp:600
-  logic not_3599;
-  assign not_3599 = ~({1'b0, patches_peak_size_q[9:1]} < patches_peak_best_differing_q);
+  logic not_3619;
+  assign not_3619 = ~({1'b0, patches_peak_size_q[9:1]} < patches_peak_best_differing_q);
   // hls/stages/patches.hpp:608
-  logic and_3602;
-  assign and_3602 = (patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q) & (and_3596 & ((10'h38 < patches_peak_size_q) & not_3599));
+  logic and_3622;
+  assign and_3622 = (patches_second_s3_q ? patches_valid_1_q : patches_valid_0_q) & (and_3616 & ((10'h38 < patches_peak_size_q) & not_3619));
   // hls/stages/patches.hpp:190
-  logic and_3604;
-  assign and_3604 = and_3587_s3_q & ((~(patches_peak_row_q[3:0] == 4'h0)) & and_3602);
+  logic and_3624;
+  assign and_3624 = and_3607_s3_q & ((~(patches_peak_row_q[3:0] == 4'h0)) & and_3622);
   // hls/stages/patches.hpp:667
-  logic not_3605;
-  assign not_3605 = ~patches_lower_s3_q;
+  logic not_3625;
+  assign not_3625 = ~patches_lower_s3_q;
   // hls/stages/patches.hpp:192
-  logic and_3607;
-  assign and_3607 = and_3604 & (not_1789_s3_q & not_3605);
+  logic and_3627;
+  assign and_3627 = and_3624 & (not_1796_s3_q & not_3625);
   // hls/stages/patches.hpp:669
-  logic [7:0] sum_3609;
-  assign sum_3609 = {7'h0, and_3607} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
+  logic [7:0] sum_3629;
+  assign sum_3629 = {7'h0, and_3627} + (patches_round_ends_q ? 8'h0 : patches_quarters_0_places_q);
   // hls/stages/patches.hpp:586
-  logic [1:0] sum_3613;
-  assign sum_3613 = patches_peak_row_q[4:3] + 2'h3;
+  logic [1:0] sum_3633;
+  assign sum_3633 = patches_peak_row_q[4:3] + 2'h3;
   // hls/stages/patches.hpp:581
   logic [9:0] high;
-  assign high = less_3612_s3_q ? patches_peak_below_q : patches_peak_above_q;
+  assign high = less_3632_s3_q ? patches_peak_below_q : patches_peak_above_q;
   logic [9:0] low;
   assign low = (patches_peak_below_q < patches_peak_above_q) ? patches_peak_below_q : patches_peak_above_q;
   // hls/stages/patches.hpp:582
@@ -6341,533 +6377,533 @@ module horopter_agreement (
   logic [9:0] fall_2;
   assign fall_2 = high - patches_peak_best_differing_q;
   // hls/stages/patches.hpp:584
-  logic not_3620;
-  assign not_3620 = ~({eight, 3'h0} < {3'h0, fall_2});
-  logic [10:0] sum_3621;
-  assign sum_3621 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
-  logic not_3623;
-  assign not_3623 = ~({eight, 3'h0} < {1'b0, sum_3621, fall_2[0]});
-  logic [1:0] sum_3624;
-  assign sum_3624 = {1'b0, not_3620} + {1'b0, not_3623};
+  logic not_3640;
+  assign not_3640 = ~({eight, 3'h0} < {3'h0, fall_2});
+  logic [10:0] sum_3641;
+  assign sum_3641 = {1'b0, fall_2} + {2'h0, fall_2[9:1]};
+  logic not_3643;
+  assign not_3643 = ~({eight, 3'h0} < {1'b0, sum_3641, fall_2[0]});
+  logic [1:0] sum_3644;
+  assign sum_3644 = {1'b0, not_3640} + {1'b0, not_3643};
   // hls/stages/patches.hpp:585
-  logic [10:0] sum_3625;
-  assign sum_3625 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
-  logic not_3627;
-  assign not_3627 = ~({eight, 3'h0} < {sum_3625, fall_2[1:0]});
-  logic not_3630;
-  assign not_3630 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
-  logic [1:0] sum_3631;
-  assign sum_3631 = {1'b0, not_3627} + {1'b0, not_3630};
+  logic [10:0] sum_3645;
+  assign sum_3645 = {1'b0, fall_2} + {3'h0, fall_2[9:2]};
+  logic not_3647;
+  assign not_3647 = ~({eight, 3'h0} < {sum_3645, fall_2[1:0]});
+  logic not_3650;
+  assign not_3650 = ~({eight, 3'h0} < ({fall_2, 3'h0} - {3'h0, fall_2}));
+  logic [1:0] sum_3651;
+  assign sum_3651 = {1'b0, not_3647} + {1'b0, not_3650};
   // hls/stages/patches.hpp:584
   logic [2:0] fraction;
-  assign fraction = {1'b0, sum_3624} + {1'b0, sum_3631};
+  assign fraction = {1'b0, sum_3644} + {1'b0, sum_3651};
   // hls/stages/patches.hpp:587
-  logic [7:0] select_3634;
-  assign select_3634 = less_3612_s3_q ? ({sum_3613, patches_peak_row_q[2:0], 3'h0} - {5'h0, fraction}) : {sum_3613, patches_peak_row_q[2:0], fraction};
+  logic [7:0] select_3654;
+  assign select_3654 = less_3632_s3_q ? ({sum_3633, patches_peak_row_q[2:0], 3'h0} - {5'h0, fraction}) : {sum_3633, patches_peak_row_q[2:0], fraction};
   // hls/stages/patches.hpp:604
-  logic [7:0] select_3635;
-  assign select_3635 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
+  logic [7:0] select_3655;
+  assign select_3655 = patches_second_s3_q ? patches_place_1_slope_q : patches_place_0_slope_q;
   // hls/stages/patches.hpp:603
-  logic [5:0] select_3636;
-  assign select_3636 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
-  logic [3:0] sum_3637;
-  assign sum_3637 = {2'h0, patches_peak_best_column_q[4:3]} + 4'hf;
-  logic [6:0] sum_3638;
-  assign sum_3638 = {select_3636[5], select_3636} + {{3{sum_3637[3]}}, sum_3637};
+  logic [5:0] select_3656;
+  assign select_3656 = patches_second_s3_q ? patches_place_1_shift_q : patches_place_0_shift_q;
+  logic [3:0] sum_3657;
+  assign sum_3657 = {2'h0, patches_peak_best_column_q[4:3]} + 4'hf;
+  logic [6:0] sum_3658;
+  assign sum_3658 = {select_3656[5], select_3656} + {{3{sum_3657[3]}}, sum_3657};
   // hls/stages/patches.hpp:604
-  logic [17:0] product_3639;
-  assign product_3639 = $signed({{10{select_3635[7]}}, select_3635}) * $signed({{8{sum_3638[6]}}, sum_3638, patches_peak_best_column_q[2:0]});
+  logic [17:0] product_3659;
+  assign product_3659 = $signed({{10{select_3655[7]}}, select_3655}) * $signed({{8{sum_3658[6]}}, sum_3658, patches_peak_best_column_q[2:0]});
   // hls/stages/patches.hpp:605
-  logic [13:0] difference_3640;
-  assign difference_3640 = {{6{select_3634[7]}}, select_3634} - {product_3639[17], product_3639[17:5]};
+  logic [13:0] difference_3660;
+  assign difference_3660 = {{6{select_3654[7]}}, select_3654} - {product_3659[17], product_3659[17:5]};
   // hls/stages/patches.hpp:611
-  logic less_3641;
-  assign less_3641 = $signed({{7{difference_3611[6]}}, difference_3611}) < $signed(difference_3640);
+  logic less_3661;
+  assign less_3661 = $signed({{7{difference_3631[6]}}, difference_3631}) < $signed(difference_3660);
   // hls/stages/patches.hpp:189
-  logic not_3642;
-  assign not_3642 = ~less_3641;
+  logic not_3662;
+  assign not_3662 = ~less_3661;
   // hls/stages/patches.hpp:670
-  logic and_3643;
-  assign and_3643 = not_3642 & and_3607;
-  logic [7:0] sum_3644;
-  assign sum_3644 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3643};
+  logic and_3663;
+  assign and_3663 = not_3662 & and_3627;
+  logic [7:0] sum_3664;
+  assign sum_3664 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_up_q) + {7'h0, and_3663};
   // hls/stages/patches.hpp:189
-  logic not_3647;
-  assign not_3647 = ~($signed(difference_3640) < $signed({8'h0, cfg_patch_limit_i}));
-  // hls/stages/patches.hpp:671
-  logic and_3648;
-  assign and_3648 = not_3647 & and_3607;
-  logic [7:0] sum_3649;
-  assign sum_3649 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3648};
-  // hls/stages/patches.hpp:192
-  logic and_3651;
-  assign and_3651 = and_3604 & (patches_second_s3_q & not_3605);
-  // hls/stages/patches.hpp:669
-  logic [7:0] sum_3653;
-  assign sum_3653 = {7'h0, and_3651} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
-  // hls/stages/patches.hpp:670
-  logic and_3655;
-  assign and_3655 = not_3642 & and_3651;
-  logic [7:0] sum_3656;
-  assign sum_3656 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3655};
-  // hls/stages/patches.hpp:671
-  logic and_3658;
-  assign and_3658 = not_3647 & and_3651;
-  logic [7:0] sum_3659;
-  assign sum_3659 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3658};
-  // hls/stages/patches.hpp:192
-  logic and_3661;
-  assign and_3661 = and_3604 & (patches_lower_s3_q & not_1789_s3_q);
-  // hls/stages/patches.hpp:669
-  logic [7:0] sum_3663;
-  assign sum_3663 = {7'h0, and_3661} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
-  // hls/stages/patches.hpp:670
-  logic and_3665;
-  assign and_3665 = not_3642 & and_3661;
-  logic [7:0] sum_3666;
-  assign sum_3666 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3665};
+  logic not_3667;
+  assign not_3667 = ~($signed(difference_3660) < $signed({8'h0, cfg_patch_limit_i}));
   // hls/stages/patches.hpp:671
   logic and_3668;
-  assign and_3668 = not_3647 & and_3661;
+  assign and_3668 = not_3667 & and_3627;
   logic [7:0] sum_3669;
-  assign sum_3669 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3668};
+  assign sum_3669 = (patches_round_ends_q ? 8'h0 : patches_quarters_0_down_q) + {7'h0, and_3668};
   // hls/stages/patches.hpp:192
   logic and_3671;
-  assign and_3671 = and_3604 & (patches_lower_s3_q & patches_second_s3_q);
+  assign and_3671 = and_3624 & (patches_second_s3_q & not_3625);
   // hls/stages/patches.hpp:669
   logic [7:0] sum_3673;
-  assign sum_3673 = {7'h0, and_3671} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  assign sum_3673 = {7'h0, and_3671} + (patches_round_ends_q ? 8'h0 : patches_quarters_1_places_q);
   // hls/stages/patches.hpp:670
   logic and_3675;
-  assign and_3675 = not_3642 & and_3671;
+  assign and_3675 = not_3662 & and_3671;
   logic [7:0] sum_3676;
-  assign sum_3676 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3675};
+  assign sum_3676 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_up_q) + {7'h0, and_3675};
   // hls/stages/patches.hpp:671
   logic and_3678;
-  assign and_3678 = not_3647 & and_3671;
+  assign and_3678 = not_3667 & and_3671;
   logic [7:0] sum_3679;
-  assign sum_3679 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3678};
-  // hls/stages/agreement.hpp:1235
-  logic equal_3680;
-  assign equal_3680 = x_s3_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1142
-  logic less_3681;
-  assign less_3681 = x_s3_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:798
+  assign sum_3679 = (patches_round_ends_q ? 8'h0 : patches_quarters_1_down_q) + {7'h0, and_3678};
+  // hls/stages/patches.hpp:192
+  logic and_3681;
+  assign and_3681 = and_3624 & (patches_lower_s3_q & not_1796_s3_q);
+  // hls/stages/patches.hpp:669
+  logic [7:0] sum_3683;
+  assign sum_3683 = {7'h0, and_3681} + (patches_round_ends_q ? 8'h0 : patches_quarters_2_places_q);
+  // hls/stages/patches.hpp:670
   logic and_3685;
-  assign and_3685 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q & (equal_3680 & less_3681)));
-  // hls/stages/agreement.hpp:1154
-  logic and_3690;
-  assign and_3690 = x_s3_q[6] & (not_1993_s3_q & (less_3681 & (x_s3_q[2:0] == 3'h1)));
-  // hls/stages/agreement.hpp:798
+  assign and_3685 = not_3662 & and_3681;
+  logic [7:0] sum_3686;
+  assign sum_3686 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_up_q) + {7'h0, and_3685};
+  // hls/stages/patches.hpp:671
+  logic and_3688;
+  assign and_3688 = not_3667 & and_3681;
+  logic [7:0] sum_3689;
+  assign sum_3689 = (patches_round_ends_q ? 8'h0 : patches_quarters_2_down_q) + {7'h0, and_3688};
+  // hls/stages/patches.hpp:192
   logic and_3691;
-  assign and_3691 = equal_576_s3_q & and_3690;
-  // hls/stages/patches.hpp:633
-  logic [7:0] or_3693;
-  assign or_3693 = (and_3685 ? patches_quarters_0_places_q : 8'h0) | (and_3691 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/agreement.hpp:1154
-  logic and_3697;
-  assign and_3697 = x_s3_q[6] & (not_1993_s3_q & (less_3681 & (x_s3_q[2:0] == 3'h2)));
-  // hls/stages/agreement.hpp:798
+  assign and_3691 = and_3624 & (patches_lower_s3_q & patches_second_s3_q);
+  // hls/stages/patches.hpp:669
+  logic [7:0] sum_3693;
+  assign sum_3693 = {7'h0, and_3691} + (patches_round_ends_q ? 8'h0 : patches_quarters_3_places_q);
+  // hls/stages/patches.hpp:670
+  logic and_3695;
+  assign and_3695 = not_3662 & and_3691;
+  logic [7:0] sum_3696;
+  assign sum_3696 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_up_q) + {7'h0, and_3695};
+  // hls/stages/patches.hpp:671
   logic and_3698;
-  assign and_3698 = equal_576_s3_q & and_3697;
-  // hls/stages/agreement.hpp:1154
-  logic and_3704;
-  assign and_3704 = x_s3_q[6] & (not_1993_s3_q & (less_3681 & (x_s3_q[2:0] == 3'h3)));
+  assign and_3698 = not_3667 & and_3691;
+  logic [7:0] sum_3699;
+  assign sum_3699 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3698};
+  // hls/stages/agreement.hpp:1238
+  logic equal_3700;
+  assign equal_3700 = x_s3_q[2:0] == 3'h0;
+  // hls/stages/agreement.hpp:1145
+  logic less_3701;
+  assign less_3701 = x_s3_q[5:3] < 3'h3;
   // hls/stages/agreement.hpp:798
   logic and_3705;
-  assign and_3705 = equal_576_s3_q & and_3704;
+  assign and_3705 = equal_583_s3_q & (x_s3_q[6] & (not_2000_s3_q & (equal_3700 & less_3701)));
+  // hls/stages/agreement.hpp:1157
+  logic and_3710;
+  assign and_3710 = x_s3_q[6] & (not_2000_s3_q & (less_3701 & (x_s3_q[2:0] == 3'h1)));
+  // hls/stages/agreement.hpp:798
+  logic and_3711;
+  assign and_3711 = equal_583_s3_q & and_3710;
   // hls/stages/patches.hpp:633
-  logic [7:0] or_3707;
-  assign or_3707 = (or_3693 | (and_3698 ? patches_quarters_2_places_q : 8'h0)) | (and_3705 ? patches_quarters_3_places_q : 8'h0);
+  logic [7:0] or_3713;
+  assign or_3713 = (and_3705 ? patches_quarters_0_places_q : 8'h0) | (and_3711 ? patches_quarters_1_places_q : 8'h0);
+  // hls/stages/agreement.hpp:1157
+  logic and_3717;
+  assign and_3717 = x_s3_q[6] & (not_2000_s3_q & (less_3701 & (x_s3_q[2:0] == 3'h2)));
+  // hls/stages/agreement.hpp:798
+  logic and_3718;
+  assign and_3718 = equal_583_s3_q & and_3717;
+  // hls/stages/agreement.hpp:1157
+  logic and_3724;
+  assign and_3724 = x_s3_q[6] & (not_2000_s3_q & (less_3701 & (x_s3_q[2:0] == 3'h3)));
+  // hls/stages/agreement.hpp:798
+  logic and_3725;
+  assign and_3725 = equal_583_s3_q & and_3724;
+  // hls/stages/patches.hpp:633
+  logic [7:0] or_3727;
+  assign or_3727 = (or_3713 | (and_3718 ? patches_quarters_2_places_q : 8'h0)) | (and_3725 ? patches_quarters_3_places_q : 8'h0);
   // hls/stages/patches.hpp:203
-  logic select_3711;
-  assign select_3711 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
+  logic select_3731;
+  assign select_3731 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
   // hls/stages/agreement.hpp:798
-  logic and_3715;
-  assign and_3715 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q & (less_3681 & select_3711)));
+  logic and_3735;
+  assign and_3735 = equal_583_s3_q & (x_s3_q[6] & (not_2000_s3_q & (less_3701 & select_3731)));
   // hls/stages/patches.hpp:634
-  logic [7:0] select_3717;
-  assign select_3717 = and_3685 ? (and_3715 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
-  logic [7:0] select_3719;
-  assign select_3719 = and_3691 ? (and_3715 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
-  logic [7:0] select_3722;
-  assign select_3722 = and_3698 ? (and_3715 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
-  logic [7:0] select_3725;
-  assign select_3725 = and_3705 ? (and_3715 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
+  logic [7:0] select_3737;
+  assign select_3737 = and_3705 ? (and_3735 ? patches_quarters_0_down_q : patches_quarters_0_up_q) : 8'h0;
+  logic [7:0] select_3739;
+  assign select_3739 = and_3711 ? (and_3735 ? patches_quarters_1_down_q : patches_quarters_1_up_q) : 8'h0;
+  logic [7:0] select_3742;
+  assign select_3742 = and_3718 ? (and_3735 ? patches_quarters_2_down_q : patches_quarters_2_up_q) : 8'h0;
+  logic [7:0] select_3745;
+  assign select_3745 = and_3725 ? (and_3735 ? patches_quarters_3_down_q : patches_quarters_3_up_q) : 8'h0;
   // hls/stages/patches.hpp:635
-  logic [7:0] select_3728;
-  assign select_3728 = and_3685 ? (and_3715 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
-  logic [7:0] select_3730;
-  assign select_3730 = and_3691 ? (and_3715 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
-  logic [7:0] select_3733;
-  assign select_3733 = and_3698 ? (and_3715 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
-  logic [7:0] select_3736;
-  assign select_3736 = and_3705 ? (and_3715 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
+  logic [7:0] select_3748;
+  assign select_3748 = and_3705 ? (and_3735 ? patches_quarters_0_up_q : patches_quarters_0_down_q) : 8'h0;
+  logic [7:0] select_3750;
+  assign select_3750 = and_3711 ? (and_3735 ? patches_quarters_1_up_q : patches_quarters_1_down_q) : 8'h0;
+  logic [7:0] select_3753;
+  assign select_3753 = and_3718 ? (and_3735 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
+  logic [7:0] select_3756;
+  assign select_3756 = and_3725 ? (and_3735 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
   // hls/stages/patches.hpp:206
-  logic [4:0] sum_3738;
-  assign sum_3738 = {2'h0, x_s3_q[2:0]} + 5'h1f;
-  // hls/stages/agreement.hpp:1154
-  logic and_3742;
-  assign and_3742 = x_s3_q[6] & (not_1993_s3_q & (less_3681 & (sum_3738[4:2] == 3'h0)));
-  // hls/stages/agreement.hpp:798
-  logic and_3743;
-  assign and_3743 = equal_576_s3_q & and_3742;
-  // hls/stages/patches.hpp:630
-  logic [7:0] select_3746;
-  assign select_3746 = and_3743 ? (patches_word_places_q + (and_3691 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
-  logic [7:0] select_3749;
-  assign select_3749 = and_3743 ? (patches_word_up_q + (and_3691 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
-  logic [7:0] select_3752;
-  assign select_3752 = and_3743 ? (patches_word_down_q + (and_3691 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
-  // hls/stages/patches.hpp:189
-  logic [5:0] select_3755;
-  assign select_3755 = ($signed(difference_3640[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3640[5:0];
-  logic [5:0] select_3756;
-  assign select_3756 = ($signed(14'h10) < $signed(difference_3640)) ? 6'h10 : select_3755;
-  // hls/stages/patches.hpp:673
-  logic [5:0] select_3757;
-  assign select_3757 = and_3604 ? select_3756 : 6'h0;
-  // hls/stages/patches.hpp:674
-  logic [11:0] select_3759;
-  assign select_3759 = patches_round_ends_q ? {{6{select_3757[5]}}, select_3757} : (patches_across_q + {{6{select_3757[5]}}, select_3757});
+  logic [4:0] sum_3758;
+  assign sum_3758 = {2'h0, x_s3_q[2:0]} + 5'h1f;
+  // hls/stages/agreement.hpp:1157
+  logic and_3762;
+  assign and_3762 = x_s3_q[6] & (not_2000_s3_q & (less_3701 & (sum_3758[4:2] == 3'h0)));
   // hls/stages/agreement.hpp:798
   logic and_3763;
-  assign and_3763 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q & (equal_2921 & less_3681)));
-  // hls/stages/agreement.hpp:1154
-  logic and_3767;
-  assign and_3767 = x_s3_q[6] & (not_1993_s3_q & (less_3681 & (x_s3_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:798
-  logic and_3768;
-  assign and_3768 = equal_576_s3_q & and_3767;
-  // hls/stages/patches.hpp:657
-  logic [7:0] select_3770;
-  assign select_3770 = and_3763 ? (and_3768 ? patches_sum_places_q : patches_places_q) : patches_places_q;
-  // hls/stages/patches.hpp:659
-  logic or_3774;
-  assign or_3774 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
-  // hls/stages/patches.hpp:660
-  logic or_3777;
-  assign or_3777 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
-  // hls/stages/patches.hpp:661
-  logic [8:0] sum_3778;
-  assign sum_3778 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
-  // hls/stages/patches.hpp:656
-  logic select_3780;
-  assign select_3780 = and_3763 ? (and_3768 ? patches_enough_q : patches_complete_q) : patches_complete_q;
-  // hls/stages/patches.hpp:192
-  logic and_3783;
-  assign and_3783 = patches_enough_q & patches_mostly_q;
-  // hls/stages/patches.hpp:656
-  logic [2:0] select_3785;
-  assign select_3785 = and_3768 ? {and_3783, patches_found_q[2:1]} : (and_3763 ? {and_3783, patches_found_q[2:1]} : patches_found_q);
-  // hls/stages/patches.hpp:655
-  logic or_3789;
-  assign or_3789 = patches_partly_q | (patches_doubted_q & (~and_3768));
-  // hls/stages/patches.hpp:656
-  logic select_3792;
-  assign select_3792 = and_3763 ? (and_3768 ? or_3789 : (and_3763 ? or_3789 : patches_doubted_q)) : patches_doubted_q;
-  // hls/stages/patches.hpp:654
-  logic select_3793;
-  assign select_3793 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
-  // hls/stages/patches.hpp:643
-  logic [7:0] select_3797;
-  assign select_3797 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
-  // hls/stages/patches.hpp:612
-  logic [10:0] sum_3799;
-  assign sum_3799 = {sum_3638[6], sum_3638, patches_peak_best_column_q[2:0]} + 11'h1;
+  assign and_3763 = equal_583_s3_q & and_3762;
+  // hls/stages/patches.hpp:630
+  logic [7:0] select_3766;
+  assign select_3766 = and_3763 ? (patches_word_places_q + (and_3711 ? 8'h0 : patches_sum_places_q)) : patches_sum_places_q;
+  logic [7:0] select_3769;
+  assign select_3769 = and_3763 ? (patches_word_up_q + (and_3711 ? 8'h0 : patches_sum_up_q)) : patches_sum_up_q;
+  logic [7:0] select_3772;
+  assign select_3772 = and_3763 ? (patches_word_down_q + (and_3711 ? 8'h0 : patches_sum_down_q)) : patches_sum_down_q;
+  // hls/stages/patches.hpp:189
+  logic [5:0] select_3775;
+  assign select_3775 = ($signed(difference_3660[13:4]) < $signed(10'h3ff)) ? 6'h30 : difference_3660[5:0];
+  logic [5:0] select_3776;
+  assign select_3776 = ($signed(14'h10) < $signed(difference_3660)) ? 6'h10 : select_3775;
+  // hls/stages/patches.hpp:673
+  logic [5:0] select_3777;
+  assign select_3777 = and_3624 ? select_3776 : 6'h0;
   // hls/stages/patches.hpp:674
-  logic and_3801;
-  assign and_3801 = ({{5{sum_3799[10]}}, sum_3799} < 16'h3) & and_3604;
-  logic [7:0] sum_3802;
-  assign sum_3802 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3801};
-  // hls/stages/patches.hpp:663
-  logic [12:0] product_3807;
-  assign product_3807 = {8'h0, patches_on_skin_limit_q} * {5'h0, select_3770};
+  logic [11:0] select_3779;
+  assign select_3779 = patches_round_ends_q ? {{6{select_3777[5]}}, select_3777} : (patches_across_q + {{6{select_3777[5]}}, select_3777});
+  // hls/stages/agreement.hpp:798
+  logic and_3783;
+  assign and_3783 = equal_583_s3_q & (x_s3_q[6] & (not_2000_s3_q & (equal_2941 & less_3701)));
+  // hls/stages/agreement.hpp:1157
+  logic and_3787;
+  assign and_3787 = x_s3_q[6] & (not_2000_s3_q & (less_3701 & (x_s3_q[5:3] == 3'h0)));
+  // hls/stages/agreement.hpp:798
+  logic and_3788;
+  assign and_3788 = equal_583_s3_q & and_3787;
+  // hls/stages/patches.hpp:657
+  logic [7:0] select_3790;
+  assign select_3790 = and_3783 ? (and_3788 ? patches_sum_places_q : patches_places_q) : patches_places_q;
+  // hls/stages/patches.hpp:659
+  logic or_3794;
+  assign or_3794 = ({1'b0, patches_sum_places_q[7:1]} < patches_sum_up_q) | ({1'b0, patches_sum_places_q[7:1]} < patches_sum_down_q);
+  // hls/stages/patches.hpp:660
+  logic or_3797;
+  assign or_3797 = ({1'b0, patches_clear_limit_q} < patches_sum_up_q) | ({1'b0, patches_clear_limit_q} < patches_sum_down_q);
+  // hls/stages/patches.hpp:661
+  logic [8:0] sum_3798;
+  assign sum_3798 = {1'b0, patches_sum_places_q} + {3'h0, patches_sum_places_q[7:2]};
+  // hls/stages/patches.hpp:656
+  logic select_3800;
+  assign select_3800 = and_3783 ? (and_3788 ? patches_enough_q : patches_complete_q) : patches_complete_q;
   // hls/stages/patches.hpp:192
-  logic and_3809;
-  assign and_3809 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_3807[12:5] < patches_on_skin_q);
-  logic select_3814;
-  assign select_3814 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
+  logic and_3802;
+  assign and_3802 = patches_enough_q & patches_mostly_q;
+  // hls/stages/patches.hpp:656
+  logic [2:0] select_3804;
+  assign select_3804 = and_3788 ? {and_3802, patches_found_q[2:1]} : (and_3783 ? {and_3802, patches_found_q[2:1]} : patches_found_q);
+  // hls/stages/patches.hpp:655
+  logic or_3808;
+  assign or_3808 = patches_partly_q | (patches_doubted_q & (~and_3788));
+  // hls/stages/patches.hpp:656
+  logic select_3811;
+  assign select_3811 = and_3783 ? (and_3788 ? or_3808 : (and_3783 ? or_3808 : patches_doubted_q)) : patches_doubted_q;
+  // hls/stages/patches.hpp:654
+  logic select_3812;
+  assign select_3812 = patches_round_ends_q ? patches_doubted_q : patches_doubted_before_q;
+  // hls/stages/patches.hpp:643
+  logic [7:0] select_3816;
+  assign select_3816 = patches_round_ends_q ? patches_on_skin_q : patches_round_on_skin_q;
+  // hls/stages/patches.hpp:612
+  logic [10:0] sum_3818;
+  assign sum_3818 = {sum_3658[6], sum_3658, patches_peak_best_column_q[2:0]} + 11'h1;
+  // hls/stages/patches.hpp:674
+  logic and_3820;
+  assign and_3820 = ({{5{sum_3818[10]}}, sum_3818} < 16'h3) & and_3624;
+  logic [7:0] sum_3821;
+  assign sum_3821 = (patches_round_ends_q ? 8'h0 : patches_on_skin_q) + {7'h0, and_3820};
+  // hls/stages/patches.hpp:663
+  logic [12:0] product_3826;
+  assign product_3826 = {8'h0, patches_on_skin_limit_q} * {5'h0, select_3790};
+  // hls/stages/patches.hpp:192
+  logic and_3828;
+  assign and_3828 = (~(patches_on_skin_q[7:2] == 6'h0)) & (product_3826[12:5] < patches_on_skin_q);
+  logic select_3833;
+  assign select_3833 = patches_round_ends_q ? (patches_large_q & (~patches_spoiled_q)) : patches_overlooked_q;
   // hls/stages/patches.hpp:644
-  logic or_3818;
-  assign or_3818 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
+  logic or_3837;
+  assign or_3837 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_q));
   // hls/stages/patches.hpp:645
   logic found_2;
   assign found_2 = ~(patches_found_q == 3'h0);
   // hls/stages/patches.hpp:646
-  logic select_3825;
-  assign select_3825 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
+  logic select_3844;
+  assign select_3844 = patches_round_ends_q ? (patches_twice_q | (patches_moved_q & (~patches_clear_q))) : patches_moved_q;
   // hls/stages/patches.hpp:647
-  logic and_3831;
-  assign and_3831 = patches_frame_ended_s3_q & (~patches_age_q[9]);
-  logic [9:0] sum_3832;
-  assign sum_3832 = patches_age_q + {9'h0, and_3831};
-  logic [9:0] select_3835;
-  assign select_3835 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3832)) : sum_3832;
-  // hls/stages/agreement.hpp:1200
-  logic or_3893;
-  assign or_3893 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1229
-  logic equal_3895;
-  assign equal_3895 = x_s3_q[6:3] == 4'h7;
-  // hls/stages/agreement.hpp:1238
+  logic and_3850;
+  assign and_3850 = moments_ended_s3_q & (~patches_age_q[9]);
+  logic [9:0] sum_3851;
+  assign sum_3851 = patches_age_q + {9'h0, and_3850};
+  logic [9:0] select_3854;
+  assign select_3854 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3851)) : sum_3851;
+  // hls/stages/agreement.hpp:1203
+  logic or_3912;
+  assign or_3912 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
+  // hls/stages/agreement.hpp:1232
+  logic equal_3914;
+  assign equal_3914 = x_s3_q[6:3] == 4'h7;
+  // hls/stages/agreement.hpp:1241
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
-  // hls/stages/agreement.hpp:1239
-  logic select_3901;
-  assign select_3901 = (equal_3895 & equal_3680) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1147
-  logic [10:0] sum_3904;
-  assign sum_3904 = {1'b0, select_2671} + {2'h0, select_2671[9:1]};
-  logic select_3907;
-  assign select_3907 = (select_2668[9:3] == 7'h0) ? ((~or_3893) & (~select_3901)) : (~({sum_3904, select_2671[0]} < {2'h0, select_2668}));
-  // hls/stages/agreement.hpp:1154
-  logic [47:0] select_3909;
-  assign select_3909 = x_s3_q[6] ? (equal_1613_s3_q ? good_q : {select_3907, good_q[47:1]}) : good_q;
+  // hls/stages/agreement.hpp:1242
+  logic select_3920;
+  assign select_3920 = (equal_3914 & equal_3700) ? too_little : disagree_q;
+  // hls/stages/agreement.hpp:1150
+  logic [10:0] sum_3923;
+  assign sum_3923 = {1'b0, select_2691} + {2'h0, select_2691[9:1]};
+  logic select_3926;
+  assign select_3926 = (select_2688[9:3] == 7'h0) ? ((~or_3912) & (~select_3920)) : (~({sum_3923, select_2691[0]} < {2'h0, select_2688}));
+  // hls/stages/agreement.hpp:1157
+  logic [47:0] select_3928;
+  assign select_3928 = x_s3_q[6] ? (equal_1620_s3_q ? good_q : {select_3926, good_q[47:1]}) : good_q;
   // hls/stages/agreement.hpp:798
-  logic select_3914;
-  assign select_3914 = equal_576_s3_q ? ((x_s3_q[6] & good_known_q) | equal_3912_s3_q) : good_known_q;
-  // hls/stages/agreement.hpp:1229
-  logic equal_3915;
-  assign equal_3915 = x_s3_q[6:3] == 4'ha;
-  logic equal_3917;
-  assign equal_3917 = x_s3_q[6:3] == 4'hc;
-  logic equal_3918;
-  assign equal_3918 = x_s3_q[6:3] == 4'hb;
-  logic equal_3919;
-  assign equal_3919 = x_s3_q[6:3] == 4'h9;
-  logic equal_3920;
-  assign equal_3920 = x_s3_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1137
-  logic [13:0] select_3922;
-  assign select_3922 = equal_3919 ? counts_skin_unproven_q : (equal_3920 ? counts_unproven_q : counts_regions_bad_q);
-  logic [13:0] select_3924;
-  assign select_3924 = equal_3918 ? counts_regions_bad_q : (equal_3915 ? counts_nearer_q : select_3922);
+  logic select_3933;
+  assign select_3933 = equal_583_s3_q ? ((x_s3_q[6] & good_known_q) | equal_3931_s3_q) : good_known_q;
+  // hls/stages/agreement.hpp:1232
+  logic equal_3934;
+  assign equal_3934 = x_s3_q[6:3] == 4'ha;
+  logic equal_3936;
+  assign equal_3936 = x_s3_q[6:3] == 4'hc;
+  logic equal_3937;
+  assign equal_3937 = x_s3_q[6:3] == 4'hb;
+  logic equal_3938;
+  assign equal_3938 = x_s3_q[6:3] == 4'h9;
+  logic equal_3939;
+  assign equal_3939 = x_s3_q[6:3] == 4'h8;
+  // hls/stages/agreement.hpp:1140
+  logic [13:0] select_3941;
+  assign select_3941 = equal_3938 ? counts_skin_unproven_q : (equal_3939 ? counts_unproven_q : counts_regions_bad_q);
+  logic [13:0] select_3943;
+  assign select_3943 = equal_3937 ? counts_regions_bad_q : (equal_3934 ? counts_nearer_q : select_3941);
   logic [13:0] before_v_4;
-  assign before_v_4 = equal_3917 ? counts_on_skin_q : select_3924;
-  // hls/stages/agreement.hpp:1234
+  assign before_v_4 = equal_3936 ? counts_on_skin_q : select_3943;
+  // hls/stages/agreement.hpp:1237
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_4};
-  // hls/stages/agreement.hpp:1242
-  logic select_3927;
-  assign select_3927 = (equal_3915 & equal_3680) ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1160
-  logic not_3928;
-  assign not_3928 = ~hidden_for_q[7];
-  logic [7:0] select_3930;
-  assign select_3930 = select_3927 ? (hidden_for_q + {7'h0, not_3928}) : 8'h0;
+  // hls/stages/agreement.hpp:1245
+  logic select_3946;
+  assign select_3946 = (equal_3934 & equal_3700) ? over[14] : hides_q;
+  // hls/stages/agreement.hpp:1163
+  logic not_3947;
+  assign not_3947 = ~hidden_for_q[7];
+  logic [7:0] select_3949;
+  assign select_3949 = select_3946 ? (hidden_for_q + {7'h0, not_3947}) : 8'h0;
   // hls/stages/agreement.hpp:798
-  logic [7:0] select_3932;
-  assign select_3932 = equal_576_s3_q ? (equal_3912_s3_q ? select_3930 : hidden_for_q) : hidden_for_q;
-  // hls/stages/agreement.hpp:1243
-  logic [13:0] select_3933;
-  assign select_3933 = equal_3680 ? 14'h0 : product_q;
-  // hls/stages/agreement.hpp:1137
-  logic [7:0] select_3935;
-  assign select_3935 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
-  logic [7:0] select_3937;
-  assign select_3937 = equal_3920 ? cfg_unproven_skin_limit_i : (equal_3895 ? cfg_unproven_limit_i : select_3935);
-  logic [7:0] select_3939;
-  assign select_3939 = equal_3915 ? cfg_regions_limit_i : (equal_3919 ? cfg_hidden_limit_i : select_3937);
-  logic [7:0] limit;
-  assign limit = equal_3917 ? cfg_regions_limit_i : (equal_3918 ? {cfg_on_skin_limit_i, 3'h0} : select_3939);
-  // hls/stages/agreement.hpp:1243
-  logic not_3942;
-  assign not_3942 = ~x_s3_q[2];
-  logic [3:0] select_3943;
-  assign select_3943 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_3942, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_3942};
-  logic [7:0] select_3944;
-  assign select_3944 = x_s3_q[0] ? {select_3943[3], 1'b0, select_3943[2], 1'b0, select_3943[1], 1'b0, select_3943[0], 1'b0} : {1'b0, select_3943[3], 1'b0, select_3943[2], 1'b0, select_3943[1], 1'b0, select_3943[0]};
-  // hls/stages/agreement.hpp:1137
-  logic [13:0] select_3948;
-  assign select_3948 = equal_3919 ? counts_skin_supervised_q : (equal_3920 ? counts_skin_textured_q : counts_textured_q);
-  logic [13:0] select_3950;
-  assign select_3950 = equal_3918 ? counts_skin_textured_q : (equal_3915 ? counts_textured_q : select_3948);
-  logic [13:0] of;
-  assign of = equal_3917 ? counts_textured_q : select_3950;
-  // hls/stages/agreement.hpp:1243
+  logic [7:0] select_3951;
+  assign select_3951 = equal_583_s3_q ? (equal_3931_s3_q ? select_3949 : hidden_for_q) : hidden_for_q;
+  // hls/stages/agreement.hpp:1246
   logic [13:0] select_3952;
-  assign select_3952 = ((limit & select_3944) == 8'h0) ? 14'h0 : of;
+  assign select_3952 = equal_3700 ? 14'h0 : product_q;
+  // hls/stages/agreement.hpp:1140
+  logic [7:0] select_3954;
+  assign select_3954 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
+  logic [7:0] select_3956;
+  assign select_3956 = equal_3939 ? cfg_unproven_skin_limit_i : (equal_3914 ? cfg_unproven_limit_i : select_3954);
+  logic [7:0] select_3958;
+  assign select_3958 = equal_3934 ? cfg_regions_limit_i : (equal_3938 ? cfg_hidden_limit_i : select_3956);
+  logic [7:0] limit;
+  assign limit = equal_3936 ? cfg_regions_limit_i : (equal_3937 ? {cfg_on_skin_limit_i, 3'h0} : select_3958);
+  // hls/stages/agreement.hpp:1246
+  logic not_3961;
+  assign not_3961 = ~x_s3_q[2];
+  logic [3:0] select_3962;
+  assign select_3962 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_3961, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_3961};
+  logic [7:0] select_3963;
+  assign select_3963 = x_s3_q[0] ? {select_3962[3], 1'b0, select_3962[2], 1'b0, select_3962[1], 1'b0, select_3962[0], 1'b0} : {1'b0, select_3962[3], 1'b0, select_3962[2], 1'b0, select_3962[1], 1'b0, select_3962[0]};
+  // hls/stages/agreement.hpp:1140
+  logic [13:0] select_3967;
+  assign select_3967 = equal_3938 ? counts_skin_supervised_q : (equal_3939 ? counts_skin_textured_q : counts_textured_q);
+  logic [13:0] select_3969;
+  assign select_3969 = equal_3937 ? counts_skin_textured_q : (equal_3934 ? counts_textured_q : select_3967);
+  logic [13:0] of;
+  assign of = equal_3936 ? counts_textured_q : select_3969;
+  // hls/stages/agreement.hpp:1246
+  logic [13:0] select_3971;
+  assign select_3971 = ((limit & select_3963) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
-  assign sum_4 = {1'b0, select_3933} + {1'b0, select_3952};
+  assign sum_4 = {1'b0, select_3952} + {1'b0, select_3971};
   // hls/stages/agreement.hpp:798
-  logic select_3957;
-  assign select_3957 = equal_576_s3_q ? (equal_3680 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:1240
-  logic and_3962;
-  assign and_3962 = too_much_q & (~(equal_3920 & equal_3680));
-  // hls/stages/agreement.hpp:1241
-  logic select_3967;
-  assign select_3967 = (over[14] & equal_3680) ? (and_3962 | ((equal_3920 | equal_3919) | (x_s3_q[6:3] == 4'hf))) : and_3962;
-  // hls/stages/agreement.hpp:1137
-  logic and_3972;
-  assign and_3972 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  logic select_3976;
+  assign select_3976 = equal_583_s3_q ? (equal_3700 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
   // hls/stages/agreement.hpp:1243
-  logic select_3973;
-  assign select_3973 = (equal_3917 & equal_3680) ? and_3972 : overlooks_q;
+  logic and_3981;
+  assign and_3981 = too_much_q & (~(equal_3939 & equal_3700));
+  // hls/stages/agreement.hpp:1244
+  logic select_3986;
+  assign select_3986 = (over[14] & equal_3700) ? (and_3981 | ((equal_3939 | equal_3938) | (x_s3_q[6:3] == 4'hf))) : and_3981;
+  // hls/stages/agreement.hpp:1140
+  logic and_3991;
+  assign and_3991 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
+  // hls/stages/agreement.hpp:1246
+  logic select_3992;
+  assign select_3992 = (equal_3936 & equal_3700) ? and_3991 : overlooks_q;
   // hls/stages/agreement.hpp:798
-  logic [2:0] select_3975;
-  assign select_3975 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
-  logic [2:0] select_3977;
-  assign select_3977 = equal_576_s3_q ? box_textured_columns_values_0_q : (so_s3_q ? select_3975 : box_textured_columns_values_0_q);
-  logic [2:0] select_3978;
-  assign select_3978 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
-  logic [2:0] select_3980;
-  assign select_3980 = equal_576_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_3978 : box_textured_columns_values_1_q);
-  logic [2:0] select_3981;
-  assign select_3981 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
-  logic [2:0] select_3983;
-  assign select_3983 = equal_576_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_3981 : box_textured_columns_values_2_q);
-  logic [2:0] select_3984;
-  assign select_3984 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
-  logic [2:0] select_3986;
-  assign select_3986 = equal_576_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_3984 : box_textured_columns_values_3_q);
-  logic [2:0] select_3987;
-  assign select_3987 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
-  logic [2:0] select_3989;
-  assign select_3989 = equal_576_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_3987 : box_textured_columns_values_4_q);
-  logic [4:0] select_3991;
-  assign select_3991 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
-  logic [2:0] select_3993;
-  assign select_3993 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
-  logic [2:0] select_3995;
-  assign select_3995 = equal_576_s3_q ? box_explained_columns_values_0_q : (so_s3_q ? select_3993 : box_explained_columns_values_0_q);
+  logic [2:0] select_3994;
+  assign select_3994 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
   logic [2:0] select_3996;
-  assign select_3996 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
-  logic [2:0] select_3998;
-  assign select_3998 = equal_576_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_3996 : box_explained_columns_values_1_q);
+  assign select_3996 = equal_583_s3_q ? box_textured_columns_values_0_q : (so_s3_q ? select_3994 : box_textured_columns_values_0_q);
+  logic [2:0] select_3997;
+  assign select_3997 = ends_cell_s3_q ? box_textured_columns_values_0_q : box_textured_columns_values_1_q;
   logic [2:0] select_3999;
-  assign select_3999 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
-  logic [2:0] select_4001;
-  assign select_4001 = equal_576_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_3999 : box_explained_columns_values_2_q);
+  assign select_3999 = equal_583_s3_q ? box_textured_columns_values_1_q : (so_s3_q ? select_3997 : box_textured_columns_values_1_q);
+  logic [2:0] select_4000;
+  assign select_4000 = ends_cell_s3_q ? box_textured_columns_values_1_q : box_textured_columns_values_2_q;
   logic [2:0] select_4002;
-  assign select_4002 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
-  logic [2:0] select_4004;
-  assign select_4004 = equal_576_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_4002 : box_explained_columns_values_3_q);
+  assign select_4002 = equal_583_s3_q ? box_textured_columns_values_2_q : (so_s3_q ? select_4000 : box_textured_columns_values_2_q);
+  logic [2:0] select_4003;
+  assign select_4003 = ends_cell_s3_q ? box_textured_columns_values_2_q : box_textured_columns_values_3_q;
   logic [2:0] select_4005;
-  assign select_4005 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
-  logic [2:0] select_4007;
-  assign select_4007 = equal_576_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_4005 : box_explained_columns_values_4_q);
-  logic [4:0] select_4009;
-  assign select_4009 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  assign select_4005 = equal_583_s3_q ? box_textured_columns_values_3_q : (so_s3_q ? select_4003 : box_textured_columns_values_3_q);
+  logic [2:0] select_4006;
+  assign select_4006 = ends_cell_s3_q ? box_textured_columns_values_3_q : box_textured_columns_values_4_q;
+  logic [2:0] select_4008;
+  assign select_4008 = equal_583_s3_q ? box_textured_columns_values_4_q : (so_s3_q ? select_4006 : box_textured_columns_values_4_q);
+  logic [4:0] select_4010;
+  assign select_4010 = so_s3_q ? (ends_cell_s3_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   logic [2:0] select_4012;
-  assign select_4012 = so_s3_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  assign select_4012 = ends_cell_s3_q ? explained_2_s3_q : box_explained_columns_values_0_q;
   logic [2:0] select_4014;
-  assign select_4014 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
-  logic [2:0] select_4016;
-  assign select_4016 = equal_576_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_4014 : box_shown_columns_values_1_q);
+  assign select_4014 = equal_583_s3_q ? box_explained_columns_values_0_q : (so_s3_q ? select_4012 : box_explained_columns_values_0_q);
+  logic [2:0] select_4015;
+  assign select_4015 = ends_cell_s3_q ? box_explained_columns_values_0_q : box_explained_columns_values_1_q;
   logic [2:0] select_4017;
-  assign select_4017 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
-  logic [2:0] select_4019;
-  assign select_4019 = equal_576_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_4017 : box_shown_columns_values_2_q);
+  assign select_4017 = equal_583_s3_q ? box_explained_columns_values_1_q : (so_s3_q ? select_4015 : box_explained_columns_values_1_q);
+  logic [2:0] select_4018;
+  assign select_4018 = ends_cell_s3_q ? box_explained_columns_values_1_q : box_explained_columns_values_2_q;
   logic [2:0] select_4020;
-  assign select_4020 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
-  logic [2:0] select_4022;
-  assign select_4022 = equal_576_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_4020 : box_shown_columns_values_3_q);
+  assign select_4020 = equal_583_s3_q ? box_explained_columns_values_2_q : (so_s3_q ? select_4018 : box_explained_columns_values_2_q);
+  logic [2:0] select_4021;
+  assign select_4021 = ends_cell_s3_q ? box_explained_columns_values_2_q : box_explained_columns_values_3_q;
   logic [2:0] select_4023;
-  assign select_4023 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
-  logic [2:0] select_4025;
-  assign select_4025 = equal_576_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_4023 : box_shown_columns_values_4_q);
-  logic [4:0] select_4027;
-  assign select_4027 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
-  logic [2:0] select_4030;
-  assign select_4030 = so_s3_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
-  logic [2:0] select_4032;
-  assign select_4032 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
-  logic [2:0] select_4034;
-  assign select_4034 = equal_576_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_4032 : box_nearer_columns_values_1_q);
+  assign select_4023 = equal_583_s3_q ? box_explained_columns_values_3_q : (so_s3_q ? select_4021 : box_explained_columns_values_3_q);
+  logic [2:0] select_4024;
+  assign select_4024 = ends_cell_s3_q ? box_explained_columns_values_3_q : box_explained_columns_values_4_q;
+  logic [2:0] select_4026;
+  assign select_4026 = equal_583_s3_q ? box_explained_columns_values_4_q : (so_s3_q ? select_4024 : box_explained_columns_values_4_q);
+  logic [4:0] select_4028;
+  assign select_4028 = so_s3_q ? (ends_cell_s3_q ? e : box_explained_sum_sums_values_0_q) : box_explained_sum_sums_values_0_q;
+  logic [2:0] select_4031;
+  assign select_4031 = so_s3_q ? (ends_cell_s3_q ? shown_2_s3_q : box_shown_columns_values_0_q) : box_shown_columns_values_0_q;
+  logic [2:0] select_4033;
+  assign select_4033 = ends_cell_s3_q ? box_shown_columns_values_0_q : box_shown_columns_values_1_q;
   logic [2:0] select_4035;
-  assign select_4035 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
-  logic [2:0] select_4037;
-  assign select_4037 = equal_576_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_4035 : box_nearer_columns_values_2_q);
+  assign select_4035 = equal_583_s3_q ? box_shown_columns_values_1_q : (so_s3_q ? select_4033 : box_shown_columns_values_1_q);
+  logic [2:0] select_4036;
+  assign select_4036 = ends_cell_s3_q ? box_shown_columns_values_1_q : box_shown_columns_values_2_q;
   logic [2:0] select_4038;
-  assign select_4038 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
-  logic [2:0] select_4040;
-  assign select_4040 = equal_576_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_4038 : box_nearer_columns_values_3_q);
+  assign select_4038 = equal_583_s3_q ? box_shown_columns_values_2_q : (so_s3_q ? select_4036 : box_shown_columns_values_2_q);
+  logic [2:0] select_4039;
+  assign select_4039 = ends_cell_s3_q ? box_shown_columns_values_2_q : box_shown_columns_values_3_q;
   logic [2:0] select_4041;
-  assign select_4041 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
-  logic [2:0] select_4043;
-  assign select_4043 = equal_576_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_4041 : box_nearer_columns_values_4_q);
-  logic [4:0] select_4045;
-  assign select_4045 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:1321
-  logic [1:0] select_4135;
-  assign select_4135 = and_4134_s3_q ? {and_2135, is_seen} : map_rdata_q;
+  assign select_4041 = equal_583_s3_q ? box_shown_columns_values_3_q : (so_s3_q ? select_4039 : box_shown_columns_values_3_q);
+  logic [2:0] select_4042;
+  assign select_4042 = ends_cell_s3_q ? box_shown_columns_values_3_q : box_shown_columns_values_4_q;
+  logic [2:0] select_4044;
+  assign select_4044 = equal_583_s3_q ? box_shown_columns_values_4_q : (so_s3_q ? select_4042 : box_shown_columns_values_4_q);
+  logic [4:0] select_4046;
+  assign select_4046 = so_s3_q ? (ends_cell_s3_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
+  logic [2:0] select_4049;
+  assign select_4049 = so_s3_q ? (ends_cell_s3_q ? near_2_s3_q : box_nearer_columns_values_0_q) : box_nearer_columns_values_0_q;
+  logic [2:0] select_4051;
+  assign select_4051 = ends_cell_s3_q ? box_nearer_columns_values_0_q : box_nearer_columns_values_1_q;
+  logic [2:0] select_4053;
+  assign select_4053 = equal_583_s3_q ? box_nearer_columns_values_1_q : (so_s3_q ? select_4051 : box_nearer_columns_values_1_q);
+  logic [2:0] select_4054;
+  assign select_4054 = ends_cell_s3_q ? box_nearer_columns_values_1_q : box_nearer_columns_values_2_q;
+  logic [2:0] select_4056;
+  assign select_4056 = equal_583_s3_q ? box_nearer_columns_values_2_q : (so_s3_q ? select_4054 : box_nearer_columns_values_2_q);
+  logic [2:0] select_4057;
+  assign select_4057 = ends_cell_s3_q ? box_nearer_columns_values_2_q : box_nearer_columns_values_3_q;
+  logic [2:0] select_4059;
+  assign select_4059 = equal_583_s3_q ? box_nearer_columns_values_3_q : (so_s3_q ? select_4057 : box_nearer_columns_values_3_q);
+  logic [2:0] select_4060;
+  assign select_4060 = ends_cell_s3_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
+  logic [2:0] select_4062;
+  assign select_4062 = equal_583_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_4060 : box_nearer_columns_values_4_q);
+  logic [4:0] select_4064;
+  assign select_4064 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
+  // hls/stages/agreement.hpp:1324
+  logic [1:0] select_4154;
+  assign select_4154 = and_4153_s3_q ? {and_2144, is_seen} : map_rdata_q;
   // hls/stages/agreement.hpp:443
-  logic select_4139;
-  assign select_4139 = and_2061_s3_q ? (less_2062_s3_q ? (select_4135[0] & and_4136_s3_q) : seen_q) : seen_q;
+  logic select_4158;
+  assign select_4158 = and_2070_s3_q ? (less_2071_s3_q ? (select_4154[0] & and_4155_s3_q) : seen_q) : seen_q;
   // hls/stages/agreement.hpp:279
-  logic select_4141;
-  assign select_4141 = left_first_s3_q ? select_4139 : (and_1974_s3_q ? select_4139 : seen_q);
-  logic select_4142;
-  assign select_4142 = and_1974_s3_q ? select_4141 : seen_q;
+  logic select_4160;
+  assign select_4160 = left_first_s3_q ? select_4158 : (and_1981_s3_q ? select_4158 : seen_q);
+  logic select_4161;
+  assign select_4161 = and_1981_s3_q ? select_4160 : seen_q;
   // hls/stages/agreement.hpp:443
-  logic select_4145;
-  assign select_4145 = and_2061_s3_q ? (less_2062_s3_q ? (select_4135[1] & and_4136_s3_q) : nearer_q) : nearer_q;
+  logic select_4164;
+  assign select_4164 = and_2070_s3_q ? (less_2071_s3_q ? (select_4154[1] & and_4155_s3_q) : nearer_q) : nearer_q;
   // hls/stages/agreement.hpp:279
-  logic select_4147;
-  assign select_4147 = left_first_s3_q ? select_4145 : (and_1974_s3_q ? select_4145 : nearer_q);
-  logic select_4148;
-  assign select_4148 = and_1974_s3_q ? select_4147 : nearer_q;
-  // hls/stages/agreement.hpp:1251
-  logic or_4155;
-  assign or_4155 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4154_s3_q;
-  // hls/stages/agreement.hpp:1253
-  logic not_4163;
-  assign not_4163 = ~(or_3893 | not_2360);
-  // hls/stages/agreement.hpp:798
-  logic and_4167;
-  assign and_4167 = equal_576_s3_q & (equal_3912_s3_q & (not_4163 & (select_3901 | select_3967)));
-  logic and_4170;
-  assign and_4170 = equal_3912_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
-  // hls/stages/agreement.hpp:1162
+  logic select_4166;
+  assign select_4166 = left_first_s3_q ? select_4164 : (and_1981_s3_q ? select_4164 : nearer_q);
+  logic select_4167;
+  assign select_4167 = and_1981_s3_q ? select_4166 : nearer_q;
+  // hls/stages/agreement.hpp:1254
   logic or_4174;
-  assign or_4174 = select_2458 | (select_2470 | ($signed(20'h0) < $signed(census_left_misses_q)));
+  assign or_4174 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4173_s3_q;
+  // hls/stages/agreement.hpp:1256
+  logic not_4182;
+  assign not_4182 = ~(or_3912 | not_2370);
   // hls/stages/agreement.hpp:798
-  logic and_4181;
-  assign and_4181 = equal_576_s3_q & (equal_3912_s3_q & (not_4163 & (select_2464 | select_2476)));
-  // hls/stages/agreement.hpp:1162
   logic and_4186;
-  assign and_4186 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3930 < cfg_hidden_frames_i));
-  logic select_4192;
-  assign select_4192 = (not_2360 | (select_3973 & not_3804)) ? cfg_prove_i : patches_overlooked_q;
+  assign and_4186 = equal_583_s3_q & (equal_3931_s3_q & (not_4182 & (select_3920 | select_3986)));
+  logic and_4189;
+  assign and_4189 = equal_3931_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
+  // hls/stages/agreement.hpp:1165
+  logic or_4193;
+  assign or_4193 = select_2478 | (select_2490 | ($signed(20'h0) < $signed(census_left_misses_q)));
   // hls/stages/agreement.hpp:798
-  logic and_4197;
-  assign and_4197 = equal_576_s3_q & (equal_3912_s3_q & (cfg_prove_i & moments_out_of_step_q));
-  logic and_4201;
-  assign and_4201 = equal_576_s3_q & (x_s3_q[6] & (not_1993_s3_q | (4'hc < x_s3_q[5:2])));
-  // hls/stages/agreement.hpp:1152
-  logic [31:0] select_4209;
-  assign select_4209 = equal_1635_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4207_s3_q ? registration_sums_rdata_q : 32'h0);
-  logic [31:0] select_4210;
-  assign select_4210 = equal_1633_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4209;
-  logic [31:0] select_4211;
-  assign select_4211 = equal_1631_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4210;
-  logic [31:0] select_4212;
-  assign select_4212 = equal_1629_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4211;
-  logic [31:0] select_4213;
-  assign select_4213 = equal_1627_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4212;
-  logic [31:0] select_4214;
-  assign select_4214 = equal_1625_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4213;
-  logic [31:0] select_4215;
-  assign select_4215 = equal_1623_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4214;
-  logic [31:0] select_4216;
-  assign select_4216 = equal_1621_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4215;
-  // hls/stages/agreement.hpp:1150
-  logic [9:0] select_4217;
-  assign select_4217 = less_2667 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:1154
-  logic [31:0] select_4218;
-  assign select_4218 = equal_1613_s3_q ? select_4216 : {2'h0, select_4217, select_2671, select_2668};
+  logic and_4200;
+  assign and_4200 = equal_583_s3_q & (equal_3931_s3_q & (not_4182 & (select_2484 | select_2496)));
+  // hls/stages/agreement.hpp:1165
+  logic and_4205;
+  assign and_4205 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3949 < cfg_hidden_frames_i));
+  logic select_4211;
+  assign select_4211 = (not_2370 | (select_3992 & not_3823)) ? cfg_prove_i : patches_overlooked_q;
+  logic and_4215;
+  assign and_4215 = cfg_prove_i & (moments_out_of_step_q | moments_other_field_out_of_step_q);
+  // hls/stages/agreement.hpp:798
+  logic and_4221;
+  assign and_4221 = equal_583_s3_q & (x_s3_q[6] & (not_2000_s3_q | (4'hc < x_s3_q[5:2])));
+  // hls/stages/agreement.hpp:1155
+  logic [31:0] select_4229;
+  assign select_4229 = equal_1642_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4227_s3_q ? registration_sums_rdata_q : 32'h0);
+  logic [31:0] select_4230;
+  assign select_4230 = equal_1640_s3_q ? {2'h0, counts_nearer_q, 2'h0, counts_supervised_q} : select_4229;
+  logic [31:0] select_4231;
+  assign select_4231 = equal_1638_s3_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4230;
+  logic [31:0] select_4232;
+  assign select_4232 = equal_1636_s3_q ? {8'h0, sharpness_sums_detail_0_q} : select_4231;
+  logic [31:0] select_4233;
+  assign select_4233 = equal_1634_s3_q ? {8'h0, sharpness_sums_detail_1_q} : select_4232;
+  logic [31:0] select_4234;
+  assign select_4234 = equal_1632_s3_q ? {8'h0, sharpness_sums_contrast_0_q} : select_4233;
+  logic [31:0] select_4235;
+  assign select_4235 = equal_1630_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4234;
+  logic [31:0] select_4236;
+  assign select_4236 = equal_1628_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4235;
+  // hls/stages/agreement.hpp:1153
+  logic [9:0] select_4237;
+  assign select_4237 = less_2687 ? 10'h0 : regions_rdata_q[29:20];
+  // hls/stages/agreement.hpp:1157
+  logic [31:0] select_4238;
+  assign select_4238 = equal_1620_s3_q ? select_4236 : {2'h0, select_4237, select_2691, select_2688};
 
   // Memory fresh, write
   logic [5:0] fresh_waddr;
   assign fresh_waddr = last_s3_q;
   logic fresh_we;
-  assign fresh_we = s3_en & and_551_s3_q;
+  assign fresh_we = s3_en & and_556_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (fresh_we) fresh_mem[fresh_waddr] <= {less_751_s3_q, and_750, less_745_s3_q, and_744_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_738, and_714_s3_q, and_713_s3_q, and_688_s3_q, less_680_s3_q, less_679_s3_q, less_678_s3_q, less_677_s3_q, less_676_s3_q, less_675_s3_q, less_674_s3_q, less_673_s3_q, less_672_s3_q, less_671_s3_q, less_670_s3_q, less_669_s3_q, less_668_s3_q, less_667_s3_q, less_666_s3_q, less_665_s3_q, less_664_s3_q, less_663_s3_q, less_662_s3_q, less_661_s3_q, less_660_s3_q, less_659_s3_q, less_658_s3_q, less_657_s3_q};
+    if (fresh_we) fresh_mem[fresh_waddr] <= {less_758_s3_q, and_757, less_752_s3_q, and_751_s3_q, census_columns_values_1_cell_2_of_skin_s3_q, and_745, and_721_s3_q, and_720_s3_q, and_695_s3_q, less_687_s3_q, less_686_s3_q, less_685_s3_q, less_684_s3_q, less_683_s3_q, less_682_s3_q, less_681_s3_q, less_680_s3_q, less_679_s3_q, less_678_s3_q, less_677_s3_q, less_676_s3_q, less_675_s3_q, less_674_s3_q, less_673_s3_q, less_672_s3_q, less_671_s3_q, less_670_s3_q, less_669_s3_q, less_668_s3_q, less_667_s3_q, less_666_s3_q, less_665_s3_q, less_664_s3_q};
   end
 `ifndef SYNTHESIS
   logic [5:0] fresh_raddr_s1_sim;
@@ -6904,11 +6940,11 @@ module horopter_agreement (
 
   // Memory registration_sums, write
   logic [3:0] registration_sums_waddr;
-  assign registration_sums_waddr = {sum_1619_s3_q, lower_half_s3_q, registration_of_right_s3_q};
+  assign registration_sums_waddr = {sum_1626_s3_q, lower_half_s3_q, registration_of_right_s3_q};
   logic registration_sums_we;
-  assign registration_sums_we = s3_en & and_1678_s3_q;
+  assign registration_sums_we = s3_en & and_1685_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1677, sum_1673};
+    if (registration_sums_we) registration_sums_mem[registration_sums_waddr] <= {sum_1684, sum_1680};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -6924,11 +6960,11 @@ module horopter_agreement (
 
   // Memory patches_choices, write
   logic [5:0] patches_choices_waddr;
-  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_1704_s3_q};
+  assign patches_choices_waddr = {patches_choosing_band_s3_q, and_1711_s3_q};
   logic patches_choices_we;
-  assign patches_choices_we = s3_en & and_1781_s3_q;
+  assign patches_choices_we = s3_en & and_1788_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1753_s3_q};
+    if (patches_choices_we) patches_choices_mem[patches_choices_waddr] <= {patches_choice_slope_q, patches_choice_shift_q, patches_choice_column_q, select_1760_s3_q};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -6942,9 +6978,9 @@ module horopter_agreement (
 
   // Memory patches_right_0, write
   logic [9:0] patches_right_0_waddr;
-  assign patches_right_0_waddr = {select_1812_s3_q, select_1809};
+  assign patches_right_0_waddr = {select_1819_s3_q, select_1816};
   logic patches_right_0_we;
-  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_1821);
+  assign patches_right_0_we = s3_en & (sample_pair_whole_s3_q & and_1828);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_0_we) patches_right_0_mem[patches_right_0_waddr] <= sample_pair_pixel_1_s3_q;
   end
@@ -6981,9 +7017,9 @@ module horopter_agreement (
 
   // Memory patches_right_1, write
   logic [9:0] patches_right_1_waddr;
-  assign patches_right_1_waddr = {select_1812_s3_q, select_1837};
+  assign patches_right_1_waddr = {select_1819_s3_q, select_1844};
   logic patches_right_1_we;
-  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_1840);
+  assign patches_right_1_we = s3_en & (sample_pair_whole_s3_q & and_1847);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_right_1_we) patches_right_1_mem[patches_right_1_waddr] <= sample_pair_pixel_1_s3_q;
   end
@@ -7020,9 +7056,9 @@ module horopter_agreement (
 
   // Memory patches_left, write
   logic [8:0] patches_left_waddr;
-  assign patches_left_waddr = {select_1859, select_1858_s3_q, column_4};
+  assign patches_left_waddr = {select_1866, select_1865_s3_q, column_4};
   logic patches_left_we;
-  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_1865);
+  assign patches_left_we = s3_en & (sample_pair_whole_s3_q & and_1872);
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (patches_left_we) patches_left_mem[patches_left_waddr] <= sample_pair_pixel_0_s3_q;
   end
@@ -7063,7 +7099,7 @@ module horopter_agreement (
   logic patches_rows_we;
   assign patches_rows_we = s3_en & patches_summed_last_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= select_1981;
+    if (patches_rows_we) patches_rows_mem[patches_rows_waddr] <= select_1988;
   end
 `ifndef SYNTHESIS
   logic [4:0] patches_rows_raddr_s2_sim;
@@ -7092,11 +7128,11 @@ module horopter_agreement (
 
   // Memory regions, write
   logic [5:0] regions_waddr;
-  assign regions_waddr = {region_row_s3_q, or_1991_s3_q, or_1988_s3_q, or_1985_s3_q};
+  assign regions_waddr = {region_row_s3_q, or_1998_s3_q, or_1995_s3_q, or_1992_s3_q};
   logic regions_we;
-  assign regions_we = s3_en & and_2027_s3_q;
+  assign regions_we = s3_en & and_2036_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (regions_we) regions_mem[regions_waddr] <= {sum_2026, sum_2015, sum_2010};
+    if (regions_we) regions_mem[regions_waddr] <= {sum_2035, sum_2024, sum_2018};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -7110,11 +7146,11 @@ module horopter_agreement (
 
   // Memory map, write
   logic [11:0] map_waddr;
-  assign map_waddr = sum_2071_s3_q;
+  assign map_waddr = sum_2080_s3_q;
   logic map_we;
-  assign map_we = s3_en & and_2147_s3_q;
+  assign map_we = s3_en & and_2156_s3_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
-    if (map_we) map_mem[map_waddr] <= {and_2135, is_seen};
+    if (map_we) map_mem[map_waddr] <= {and_2144, is_seen};
   end
 `ifndef SYNTHESIS
   always_ff @(posedge clk_i) begin
@@ -7265,140 +7301,140 @@ module horopter_agreement (
       seen_q <= 1'b0;
       nearer_q <= 1'b0;
     end else if (s3_en) begin
-      census_left_misses_q <= select_2299;
-      sharpness_before_last_mask_q <= select_2372;
-      sharpness_sums_detail_0_q <= and_551_s3_q ? select_2386 : sharpness_sums_detail_0_q;
-      sharpness_sums_detail_1_q <= and_551_s3_q ? select_2398 : sharpness_sums_detail_1_q;
-      sharpness_sums_contrast_0_q <= and_551_s3_q ? sum_2402 : sharpness_sums_contrast_0_q;
-      sharpness_sums_contrast_1_q <= and_551_s3_q ? sum_2406 : sharpness_sums_contrast_1_q;
-      sharpness_comparing_rest_0_q <= so_s3_q ? select_2424 : sharpness_comparing_rest_0_q;
-      sharpness_comparing_rest_1_q <= so_s3_q ? select_2434 : sharpness_comparing_rest_1_q;
-      sharpness_comparing_product_0_q <= so_s3_q ? select_2436 : sharpness_comparing_product_0_q;
-      sharpness_comparing_product_1_q <= so_s3_q ? select_2438 : sharpness_comparing_product_1_q;
-      sharpness_comparing_contrast_0_q <= so_s3_q ? select_2440 : sharpness_comparing_contrast_0_q;
-      sharpness_comparing_contrast_1_q <= so_s3_q ? select_2442 : sharpness_comparing_contrast_1_q;
-      sharpness_comparing_carry_0_q <= select_2447;
-      sharpness_comparing_carry_1_q <= so_s3_q ? select_2450 : sharpness_comparing_carry_1_q;
-      sharpness_comparing_less_detail_0_q <= select_2458;
-      sharpness_comparing_less_detail_1_q <= select_2464;
-      sharpness_comparing_less_contrast_0_q <= select_2470;
-      sharpness_comparing_less_contrast_1_q <= select_2476;
-      counts_supervised_q <= select_2623;
-      counts_textured_q <= and_2614_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_2626});
-      counts_explained_q <= and_2614_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_2631});
-      counts_nearer_q <= and_2614_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2636});
-      counts_unproven_q <= and_2614_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2664});
-      counts_regions_bad_q <= select_2680;
-      counts_skin_supervised_q <= select_2688;
-      counts_skin_textured_q <= select_2695;
-      counts_skin_unproven_q <= select_2703;
-      counts_on_skin_q <= select_2723;
-      registration_half_across_q <= select_2803;
-      registration_half_measured_q <= select_2808;
-      registration_half_votes_down_q <= and_2781_s3_q ? 7'h0 : sum_2814;
-      registration_half_votes_up_q <= and_2781_s3_q ? 7'h0 : sum_2822;
-      registration_half_half_votes_down_q <= and_2781_s3_q ? 7'h0 : sum_2829;
-      registration_half_half_votes_up_q <= and_2781_s3_q ? 7'h0 : sum_2836;
-      registration_down_q <= and_2869 ? sum_2888 : registration_down_q;
-      registration_up_q <= and_2869 ? sum_2897 : registration_up_q;
-      registration_enough_q <= select_2911;
-      registration_votes_down_q <= and_2916 ? less_2917 : registration_votes_down_q;
-      registration_votes_up_q <= and_2916 ? less_2919 : registration_votes_up_q;
-      registration_other_enough_q <= and_2925 ? select_2911 : registration_other_enough_q;
-      registration_other_down_q <= and_2925 ? registration_votes_down_q : registration_other_down_q;
-      registration_other_up_q <= and_2925 ? registration_votes_up_q : registration_other_up_q;
-      registration_moved_q <= (~(equal_576_s3_q & and_2932)) & or_2957;
-      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_1800 : patches_place_0_valid_q;
-      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_1803 : patches_place_0_column_q;
-      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_1804 : patches_place_0_shift_q;
-      patches_place_0_slope_q <= select_3040;
-      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_1829 : patches_place_1_valid_q;
-      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_1831 : patches_place_1_column_q;
-      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_1832 : patches_place_1_shift_q;
-      patches_place_1_slope_q <= select_3045;
-      patches_valid_0_q <= select_3050;
-      patches_valid_1_q <= select_3055;
-      patches_right_next_0_q <= select_3058;
-      patches_right_next_1_q <= select_3061;
-      patches_left_next_0_q <= select_3064;
-      patches_left_next_1_q <= select_3067;
-      patches_sums_values_0_q <= select_3491;
-      patches_sums_values_1_q <= equal_1782_s3_q ? patches_sums_values_1_q : select_3492;
-      patches_sums_values_2_q <= equal_1782_s3_q ? patches_sums_values_2_q : select_3494;
-      patches_sums_values_3_q <= equal_1782_s3_q ? patches_sums_values_3_q : select_3496;
-      patches_sums_values_4_q <= equal_1782_s3_q ? patches_sums_values_4_q : select_3498;
-      patches_sums_values_5_q <= equal_1782_s3_q ? patches_sums_values_5_q : select_3500;
-      patches_sums_values_6_q <= equal_1782_s3_q ? patches_sums_values_6_q : select_3502;
-      patches_sums_values_7_q <= equal_1782_s3_q ? patches_sums_values_7_q : select_3504;
-      patches_sums_values_8_q <= equal_1782_s3_q ? patches_sums_values_8_q : select_3506;
-      patches_sums_values_9_q <= equal_1782_s3_q ? patches_sums_values_9_q : select_3508;
-      patches_sums_values_10_q <= equal_1782_s3_q ? patches_sums_values_10_q : select_3510;
-      patches_sums_values_11_q <= equal_1782_s3_q ? patches_sums_values_11_q : select_3512;
-      patches_sums_values_12_q <= equal_1782_s3_q ? patches_sums_values_12_q : select_3514;
-      patches_sums_values_13_q <= equal_1782_s3_q ? patches_sums_values_13_q : select_3516;
-      patches_sums_values_14_q <= equal_1782_s3_q ? patches_sums_values_14_q : select_3518;
-      patches_sums_values_15_q <= equal_1782_s3_q ? patches_sums_values_15_q : select_3520;
-      patches_sums_values_16_q <= equal_1782_s3_q ? patches_sums_values_16_q : select_3522;
-      patches_best_differing_q <= select_1981[9:0];
-      patches_best_column_q <= select_1981[14:10];
-      patches_quarters_0_places_q <= sum_3609;
-      patches_quarters_0_up_q <= sum_3644;
-      patches_quarters_0_down_q <= sum_3649;
-      patches_quarters_1_places_q <= sum_3653;
-      patches_quarters_1_up_q <= sum_3656;
-      patches_quarters_1_down_q <= sum_3659;
-      patches_quarters_2_places_q <= sum_3663;
-      patches_quarters_2_up_q <= sum_3666;
-      patches_quarters_2_down_q <= sum_3669;
-      patches_quarters_3_places_q <= sum_3673;
-      patches_quarters_3_up_q <= sum_3676;
-      patches_quarters_3_down_q <= sum_3679;
+      census_left_misses_q <= select_2308;
+      sharpness_before_last_mask_q <= select_2392;
+      sharpness_sums_detail_0_q <= and_556_s3_q ? select_2406 : sharpness_sums_detail_0_q;
+      sharpness_sums_detail_1_q <= and_556_s3_q ? select_2418 : sharpness_sums_detail_1_q;
+      sharpness_sums_contrast_0_q <= and_556_s3_q ? sum_2422 : sharpness_sums_contrast_0_q;
+      sharpness_sums_contrast_1_q <= and_556_s3_q ? sum_2426 : sharpness_sums_contrast_1_q;
+      sharpness_comparing_rest_0_q <= so_s3_q ? select_2444 : sharpness_comparing_rest_0_q;
+      sharpness_comparing_rest_1_q <= so_s3_q ? select_2454 : sharpness_comparing_rest_1_q;
+      sharpness_comparing_product_0_q <= so_s3_q ? select_2456 : sharpness_comparing_product_0_q;
+      sharpness_comparing_product_1_q <= so_s3_q ? select_2458 : sharpness_comparing_product_1_q;
+      sharpness_comparing_contrast_0_q <= so_s3_q ? select_2460 : sharpness_comparing_contrast_0_q;
+      sharpness_comparing_contrast_1_q <= so_s3_q ? select_2462 : sharpness_comparing_contrast_1_q;
+      sharpness_comparing_carry_0_q <= select_2467;
+      sharpness_comparing_carry_1_q <= so_s3_q ? select_2470 : sharpness_comparing_carry_1_q;
+      sharpness_comparing_less_detail_0_q <= select_2478;
+      sharpness_comparing_less_detail_1_q <= select_2484;
+      sharpness_comparing_less_contrast_0_q <= select_2490;
+      sharpness_comparing_less_contrast_1_q <= select_2496;
+      counts_supervised_q <= select_2643;
+      counts_textured_q <= and_2634_s3_q ? 14'h0 : (counts_textured_q + {13'h0, and_2646});
+      counts_explained_q <= and_2634_s3_q ? 14'h0 : (counts_explained_q + {13'h0, and_2651});
+      counts_nearer_q <= and_2634_s3_q ? 14'h0 : (counts_nearer_q + {13'h0, and_2656});
+      counts_unproven_q <= and_2634_s3_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2684});
+      counts_regions_bad_q <= select_2700;
+      counts_skin_supervised_q <= select_2708;
+      counts_skin_textured_q <= select_2715;
+      counts_skin_unproven_q <= select_2723;
+      counts_on_skin_q <= select_2743;
+      registration_half_across_q <= select_2823;
+      registration_half_measured_q <= select_2828;
+      registration_half_votes_down_q <= and_2801_s3_q ? 7'h0 : sum_2834;
+      registration_half_votes_up_q <= and_2801_s3_q ? 7'h0 : sum_2842;
+      registration_half_half_votes_down_q <= and_2801_s3_q ? 7'h0 : sum_2849;
+      registration_half_half_votes_up_q <= and_2801_s3_q ? 7'h0 : sum_2856;
+      registration_down_q <= and_2889 ? sum_2908 : registration_down_q;
+      registration_up_q <= and_2889 ? sum_2917 : registration_up_q;
+      registration_enough_q <= select_2931;
+      registration_votes_down_q <= and_2936 ? less_2937 : registration_votes_down_q;
+      registration_votes_up_q <= and_2936 ? less_2939 : registration_votes_up_q;
+      registration_other_enough_q <= and_2945 ? select_2931 : registration_other_enough_q;
+      registration_other_down_q <= and_2945 ? registration_votes_down_q : registration_other_down_q;
+      registration_other_up_q <= and_2945 ? registration_votes_up_q : registration_other_up_q;
+      registration_moved_q <= (~(equal_583_s3_q & and_2952)) & or_2977;
+      patches_place_0_valid_q <= sample_pair_whole_s3_q ? select_1807 : patches_place_0_valid_q;
+      patches_place_0_column_q <= sample_pair_whole_s3_q ? select_1810 : patches_place_0_column_q;
+      patches_place_0_shift_q <= sample_pair_whole_s3_q ? select_1811 : patches_place_0_shift_q;
+      patches_place_0_slope_q <= select_3060;
+      patches_place_1_valid_q <= sample_pair_whole_s3_q ? select_1836 : patches_place_1_valid_q;
+      patches_place_1_column_q <= sample_pair_whole_s3_q ? select_1838 : patches_place_1_column_q;
+      patches_place_1_shift_q <= sample_pair_whole_s3_q ? select_1839 : patches_place_1_shift_q;
+      patches_place_1_slope_q <= select_3065;
+      patches_valid_0_q <= select_3070;
+      patches_valid_1_q <= select_3075;
+      patches_right_next_0_q <= select_3078;
+      patches_right_next_1_q <= select_3081;
+      patches_left_next_0_q <= select_3084;
+      patches_left_next_1_q <= select_3087;
+      patches_sums_values_0_q <= select_3511;
+      patches_sums_values_1_q <= equal_1789_s3_q ? patches_sums_values_1_q : select_3512;
+      patches_sums_values_2_q <= equal_1789_s3_q ? patches_sums_values_2_q : select_3514;
+      patches_sums_values_3_q <= equal_1789_s3_q ? patches_sums_values_3_q : select_3516;
+      patches_sums_values_4_q <= equal_1789_s3_q ? patches_sums_values_4_q : select_3518;
+      patches_sums_values_5_q <= equal_1789_s3_q ? patches_sums_values_5_q : select_3520;
+      patches_sums_values_6_q <= equal_1789_s3_q ? patches_sums_values_6_q : select_3522;
+      patches_sums_values_7_q <= equal_1789_s3_q ? patches_sums_values_7_q : select_3524;
+      patches_sums_values_8_q <= equal_1789_s3_q ? patches_sums_values_8_q : select_3526;
+      patches_sums_values_9_q <= equal_1789_s3_q ? patches_sums_values_9_q : select_3528;
+      patches_sums_values_10_q <= equal_1789_s3_q ? patches_sums_values_10_q : select_3530;
+      patches_sums_values_11_q <= equal_1789_s3_q ? patches_sums_values_11_q : select_3532;
+      patches_sums_values_12_q <= equal_1789_s3_q ? patches_sums_values_12_q : select_3534;
+      patches_sums_values_13_q <= equal_1789_s3_q ? patches_sums_values_13_q : select_3536;
+      patches_sums_values_14_q <= equal_1789_s3_q ? patches_sums_values_14_q : select_3538;
+      patches_sums_values_15_q <= equal_1789_s3_q ? patches_sums_values_15_q : select_3540;
+      patches_sums_values_16_q <= equal_1789_s3_q ? patches_sums_values_16_q : select_3542;
+      patches_best_differing_q <= select_1988[9:0];
+      patches_best_column_q <= select_1988[14:10];
+      patches_quarters_0_places_q <= sum_3629;
+      patches_quarters_0_up_q <= sum_3664;
+      patches_quarters_0_down_q <= sum_3669;
+      patches_quarters_1_places_q <= sum_3673;
+      patches_quarters_1_up_q <= sum_3676;
+      patches_quarters_1_down_q <= sum_3679;
+      patches_quarters_2_places_q <= sum_3683;
+      patches_quarters_2_up_q <= sum_3686;
+      patches_quarters_2_down_q <= sum_3689;
+      patches_quarters_3_places_q <= sum_3693;
+      patches_quarters_3_up_q <= sum_3696;
+      patches_quarters_3_down_q <= sum_3699;
       patches_on_skin_limit_q <= cfg_on_skin_limit_i;
-      patches_word_places_q <= or_3707;
-      patches_word_up_q <= ((select_3717 | select_3719) | select_3722) | select_3725;
-      patches_word_down_q <= ((select_3728 | select_3730) | select_3733) | select_3736;
-      patches_sum_places_q <= select_3746;
-      patches_sum_up_q <= select_3749;
-      patches_sum_down_q <= select_3752;
-      patches_across_q <= select_3759;
-      patches_places_q <= select_3770;
+      patches_word_places_q <= or_3727;
+      patches_word_up_q <= ((select_3737 | select_3739) | select_3742) | select_3745;
+      patches_word_down_q <= ((select_3748 | select_3750) | select_3753) | select_3756;
+      patches_sum_places_q <= select_3766;
+      patches_sum_up_q <= select_3769;
+      patches_sum_down_q <= select_3772;
+      patches_across_q <= select_3779;
+      patches_places_q <= select_3790;
       patches_enough_q <= 5'h2 < patches_sum_places_q[7:3];
-      patches_mostly_q <= or_3774;
-      patches_partly_q <= or_3777;
-      patches_clear_limit_q <= sum_3778[8:2];
-      patches_complete_q <= select_3780;
-      patches_round_ends_q <= patches_complete_q & patches_frame_ended_q;
-      patches_found_q <= and_3763 ? select_3785 : patches_found_q;
-      patches_doubted_q <= select_3792;
-      patches_doubted_before_q <= select_3793;
+      patches_mostly_q <= or_3794;
+      patches_partly_q <= or_3797;
+      patches_clear_limit_q <= sum_3798[8:2];
+      patches_complete_q <= select_3800;
+      patches_round_ends_q <= patches_complete_q & moments_ended_q;
+      patches_found_q <= and_3783 ? select_3804 : patches_found_q;
+      patches_doubted_q <= select_3811;
+      patches_doubted_before_q <= select_3812;
       patches_round_places_q <= patches_round_ends_q ? patches_places_q : patches_round_places_q;
       patches_round_across_q <= patches_round_ends_q ? patches_across_q : patches_round_across_q;
       patches_round_moved_q <= patches_round_ends_q ? patches_found_q : patches_round_moved_q;
-      patches_round_on_skin_q <= select_3797;
-      patches_on_skin_q <= sum_3802;
-      patches_large_q <= not_3804 & and_3809;
-      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3814;
-      patches_spoiled_q <= or_3818;
+      patches_round_on_skin_q <= select_3816;
+      patches_on_skin_q <= sum_3821;
+      patches_large_q <= not_3823 & and_3828;
+      patches_overlooked_q <= (~cfg_alarm_before_i) & select_3833;
+      patches_spoiled_q <= or_3837;
       patches_suspected_q <= patches_round_ends_q ? found_2 : patches_suspected_q;
-      patches_moved_q <= select_3825;
+      patches_moved_q <= select_3844;
       patches_twice_q <= patches_suspected_q & found_2;
       patches_clear_q <= (~patches_doubted_q) & (~patches_doubted_before_q);
-      patches_age_q <= select_3835;
-      segment_textured_q <= select_2007 + {5'h0, and_2626};
-      segment_explained_q <= select_2012 + {5'h0, and_2631};
-      segment_nearer_q <= select_2023 + {5'h0, and_2636};
+      patches_age_q <= select_3854;
+      segment_textured_q <= select_2015 + {5'h0, and_2646};
+      segment_explained_q <= select_2021 + {5'h0, and_2651};
+      segment_nearer_q <= select_2032 + {5'h0, and_2656};
       segment_started_q <= ~segment_starts_q;
-      good_q <= equal_576_s3_q ? select_3909 : good_q;
-      good_known_q <= select_3914;
-      hidden_for_q <= select_3932;
-      product_q <= equal_576_s3_q ? sum_4[14:1] : product_q;
-      product_rest_q <= select_3957;
-      disagree_q <= equal_576_s3_q ? select_3901 : disagree_q;
-      too_much_q <= equal_576_s3_q ? select_3967 : too_much_q;
-      hides_q <= equal_576_s3_q ? select_3927 : hides_q;
-      overlooks_q <= equal_576_s3_q ? select_3973 : overlooks_q;
-      seen_q <= select_4142;
-      nearer_q <= select_4148;
+      good_q <= equal_583_s3_q ? select_3928 : good_q;
+      good_known_q <= select_3933;
+      hidden_for_q <= select_3951;
+      product_q <= equal_583_s3_q ? sum_4[14:1] : product_q;
+      product_rest_q <= select_3976;
+      disagree_q <= equal_583_s3_q ? select_3920 : disagree_q;
+      too_much_q <= equal_583_s3_q ? select_3986 : too_much_q;
+      hides_q <= equal_583_s3_q ? select_3946 : hides_q;
+      overlooks_q <= equal_583_s3_q ? select_3992 : overlooks_q;
+      seen_q <= select_4161;
+      nearer_q <= select_4167;
     end
   end
 
@@ -7448,45 +7484,45 @@ module horopter_agreement (
 `endif
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (s3_en) begin
-      averager_quarter_1_0_q <= select_2173;
-      averager_quarter_1_1_q <= select_2175;
-      averager_quarter_2_0_q <= select_2177;
-      averager_quarter_2_1_q <= select_2179;
-      averager_detail_0_q <= select_2191;
-      averager_detail_1_q <= select_2199;
-      census_changes_values_0_left_q <= and_551_s3_q ? texture : census_changes_values_0_left_q;
-      census_changes_values_0_right_q <= and_551_s3_q ? sum_2283 : census_changes_values_0_right_q;
-      census_changes_values_1_left_q <= select_2285;
-      census_changes_values_1_right_q <= select_2286;
-      census_changes_values_2_left_q <= select_2287;
-      census_changes_values_2_right_q <= select_2288;
-      sharpness_last_mask_q <= and_551_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
-      sharpness_last_detail_0_q <= and_551_s3_q ? select_2369[13:0] : sharpness_last_detail_0_q;
-      sharpness_last_detail_1_q <= and_551_s3_q ? select_2369[27:14] : sharpness_last_detail_1_q;
-      box_textured_columns_values_0_q <= select_3977;
-      box_textured_columns_values_1_q <= select_3980;
-      box_textured_columns_values_2_q <= select_3983;
-      box_textured_columns_values_3_q <= select_3986;
-      box_textured_columns_values_4_q <= select_3989;
-      box_textured_sum_sums_values_0_q <= equal_576_s3_q ? box_textured_sum_sums_values_0_q : select_3991;
-      box_explained_columns_values_0_q <= select_3995;
-      box_explained_columns_values_1_q <= select_3998;
-      box_explained_columns_values_2_q <= select_4001;
-      box_explained_columns_values_3_q <= select_4004;
-      box_explained_columns_values_4_q <= select_4007;
-      box_explained_sum_sums_values_0_q <= equal_576_s3_q ? box_explained_sum_sums_values_0_q : select_4009;
-      box_shown_columns_values_0_q <= equal_576_s3_q ? box_shown_columns_values_0_q : select_4012;
-      box_shown_columns_values_1_q <= select_4016;
-      box_shown_columns_values_2_q <= select_4019;
-      box_shown_columns_values_3_q <= select_4022;
-      box_shown_columns_values_4_q <= select_4025;
-      box_shown_sum_sums_values_0_q <= equal_576_s3_q ? box_shown_sum_sums_values_0_q : select_4027;
-      box_nearer_columns_values_0_q <= equal_576_s3_q ? box_nearer_columns_values_0_q : select_4030;
-      box_nearer_columns_values_1_q <= select_4034;
-      box_nearer_columns_values_2_q <= select_4037;
-      box_nearer_columns_values_3_q <= select_4040;
-      box_nearer_columns_values_4_q <= select_4043;
-      box_nearer_sum_sums_values_0_q <= equal_576_s3_q ? box_nearer_sum_sums_values_0_q : select_4045;
+      averager_quarter_1_0_q <= select_2182;
+      averager_quarter_1_1_q <= select_2184;
+      averager_quarter_2_0_q <= select_2186;
+      averager_quarter_2_1_q <= select_2188;
+      averager_detail_0_q <= select_2200;
+      averager_detail_1_q <= select_2208;
+      census_changes_values_0_left_q <= and_556_s3_q ? texture : census_changes_values_0_left_q;
+      census_changes_values_0_right_q <= and_556_s3_q ? sum_2292 : census_changes_values_0_right_q;
+      census_changes_values_1_left_q <= select_2294;
+      census_changes_values_1_right_q <= select_2295;
+      census_changes_values_2_left_q <= select_2296;
+      census_changes_values_2_right_q <= select_2297;
+      sharpness_last_mask_q <= and_556_s3_q ? whole_2_s3_q : sharpness_last_mask_q;
+      sharpness_last_detail_0_q <= and_556_s3_q ? select_2389[13:0] : sharpness_last_detail_0_q;
+      sharpness_last_detail_1_q <= and_556_s3_q ? select_2389[27:14] : sharpness_last_detail_1_q;
+      box_textured_columns_values_0_q <= select_3996;
+      box_textured_columns_values_1_q <= select_3999;
+      box_textured_columns_values_2_q <= select_4002;
+      box_textured_columns_values_3_q <= select_4005;
+      box_textured_columns_values_4_q <= select_4008;
+      box_textured_sum_sums_values_0_q <= equal_583_s3_q ? box_textured_sum_sums_values_0_q : select_4010;
+      box_explained_columns_values_0_q <= select_4014;
+      box_explained_columns_values_1_q <= select_4017;
+      box_explained_columns_values_2_q <= select_4020;
+      box_explained_columns_values_3_q <= select_4023;
+      box_explained_columns_values_4_q <= select_4026;
+      box_explained_sum_sums_values_0_q <= equal_583_s3_q ? box_explained_sum_sums_values_0_q : select_4028;
+      box_shown_columns_values_0_q <= equal_583_s3_q ? box_shown_columns_values_0_q : select_4031;
+      box_shown_columns_values_1_q <= select_4035;
+      box_shown_columns_values_2_q <= select_4038;
+      box_shown_columns_values_3_q <= select_4041;
+      box_shown_columns_values_4_q <= select_4044;
+      box_shown_sum_sums_values_0_q <= equal_583_s3_q ? box_shown_sum_sums_values_0_q : select_4046;
+      box_nearer_columns_values_0_q <= equal_583_s3_q ? box_nearer_columns_values_0_q : select_4049;
+      box_nearer_columns_values_1_q <= select_4053;
+      box_nearer_columns_values_2_q <= select_4056;
+      box_nearer_columns_values_3_q <= select_4059;
+      box_nearer_columns_values_4_q <= select_4062;
+      box_nearer_sum_sums_values_0_q <= equal_583_s3_q ? box_nearer_sum_sums_values_0_q : select_4064;
     end
   end
 
@@ -7495,21 +7531,21 @@ module horopter_agreement (
   logic mask_s4_q;
   logic marks_first_s4_q;
   logic marks_last_s4_q;
-  logic and_4086_s4_q;
-  logic or_4149_s4_q;
-  logic and_4150_s4_q;
-  logic and_4158_s4_q;
-  logic and_4161_s4_q;
-  logic and_4167_s4_q;
-  logic and_4171_s4_q;
+  logic and_4105_s4_q;
+  logic or_4168_s4_q;
+  logic and_4169_s4_q;
   logic and_4177_s4_q;
-  logic and_4181_s4_q;
-  logic and_4189_s4_q;
-  logic and_4194_s4_q;
-  logic and_4197_s4_q;
-  logic and_4201_s4_q;
-  logic [5:0] select_4203_s4_q;
-  logic [31:0] select_4220_s4_q;
+  logic and_4180_s4_q;
+  logic and_4186_s4_q;
+  logic and_4190_s4_q;
+  logic and_4196_s4_q;
+  logic and_4200_s4_q;
+  logic and_4208_s4_q;
+  logic and_4213_s4_q;
+  logic and_4217_s4_q;
+  logic and_4221_s4_q;
+  logic [5:0] select_4223_s4_q;
+  logic [31:0] select_4240_s4_q;
   always_ff @(posedge clk_i) begin
     if (s3_en) begin
       pixel_0_s4_q <= sample_pair_pixel_1_q;
@@ -7517,21 +7553,21 @@ module horopter_agreement (
       mask_s4_q <= sample_of_skin_q;
       marks_first_s4_q <= marks_first_s3_q;
       marks_last_s4_q <= marks_last_s3_q;
-      and_4086_s4_q <= and_4086_s3_q;
-      or_4149_s4_q <= not_2360 | select_4142;
-      and_4150_s4_q <= cfg_prove_i & select_4148;
-      and_4158_s4_q <= equal_576_s3_q & (equal_3912_s3_q & (cfg_prove_i & or_4155));
-      and_4161_s4_q <= equal_576_s3_q & (equal_3912_s3_q & (cfg_prove_i & or_3893));
-      and_4167_s4_q <= and_4167;
-      and_4171_s4_q <= equal_576_s3_q & and_4170;
-      and_4177_s4_q <= equal_576_s3_q & (equal_3912_s3_q & (not_4163 & or_4174));
-      and_4181_s4_q <= and_4181;
-      and_4189_s4_q <= equal_576_s3_q & (equal_3912_s3_q & (cfg_prove_i & and_4186));
-      and_4194_s4_q <= equal_576_s3_q & (equal_3912_s3_q & select_4192);
-      and_4197_s4_q <= and_4197;
-      and_4201_s4_q <= and_4201;
-      select_4203_s4_q <= equal_576_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
-      select_4220_s4_q <= equal_576_s3_q ? (x_s3_q[6] ? select_4218 : 32'h0) : 32'h0;
+      and_4105_s4_q <= and_4105_s3_q;
+      or_4168_s4_q <= not_2370 | select_4161;
+      and_4169_s4_q <= cfg_prove_i & select_4167;
+      and_4177_s4_q <= equal_583_s3_q & (equal_3931_s3_q & (cfg_prove_i & or_4174));
+      and_4180_s4_q <= equal_583_s3_q & (equal_3931_s3_q & (cfg_prove_i & or_3912));
+      and_4186_s4_q <= and_4186;
+      and_4190_s4_q <= equal_583_s3_q & and_4189;
+      and_4196_s4_q <= equal_583_s3_q & (equal_3931_s3_q & (not_4182 & or_4193));
+      and_4200_s4_q <= and_4200;
+      and_4208_s4_q <= equal_583_s3_q & (equal_3931_s3_q & (cfg_prove_i & and_4205));
+      and_4213_s4_q <= equal_583_s3_q & (equal_3931_s3_q & select_4211);
+      and_4217_s4_q <= equal_583_s3_q & (equal_3931_s3_q & and_4215);
+      and_4221_s4_q <= and_4221;
+      select_4223_s4_q <= equal_583_s3_q ? (x_s3_q[6] ? x_s3_q[5:0] : 6'h0) : 6'h0;
+      select_4240_s4_q <= equal_583_s3_q ? (x_s3_q[6] ? select_4238 : 32'h0) : 32'h0;
     end
   end
 
@@ -7541,21 +7577,21 @@ module horopter_agreement (
   assign mask_o = mask_s4_q;
   assign marks_first_o = marks_first_s4_q;
   assign marks_last_o = marks_last_s4_q;
-  assign marks_seen_o = or_4149_s4_q;
-  assign marks_nearer_o = and_4150_s4_q;
-  assign verdict_valid_o = and_4086_s4_q;
-  assign verdict_unproven_yet_o = and_4158_s4_q;
-  assign verdict_untextured_o = and_4161_s4_q;
-  assign verdict_disagree_o = and_4167_s4_q;
-  assign verdict_moved_o = and_4171_s4_q;
-  assign verdict_unsharp_left_o = and_4177_s4_q;
-  assign verdict_unsharp_right_o = and_4181_s4_q;
-  assign verdict_hidden_o = and_4189_s4_q;
-  assign verdict_overlooked_o = and_4194_s4_q;
-  assign verdict_out_of_step_o = and_4197_s4_q;
-  assign frame_valid_o = and_4201_s4_q;
-  assign frame_index_o = select_4203_s4_q;
-  assign frame_word_o = select_4220_s4_q;
+  assign marks_seen_o = or_4168_s4_q;
+  assign marks_nearer_o = and_4169_s4_q;
+  assign verdict_valid_o = and_4105_s4_q;
+  assign verdict_unproven_yet_o = and_4177_s4_q;
+  assign verdict_untextured_o = and_4180_s4_q;
+  assign verdict_disagree_o = and_4186_s4_q;
+  assign verdict_moved_o = and_4190_s4_q;
+  assign verdict_unsharp_left_o = and_4196_s4_q;
+  assign verdict_unsharp_right_o = and_4200_s4_q;
+  assign verdict_hidden_o = and_4208_s4_q;
+  assign verdict_overlooked_o = and_4213_s4_q;
+  assign verdict_out_of_step_o = and_4217_s4_q;
+  assign frame_valid_o = and_4221_s4_q;
+  assign frame_index_o = select_4223_s4_q;
+  assign frame_word_o = select_4240_s4_q;
   assign valid_o = valid_s4_q;
 
   always_ff @(posedge clk_i) begin
@@ -7574,6 +7610,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{over[13:0], sum_3843[6:0], product_3807[4:0], sum_3778[1:0], sum_3738[1:0], product_3639[4:0], sum_2771[0], difference_2709[1:0], detail_4[1:0], detail_3[1:0], sum_2293[4:0], sum_1720[0], sum_1716[0], sum_736[4:0], cfg_compete_i, cfg_width_i[2:0]};
+  assign unused_bits = ^{over[13:0], sum_3862[6:0], product_3826[4:0], sum_3798[1:0], sum_3758[1:0], product_3659[4:0], sum_2791[0], difference_2729[1:0], detail_4[1:0], detail_3[1:0], sum_2302[4:0], sum_1727[0], sum_1723[0], sum_743[4:0], cfg_compete_i, cfg_width_i[2:0]};
 
 endmodule

@@ -38,6 +38,10 @@ struct Profile {
     return rule == Rule::always || (rule == Rule::thesis ? has_thesis() : has_compete());
   }
 
+  /// A progressive image becomes two fields, even rows first (thesis 7.6, 10.4.3).
+  [[nodiscard]] constexpr bool takes_fields() const { return subsample == 2; }
+  [[nodiscard]] constexpr int fields_per_image() const { return takes_fields() ? 2 : 1; }
+
   /// Width of the result, px.
   [[nodiscard]] constexpr int result_width() const { return width / subsample; }
 

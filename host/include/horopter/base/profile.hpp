@@ -13,9 +13,6 @@ namespace horopter {
 struct MachineProfile : hls::Profile {
   std::string_view name;
 
-  /// A progressive image becomes two fields, even rows first (thesis 7.6, 10.4.3).
-  constexpr bool takes_fields() const { return subsample == 2; }
-  constexpr int fields_per_image() const { return takes_fields() ? 2 : 1; }
   /// Right rows that the store still holds above the output row, and the most it may wait for below.
   constexpr int rows_behind() const { return store_rows / 2 - 2; }
   constexpr int largest_lookahead() const { return store_rows / 2; }

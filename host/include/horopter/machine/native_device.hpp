@@ -68,6 +68,7 @@ class NativeDevice : public Device {
   void restart(std::uint32_t key);
   void hold();
   void start_frame();
+  const Table* active_table() const;
   bool fits(const Table& table) const;  ///< is it for the frames' size?
 
   const MachineProfile& profile_;
@@ -78,8 +79,11 @@ class NativeDevice : public Device {
   std::uint32_t irq_status_ = 0;
 
   std::array<std::optional<Table>, 15> tables_;
-  int active_slot_ = registers::kNoSlot;  ///< of the first of `pending_`, from its arrival on, or of the frame before
-  bool same_table_ = false;               ///< as the frame before it
+  int active_slot_ =
+      registers::kNoSlot;  ///< selected for the first of `pending_`, from its arrival on, or the frame before
+  int slot_before_ = registers::kNoSlot;  ///< of the frame before it
+  bool has_table_ = false;                ///< the active slot
+  bool same_table_ = false;               ///< as the frame before of this field
   Faults frame_faults_pending_;           ///< of the control side since the last frame
   bool uploading_ = false;
   int upload_slot_ = registers::kNoSlot;

@@ -96,7 +96,7 @@ inline constexpr std::array<RegisterField, 261> kRegisterFields = {{
     {0x0CC, "word", {0, 32}, "Next word."},
     {0x0D0, "busy", {0, 1}, "An upload has been started and not ended."},
     {0x0D0, "error", {1, 3}, "Of the last upload: 0 none, 1 slot or region in use, 2 bad header, 3 does not fit the pool, 4 wrong CRC, 5 slot 15, 6 data without start."},
-    {0x0D0, "active_slot", {4, 4}, "Table of the current output frame, 15 = none."},
+    {0x0D0, "active_slot", {4, 4}, "Slot that was selected for the current output frame, whether it holds a table or not. 15 = none."},
     {0x0D4, "slots", {0, 15}, "Bit s = slot s."},
     {0x0D8, "value", {0, 32}, "CRC-32."},
     {0x0DC, "pixels", {0, 24}, "Pixels of the result; a share of those that the rule can judge (words 4 and 5 of the table)."},

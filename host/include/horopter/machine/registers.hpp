@@ -443,7 +443,7 @@ inline constexpr Field kBusy{0, 1};
 /// Of the last upload: 0 none, 1 slot or region in use, 2 bad header, 3 does not fit the pool, 4 wrong CRC, 5 slot 15,
 /// 6 data without start.
 inline constexpr Field kError{1, 3};
-/// Table of the current output frame, 15 = none.
+/// Slot that was selected for the current output frame, whether it holds a table or not. 15 = none.
 inline constexpr Field kActiveSlot{4, 4};
 }  // namespace map_status
 
