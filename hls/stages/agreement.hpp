@@ -475,7 +475,7 @@ class Agreement {
     map_row_ = row <= lag && !draws_late_ ? MapIndex(0) : MapIndex(map_row_ + map_width_);
     map_width_ = cells_of(config.width);
     first_rows_ = row <= middle;
-    patches_.start_row(row >= middle, row == middle);
+    patches_.start_row(row >= middle + 2, row == middle + 2);
     columns_begin_.begin(map_width_, u<2>(2));
     last_ = last;
     whole_ = Index(last + lit<gap>());
@@ -1026,10 +1026,11 @@ class Agreement {
     if (!slot_.bit(2)) shown_ = {looked.explained, looked.nearer};
     if (!ends_cell_) return;
     Seen seen;
+    // A code stands two cells right of and below its own.
+    const bool in_reach = OfPatches::in_reach(registration_.expected());
+    patches_.step_cell(Index(x_ - lit<2>()), last_, looked.explained && in_reach && row_ >= first_row + across_reach,
+                       looked.best.shift, registration_.slope_here());
     if (looked.inside) {
-      const bool in_reach = OfPatches::in_reach(registration_.expected());
-      patches_.step_cell(x_, last_, looked.explained && in_reach && row_ >= first_row + across_reach, looked.best.shift,
-                         registration_.slope_here());
       const Shown right = shown_right_.read(x_);
       shown_right_.write(x_, Shown{});
       seen.textured = looked.textured;
@@ -1159,11 +1160,24 @@ class Agreement {
       moments_.end_frame(config.prove != 0, config.same_table != 0);
     }
     moments_.look({counts_.turned_left, counts_.turned_right});
+    const auto hidden_for = hidden_for_;
+    if (k == finish_ends) hidden_for_ = hidden_ends_ ? u<9>(0) : u<9>(hidden_for + hidden_more_);
+    look_at_hidden(hidden_for, config);
     if (k != finish_ends) return;
-    hidden_for_ = hides_ ? u<8>(hidden_for_ + u<1>(!hidden_for_.bit(7))) : u<8>(0);
     good_known_ = true;
     say(out.verdict, enough, config);
     said_ = true;
+  }
+
+  /// In every beat, for the next one. The count is of half frames: with tables in turn, of which one is of
+  /// a skin that is hidden, it grows, too. The map that a frame with another table has is of the one before, so its own
+  /// cells say whether most of the skin is hidden.
+  void look_at_hidden(u<9> hidden_for, const Config& config) {
+    const bool same_table = config.same_table != 0;
+    const bool most = hidden_for.template bits<8, 1>() == 255;
+    hidden_ends_ = !hides_ && (same_table || hidden_for == 0);
+    hidden_more_ = !hides_ ? s<3>(-1) : most ? s<3>(0) : s<3>(2);
+    buries_ = proven_ && !same_table && shl<2>(counts_.nearer) > counts_.skin_textured * lit<3>();
   }
 
   [[nodiscard]] u<32> word(u<6> place) {
@@ -1261,7 +1275,8 @@ class Agreement {
     // Where the left camera sees nothing and the right one does: of the right one agreement says it already.
     verdict.unsharp_left = config.prove != 0 && enough && (sharpness_.less(0) || census_.left_sees_less());
     verdict.unsharp_right = config.prove != 0 && enough && sharpness_.less(1);
-    verdict.hidden = config.prove != 0 && config.hidden_frames != 0 && hidden_for_ >= config.hidden_frames;
+    const bool too_long = config.hidden_frames != 0 && hidden_for_ >= shl<1>(config.hidden_frames);
+    verdict.hidden = config.prove != 0 && (too_long || buries_);
   }
 
   // The map -----------------------------------------------------------------------------------------------------------
@@ -1415,10 +1430,12 @@ class Agreement {
   RAM<RegionSums, 64, gap> regions_;
   u<regions> good_{0};
   bool good_known_ = false;
-  u<8> hidden_for_{0};
+  u<9> hidden_for_{0};  // half frames
+  s<3> hidden_more_{0};
+  bool hidden_ends_ = false;
   Count product_{0};
   bool product_rest_ = false;
-  bool disagree_ = false, too_much_ = false, hides_ = false, overlooks_ = false;
+  bool disagree_ = false, too_much_ = false, hides_ = false, buries_ = false, overlooks_ = false;
   RAM<SeenColumn, column_count, gap> seen_columns_;
   HorizontalSum<box, 5, 1, Scalar, 3> box_textured_, box_explained_, box_shown_, box_nearer_;
   DelayLine<Centre, 2> centres_;

@@ -86,7 +86,7 @@ class ColumnBallot {
 
     Out out;
     out.skin = votes[0] >= config.quorum;
-    out.clear = -votes[0] >= needed(config) || (votes[0] < lit<0>() && firm);
+    out.clear = votes[0] < lit<0>() && (-votes[0] >= needed(config) || firm);
     out.exists = centre.exists;
     out.marks = in.marks;
     return out;

@@ -7,8 +7,8 @@
 // Out     one beat per frame, with its last pixel:
 //         black, white: more than the limit of pixels are; constant: the frame's grey levels span at most
 //         contrast_limit, and it is neither black nor white; frozen: its signature has equalled that of one of
-//         the two frames before (the two fields of an image are frames in turn), for at least frozen_limit frames in a
-//         row; signature: the frame's. The signature is that of a
+//         the FRAMES before, for at least frozen_limit frames in a row (two images, as two old ones in turn repeat the
+//         one before the last; an image may be two fields, which are frames); signature: the frame's, that of a
 //         multiple-input shift register (MISR; Williams, Daehn, Gruetzner, Starke, IEEE Trans. CAD 7(2), 1988) with the
 //         polynomial of CRC-32: equal frames have equal ones, and two noisy frames by chance once in 2^32.
 //         torn: its rows do not belong together. What is compared is which of two pixels a pixel is more like, by 2 grey
@@ -46,7 +46,7 @@
 
 namespace horopter::stages {
 
-template <int WIDTH, int HEIGHT, int ACROSS = 1>
+template <int WIDTH, int HEIGHT, int ACROSS = 1, int FRAMES = 2>
 class CameraHealth {
   static constexpr int step_log2 = WIDTH <= 64 ? 0 : bits_for((WIDTH - 1) / 64);  // between columns, at most 64 of them
   static constexpr int column_bits = bits_for((WIDTH - 1) >> step_log2);
@@ -129,13 +129,13 @@ class CameraHealth {
     out.valid = in.end;
     if (in.end) [[unlikely]] {
       // Without branches: the way from repeats_ to itself is short.
-      const u<1> is_previous = u<1>(frames_.bit(0)) & u<1>(signature_ == previous_signature_);
-      const u<1> is_before = u<1>(frames_.bit(1)) & u<1>(signature_ == signature_before_);
-      const bool same = (is_previous | is_before) != 0;
-      repeats_ = !same ? u<8>(0) : repeats_ == 255 ? repeats_ : u<8>(repeats_ + lit<1>());
-      signature_before_ = previous_signature_;
-      previous_signature_ = signature_;
-      frames_ = u<2>(cat(frames_, true));
+      u<1> same(0);
+      for (int i = 0; i < FRAMES; ++i)
+        same = same | (u<1>(frames_.bit(i)) & u<1>(signature_ == before_[static_cast<std::size_t>(i)]));
+      repeats_ = same == 0 ? u<8>(0) : repeats_ == 255 ? repeats_ : u<8>(repeats_ + lit<1>());
+      for (std::size_t i = FRAMES - 1; i > 0; --i) before_[i] = before_[i - 1];
+      before_[0] = signature_;
+      frames_ = u<FRAMES>(cat(frames_, true));
       out.black = dark_ > config.dark_limit;
       out.white = bright_ > config.bright_limit;
       out.constant = u<8>(brightest_ - darkest_) <= config.contrast_limit && !out.black && !out.white;
@@ -145,7 +145,7 @@ class CameraHealth {
           (aside_ > lit<aside_pixels * torn_share>() && level_ > lit<level_pixels * torn_share>()) ||
           (pair_ > lit<pair_pixels * torn_share>() && abs(even_less_odd_) * lit<8 * torn_share>() > pair_ * lit<3>());
     }
-    out.signature = previous_signature_;
+    out.signature = before_[0];
     return out;
   }
 
@@ -268,8 +268,8 @@ class CameraHealth {
 #endif
 
   u<32> signature_{0};
-  u<32> previous_signature_{0}, signature_before_{0};  // of the frame before, and of the one before that
-  u<2> frames_{0};                                     // bit n: more than n have come
+  std::array<u<32>, FRAMES> before_{};  // signatures of the frames before, the last one first
+  u<FRAMES> frames_{0};                 // bit n: more than n have come
   u<8> repeats_{0};
   u<8> darkest_{0};
   u<8> brightest_{0};
@@ -288,6 +288,6 @@ class CameraHealth {
 };
 
 template <Profile P>
-using Health = CameraHealth<P.width, P.height, P.subsample>;
+using Health = CameraHealth<P.width, P.height, P.subsample, 2 * P.fields_per_image()>;
 
 }  // namespace horopter::stages

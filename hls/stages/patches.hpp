@@ -206,7 +206,10 @@ class Patches {
     decision_.adds = quarter >= 1 && quarter <= 4;
     decision_.ends = quarter == 7;
   }
-  void end_frame() { frame_ends_ = true; }
+  void end_frame() {
+    frame_ends_ = true;
+    bands_chosen_ = choosing_.number;
+  }
   [[nodiscard]] bool moved() const { return moved_; }
   [[nodiscard]] bool overlooked() const { return overlooked_; }
   /// It is known whether a camera was moved: nothing is safe before.
@@ -355,8 +358,10 @@ class Patches {
   void fetch_place() {
     const bool second = fetch_.bit(1);
     const Choice place = choices_.read(cat(band_, second));
+    const bool is_chosen = place.valid && band_ < bands_chosen_;
     place_[second ? 1 : 0] = place;
-    valid_[second ? 1 : 0] = place.valid;
+    place_[second ? 1 : 0].valid = is_chosen;
+    valid_[second ? 1 : 0] = is_chosen;
     fetch_ = second ? u<2>(0) : u<2>(2);
   }
 
@@ -842,6 +847,7 @@ class Patches {
   bool enough_ = false, mostly_ = false, partly_ = false;
   u<11> clear_limit_{0};   // 5/16 of the places
   bool complete_ = false;  // the round
+  u<5> bands_chosen_{0};   // of the frame before, the first ones; others have what the memory had, also before a reset
   bool frame_ends_ = false, frame_ended_ = false, round_ends_ = false;
   u<3> found_{0};
   bool doubted_ = false, doubted_before_ = false;  // the last round, and the one before

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // still: does a camera repeat its frames, but for fresh noise? On the means of cells (stages/cells.hpp), one of every 17,
-// which lie on slanted lines over the image; each is kept of the two frames before.
+// which lie on slanted lines over the image; each is kept of the two frames before. Of two FIELDS in turn a frame is
+// looked at beside those of its own rows: two and four frames before.
 //
 // A cell has not changed while its mean differs by -8 to 7 grey levels: by noise of sigma 10 means of 8×8 px hardly ever
 // differ by more. A frame repeats an earlier one when fewer than 2 of these cells have changed. The frame before is looked
@@ -14,12 +15,15 @@
 // Memory: the cells kept. In frames with fewer than 16 of them, that is than 272 cells, nothing is said.
 #pragma once
 
+#include <array>
+#include <cstddef>
+
 #include "horopter/hls/ram.hpp"
 #include "stages/stream.hpp"
 
 namespace horopter::stages {
 
-template <int CELLS>
+template <int CELLS, int FIELDS = 1>
 class StillCheck {
   static constexpr int every = 17;
   static constexpr int least_cells = 16;
@@ -45,19 +49,22 @@ class StillCheck {
     kept_.begin_step();
     if (looks) {
       kept = kept_.read(index_);
-      kept_.write(index_, {in.left, in.right, kept.left, kept.right});
+      Kept now;
+      now.cell[0] = {in.left, in.right};
+      for (std::size_t i = 1; i < 2 * FIELDS; ++i) now.cell[i] = kept.cell[i - 1];
+      kept_.write(index_, now);
     }
     const bool counts = config.still_limit != 0;
-    left_.step(in.first, counts, one_before_, two_before_, looks && changed(in.left, kept.left),
-               looks && changed(in.left, kept.left_older));
-    right_.step(in.first, counts, one_before_, two_before_, looks && changed(in.right, kept.right),
-                looks && changed(in.right, kept.right_older));
+    const Cell& last = kept.cell[FIELDS - 1];
+    const Cell& older = kept.cell[2 * FIELDS - 1];
+    const bool one_before = before_.bit(FIELDS - 1), two_before = before_.bit(2 * FIELDS - 1);
+    left_.step(in.first, counts, one_before, two_before, looks && changed(in.left, last.left),
+               looks && changed(in.left, older.left));
+    right_.step(in.first, counts, one_before, two_before, looks && changed(in.right, last.right),
+                looks && changed(in.right, older.right));
     index_ = in.first ? u<index_bits>(0) : u<index_bits>(index_ + u<1>(looks));
     place_ = in.first || looks ? u<5>(0) : u<5>(place_ + lit<1>());
-    if (in.first) {
-      two_before_ = one_before_;
-      one_before_ = true;
-    }
+    if (in.first) before_ = u<2 * FIELDS>(cat(before_, true));
 
     const bool checked = config.still_limit != 0 && index_ >= least_cells;
     Out out;
@@ -67,11 +74,12 @@ class StillCheck {
   }
 
  private:
-  struct Kept {
+  struct Cell {
     u<8> left;
     u<8> right;
-    u<8> left_older;
-    u<8> right_older;
+  };
+  struct Kept {
+    std::array<Cell, 2 * FIELDS> cell{};  // of the last frame first
   };
 
   static bool changed(u<8> now, u<8> then) {
@@ -107,13 +115,12 @@ class StillCheck {
   RAM<Kept, 1 << index_bits, every> kept_;
   u<index_bits> index_{0};  // of the next cell kept
   u<5> place_{0};
-  bool one_before_ = false;  // when the frame began, there had been one
-  bool two_before_ = false;
+  u<2 * FIELDS> before_{0};  // bit n: when the frame began, more than n had come
   Repeats left_;
   Repeats right_;
 };
 
 template <Profile P>
-using Still = StillCheck<(P.width / P.cell()) * (P.height / P.cell())>;
+using Still = StillCheck<(P.width / P.cell()) * (P.height / P.cell()), P.fields_per_image()>;
 
 }  // namespace horopter::stages

@@ -683,26 +683,34 @@ module horopter_top #(
   logic [MAP_ADDR_BITS-1:0] areas_addr;
   logic go, beat_parity_error;
 
-  // Two fields take turns, each with a table of its own: the slot of two frames ago.
-  logic [3:0] slot_before;
-  if (SUBSAMPLE == 1) begin : g_frames
-    assign slot_before = active_slot_q;
-  end else begin : g_fields
-    logic [3:0] slot_before_q;
-    always_ff @(posedge clk_i) begin
-      if (!core_rst_n) slot_before_q <= horopter_csr_pkg::NO_SLOT;
-      else if (lookup) slot_before_q <= active_slot_q;
-    end
-    assign slot_before = slot_before_q;
-  end
-
   always_ff @(posedge clk_i) begin
     if (!core_rst_n) begin
       active_slot_q <= horopter_csr_pkg::NO_SLOT;
-      same_table_q <= 1'b0;
     end else if (lookup) begin
       active_slot_q <= table_select;
-      same_table_q <= table_select == slot_before;
+    end
+  end
+
+  // Two fields take turns, each with a table of its own, which may be replaced in between: the table of two frames ago.
+  if (SUBSAMPLE == 1) begin : g_frames
+    always_ff @(posedge clk_i) begin
+      if (!core_rst_n) same_table_q <= 1'b0;
+      else if (lookup) same_table_q <= table_select == active_slot_q;
+    end
+  end else begin : g_fields
+    logic runs_q;  // a frame has begun
+    logic [32:0] before_q, two_before_q;  // whether there was one, and its CRC
+    always_ff @(posedge clk_i) begin
+      same_table_q <= core_rst_n && table_ok && {table_ok, table_crc} == two_before_q;
+      if (!core_rst_n) begin
+        runs_q <= 1'b0;
+        before_q <= '0;
+        two_before_q <= '0;
+      end else if (lookup) begin
+        runs_q <= 1'b1;
+        before_q <= {runs_q && table_ok, table_crc};
+        two_before_q <= before_q;
+      end
     end
   end
 

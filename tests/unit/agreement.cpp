@@ -388,6 +388,46 @@ TEST_CASE("something nearer than the skin hides it, and for too long is a fault"
   CHECK(last_of(2, config, left, right).verdict.disagree);
 }
 
+TEST_CASE("the map of one skin says nothing of another: one that lies behind all is hidden in its first frame") {
+  const Picture world = scene(320, 240, 1);
+  const Picture left = seen(world, shifted(0, 0), 2);
+  const Picture behind = seen(world, shifted(-20, 0), 3);  // behind the one skin, before the other one
+  const Picture nearer = seen(world, shifted(20, 0), 3);
+  auto config = defaults(320, 240);
+  config.hidden_frames = 5;
+  const auto stage = std::make_unique<Small>();
+  for (int i = 0; i < kRound; ++i) frame(*stage, config, left, behind);
+  SECTION("at once") {
+    REQUIRE(faultless(frame(*stage, config, left, behind).verdict));
+    config.same_table = 0;
+    CHECK(frame(*stage, config, left, nearer).verdict.hidden);
+    config.same_table = 1;
+    CHECK_FALSE(frame(*stage, config, left, nearer).verdict.hidden);  // its own map says it of its pixels
+    // Back before all.
+    config.same_table = 0;
+    CHECK_FALSE(frame(*stage, config, left, behind).verdict.hidden);
+  }
+  SECTION("half of it, with tables in turn: not at once, but after HIDDEN such frames, or some more") {
+    Picture half = behind;
+    for (std::size_t i = 0; i < half.grey.size(); ++i) {
+      if (i / 320 < 120) half.grey[i] = nearer.grey[i];
+    }
+    config.same_table = 0;
+    int frames = 0;
+    bool hidden = false;
+    for (; frames < 40 && !hidden; ++frames) {
+      CHECK_FALSE(frame(*stage, config, left, behind).verdict.hidden);
+      hidden = frame(*stage, config, left, half).verdict.hidden;
+    }
+    CHECK(frames == 9);  // each pair makes half a frame
+    for (int i = 0; i < 2; ++i) CHECK_FALSE(frame(*stage, config, left, behind).verdict.hidden);
+  }
+  SECTION("the largest number of frames") {
+    config.hidden_frames = 255;
+    for (int i = 1; i < 300; ++i) CHECK(frame(*stage, config, left, nearer).verdict.hidden == (i >= 255));
+  }
+}
+
 TEST_CASE("around a small skin cameras are compared, but what is hidden counts where the skin is") {
   const Picture world = scene(320, 240, 1);
   const Picture left = seen(world, shifted(0, 0), 2);

@@ -670,6 +670,52 @@ TEST_CASE("health: black, white, constant and frozen images", "[stages]") {
   REQUIRE(frame(same).signature != first.signature);
 }
 
+TEST_CASE("health and still: two old images of two fields in turn repeat the fields of the one before the last",
+          "[stages]") {
+  constexpr int kCells = 300, kFields = 2, kImages = 8;
+  CameraHealth<64, 16, 2, 2 * kFields> health;
+  decltype(health)::Config config;
+  config.dark_limit = config.bright_limit = 64 * 16;
+  config.frozen_limit = 1;
+  StillCheck<kCells, kFields> still;
+  decltype(still)::Config still_config;
+  still_config.still_limit = 1;
+  std::mt19937 random(31);
+  std::vector<std::vector<int>> field(2 * kFields, std::vector<int>(1024));
+  const auto renew = [&](std::vector<int>& values) {
+    for (int& value : values) value = 20 + static_cast<int>(random() % 200);
+  };
+  for (auto& values : field) renew(values);
+  for (const bool repeats : {false, true}) {
+    horopter::hls::reset(health);
+    horopter::hls::reset(still);
+    for (int image = 0; image < kImages; ++image) {
+      for (std::size_t parity = 0; parity < kFields; ++parity) {
+        auto& values = field[static_cast<std::size_t>(image % 2 * kFields) + parity];
+        if (!repeats) renew(values);
+        CAPTURE(repeats, image, parity);
+        decltype(health)::Out seen;
+        for (int i = 0; i < 1024; ++i) {
+          decltype(health)::In in;
+          in.pixel = values[static_cast<std::size_t>(i)];
+          in.first = i == 0;
+          in.last = i % 64 == 63;
+          in.end = i == 1023;
+          seen = health.step(in, config);
+        }
+        CHECK(seen.frozen == (repeats && image >= 2));
+        decltype(still)::Out same;
+        for (int i = 0; i < kCells; ++i) {
+          const u<8> mean(values[static_cast<std::size_t>(i)]);
+          same = still.step({mean, u<8>(static_cast<int>(random() % 256)), i == 0}, still_config);
+        }
+        CHECK(same.left_still == (repeats && image >= 2));
+        CHECK_FALSE(same.right_still);
+      }
+    }
+  }
+}
+
 TEST_CASE("health: rows of two moments in turn are torn, whatever their contrast; scenes and noise are not",
           "[stages]") {
   using Stage = CameraHealth<256, 96>;

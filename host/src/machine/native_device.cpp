@@ -344,7 +344,8 @@ void NativeDevice::reset_stream() {
   alarms_seen_ = kAllSeen;
   taught_ = taught_before_ = forget_ = alarm_discounted_ = dim_ = false;
   taught_frames_ = 0;
-  active_slot_ = slot_before_ = kNoTable;
+  active_slot_ = kNoTable;
+  crc_before_ = crc_two_before_ = std::nullopt;
   has_table_ = same_table_ = false;
   frame_faults_pending_ = {};
 }
@@ -461,10 +462,13 @@ void NativeDevice::send(const Image& left, const Image& right) {
 /// The table is looked up at the start of the output frame.
 void NativeDevice::start_frame() {
   const auto selected = stored(reg::table_select::kAddress);
-  const int slot_before = profile_.takes_fields() ? slot_before_ : active_slot_;
-  same_table_ = static_cast<int>(selected) == slot_before;
-  slot_before_ = std::exchange(active_slot_, static_cast<int>(selected));
+  const auto slot = static_cast<int>(selected);
+  const bool same_slot = slot == std::exchange(active_slot_, slot);
   has_table_ = selected < tables_.size() && tables_[selected].has_value() && fits(*tables_[selected]);
+  const Table* table = active_table();
+  const auto crc = table != nullptr ? std::optional(table->words.back()) : std::nullopt;
+  const auto two_before = std::exchange(crc_two_before_, std::exchange(crc_before_, crc));
+  same_table_ = profile_.takes_fields() ? crc && crc == two_before : same_slot;
 }
 
 const NativeDevice::Table* NativeDevice::active_table() const {

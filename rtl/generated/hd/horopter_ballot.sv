@@ -3,7 +3,7 @@
 //
 // Latency 9 enabled clocks, one beat a clock. en_i = 0: nothing changes. State, memories and outputs
 // change only with a valid beat. rst_ni is synchronous and keeps memories.
-// State 14 bits, pipeline 732 bits, memories 288000 bits.
+// State 14 bits, pipeline 733 bits, memories 288000 bits.
 module horopter_ballot (
   input  logic clk_i,
   input  logic rst_ni,
@@ -194,10 +194,10 @@ module horopter_ballot (
   assign select_87 = running_s2_q ? memory_rdata_s2_q[130:125] : (marks_first_s2_q ? memory_rdata_s2_q[130:125] : 6'h0);
   logic [4:0] select_90;
   assign select_90 = running_s2_q ? memory_rdata_s2_q[149:145] : (marks_first_s2_q ? memory_rdata_s2_q[149:145] : 5'h0);
-  logic [5:0] select_144;
-  assign select_144 = running_s2_q ? memory_rdata_s2_q[144:139] : (marks_first_s2_q ? memory_rdata_s2_q[144:139] : 6'h0);
-  logic [7:0] select_151;
-  assign select_151 = running_s2_q ? memory_rdata_s2_q[138:131] : (marks_first_s2_q ? memory_rdata_s2_q[138:131] : 8'h0);
+  logic [5:0] select_107;
+  assign select_107 = running_s2_q ? memory_rdata_s2_q[144:139] : (marks_first_s2_q ? memory_rdata_s2_q[144:139] : 6'h0);
+  logic [7:0] select_114;
+  assign select_114 = running_s2_q ? memory_rdata_s2_q[138:131] : (marks_first_s2_q ? memory_rdata_s2_q[138:131] : 8'h0);
   logic select_173;
   assign select_173 = running_s2_q ? memory_rdata_s2_q[74] : (marks_first_s2_q & memory_rdata_s2_q[74]);
 
@@ -242,8 +242,8 @@ module horopter_ballot (
   logic [5:0] select_88_s3_q;
   logic [4:0] select_91_s3_q;
   logic select_93_s3_q;
-  logic [5:0] select_145_s3_q;
-  logic [7:0] select_152_s3_q;
+  logic [5:0] select_108_s3_q;
+  logic [7:0] select_115_s3_q;
   logic and_174_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
@@ -280,8 +280,8 @@ module horopter_ballot (
       select_88_s3_q <= and_22 ? select_87 : 6'h0;
       select_91_s3_q <= and_22 ? select_90 : 5'h0;
       select_93_s3_q <= select_93_s2_q;
-      select_145_s3_q <= and_22 ? select_144 : 6'h0;
-      select_152_s3_q <= and_22 ? select_151 : 8'h0;
+      select_108_s3_q <= and_22 ? select_107 : 6'h0;
+      select_115_s3_q <= and_22 ? select_114 : 8'h0;
       and_174_s3_q <= and_22 & select_173;
     end
   end
@@ -289,65 +289,65 @@ module horopter_ballot (
   // Stage 3 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:67
   logic [6:0] difference_96;
-  assign difference_96 = {1'b0, select_37_s3_q} - {1'b0, select_64_s3_q};
+  assign difference_96 = {1'b0, grey_s3_q} - {1'b0, select_64_s3_q};
   logic [5:0] xor_97;
   assign xor_97 = difference_96[5:0] ^ {6{difference_96[6]}};
   logic [6:0] difference;
   assign difference = {6'h0, difference_96[6]} + {1'b0, xor_97};
   logic [6:0] difference_101;
-  assign difference_101 = {1'b0, select_28_s3_q} - {1'b0, select_64_s3_q};
+  assign difference_101 = {1'b0, select_88_s3_q} - {1'b0, select_64_s3_q};
   logic [5:0] xor_102;
   assign xor_102 = difference_101[5:0] ^ {6{difference_101[6]}};
   logic [6:0] difference_2;
   assign difference_2 = {6'h0, difference_101[6]} + {1'b0, xor_102};
-  logic [6:0] difference_107;
-  assign difference_107 = {1'b0, select_55_s3_q} - {1'b0, select_64_s3_q};
-  logic [5:0] xor_108;
-  assign xor_108 = difference_107[5:0] ^ {6{difference_107[6]}};
+  logic [6:0] difference_109;
+  assign difference_109 = {1'b0, select_108_s3_q} - {1'b0, select_64_s3_q};
+  logic [5:0] xor_110;
+  assign xor_110 = difference_109[5:0] ^ {6{difference_109[6]}};
   logic [6:0] difference_3;
-  assign difference_3 = {6'h0, difference_107[6]} + {1'b0, xor_108};
-  logic [6:0] difference_112;
-  assign difference_112 = {1'b0, select_46_s3_q} - {1'b0, select_64_s3_q};
-  logic [5:0] xor_113;
-  assign xor_113 = difference_112[5:0] ^ {6{difference_112[6]}};
-  logic [6:0] difference_4;
-  assign difference_4 = {6'h0, difference_112[6]} + {1'b0, xor_113};
+  assign difference_3 = {6'h0, difference_109[6]} + {1'b0, xor_110};
   logic [6:0] difference_119;
-  assign difference_119 = {1'b0, select_70_s3_q} - {1'b0, select_64_s3_q};
+  assign difference_119 = {1'b0, select_28_s3_q} - {1'b0, select_64_s3_q};
   logic [5:0] xor_120;
   assign xor_120 = difference_119[5:0] ^ {6{difference_119[6]}};
+  logic [6:0] difference_4;
+  assign difference_4 = {6'h0, difference_119[6]} + {1'b0, xor_120};
+  logic [6:0] difference_124;
+  assign difference_124 = {1'b0, select_37_s3_q} - {1'b0, select_64_s3_q};
+  logic [5:0] xor_125;
+  assign xor_125 = difference_124[5:0] ^ {6{difference_124[6]}};
   logic [6:0] difference_5;
-  assign difference_5 = {6'h0, difference_119[6]} + {1'b0, xor_120};
-  logic [6:0] difference_125;
-  assign difference_125 = {1'b0, select_82_s3_q} - {1'b0, select_64_s3_q};
-  logic [5:0] xor_126;
-  assign xor_126 = difference_125[5:0] ^ {6{difference_125[6]}};
-  logic [6:0] difference_6;
-  assign difference_6 = {6'h0, difference_125[6]} + {1'b0, xor_126};
+  assign difference_5 = {6'h0, difference_124[6]} + {1'b0, xor_125};
   logic [6:0] difference_130;
-  assign difference_130 = {1'b0, select_76_s3_q} - {1'b0, select_64_s3_q};
+  assign difference_130 = {1'b0, select_46_s3_q} - {1'b0, select_64_s3_q};
   logic [5:0] xor_131;
   assign xor_131 = difference_130[5:0] ^ {6{difference_130[6]}};
+  logic [6:0] difference_6;
+  assign difference_6 = {6'h0, difference_130[6]} + {1'b0, xor_131};
+  logic [6:0] difference_135;
+  assign difference_135 = {1'b0, select_55_s3_q} - {1'b0, select_64_s3_q};
+  logic [5:0] xor_136;
+  assign xor_136 = difference_135[5:0] ^ {6{difference_135[6]}};
   logic [6:0] difference_7;
-  assign difference_7 = {6'h0, difference_130[6]} + {1'b0, xor_131};
-  logic [6:0] difference_138;
-  assign difference_138 = {1'b0, grey_s3_q} - {1'b0, select_64_s3_q};
-  logic [5:0] xor_139;
-  assign xor_139 = difference_138[5:0] ^ {6{difference_138[6]}};
+  assign difference_7 = {6'h0, difference_135[6]} + {1'b0, xor_136};
+  logic [6:0] difference_142;
+  assign difference_142 = {1'b0, select_70_s3_q} - {1'b0, select_64_s3_q};
+  logic [5:0] xor_143;
+  assign xor_143 = difference_142[5:0] ^ {6{difference_142[6]}};
   logic [6:0] difference_8;
-  assign difference_8 = {6'h0, difference_138[6]} + {1'b0, xor_139};
-  logic [6:0] difference_146;
-  assign difference_146 = {1'b0, select_145_s3_q} - {1'b0, select_64_s3_q};
-  logic [5:0] xor_147;
-  assign xor_147 = difference_146[5:0] ^ {6{difference_146[6]}};
+  assign difference_8 = {6'h0, difference_142[6]} + {1'b0, xor_143};
+  logic [6:0] difference_148;
+  assign difference_148 = {1'b0, select_76_s3_q} - {1'b0, select_64_s3_q};
+  logic [5:0] xor_149;
+  assign xor_149 = difference_148[5:0] ^ {6{difference_148[6]}};
   logic [6:0] difference_9;
-  assign difference_9 = {6'h0, difference_146[6]} + {1'b0, xor_147};
-  logic [6:0] difference_154;
-  assign difference_154 = {1'b0, select_88_s3_q} - {1'b0, select_64_s3_q};
-  logic [5:0] xor_155;
-  assign xor_155 = difference_154[5:0] ^ {6{difference_154[6]}};
+  assign difference_9 = {6'h0, difference_148[6]} + {1'b0, xor_149};
+  logic [6:0] difference_153;
+  assign difference_153 = {1'b0, select_82_s3_q} - {1'b0, select_64_s3_q};
+  logic [5:0] xor_154;
+  assign xor_154 = difference_153[5:0] ^ {6{difference_153[6]}};
   logic [6:0] difference_10;
-  assign difference_10 = {6'h0, difference_154[6]} + {1'b0, xor_155};
+  assign difference_10 = {6'h0, difference_153[6]} + {1'b0, xor_154};
 
   // Memory memory, write
   logic [10:0] memory_waddr;
@@ -408,13 +408,13 @@ module horopter_ballot (
   logic [6:0] difference_s4_q;
   logic [6:0] difference_2_s4_q;
   logic [6:0] difference_3_s4_q;
+  logic [7:0] select_115_s4_q;
   logic [6:0] difference_4_s4_q;
   logic [6:0] difference_5_s4_q;
   logic [6:0] difference_6_s4_q;
   logic [6:0] difference_7_s4_q;
   logic [6:0] difference_8_s4_q;
   logic [6:0] difference_9_s4_q;
-  logic [7:0] select_152_s4_q;
   logic [6:0] difference_10_s4_q;
   logic and_174_s4_q;
   always_ff @(posedge clk_i) begin
@@ -437,13 +437,13 @@ module horopter_ballot (
       difference_s4_q <= difference;
       difference_2_s4_q <= difference_2;
       difference_3_s4_q <= difference_3;
+      select_115_s4_q <= select_115_s3_q;
       difference_4_s4_q <= difference_4;
       difference_5_s4_q <= difference_5;
       difference_6_s4_q <= difference_6;
       difference_7_s4_q <= difference_7;
       difference_8_s4_q <= difference_8;
       difference_9_s4_q <= difference_9;
-      select_152_s4_q <= select_152_s3_q;
       difference_10_s4_q <= difference_10;
       and_174_s4_q <= and_174_s3_q;
     end
@@ -451,24 +451,24 @@ module horopter_ballot (
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:68
-  logic [7:0] select_100;
-  assign select_100 = ({3'h0, cfg_similar_i} < difference_s4_q) ? 8'h0 : select_34_s4_q;
   logic [7:0] select_105;
-  assign select_105 = ({3'h0, cfg_similar_i} < difference_2_s4_q) ? 8'h0 : select_25_s4_q;
-  logic [7:0] select_111;
-  assign select_111 = ({3'h0, cfg_similar_i} < difference_3_s4_q) ? 8'h0 : select_52_s4_q;
+  assign select_105 = ({3'h0, cfg_similar_i} < difference_2_s4_q) ? 8'h0 : select_85_s4_q;
   logic [7:0] select_116;
-  assign select_116 = ({3'h0, cfg_similar_i} < difference_4_s4_q) ? 8'h0 : select_43_s4_q;
+  assign select_116 = ({3'h0, cfg_similar_i} < difference_3_s4_q) ? 8'h0 : select_115_s4_q;
   logic [7:0] select_123;
-  assign select_123 = ({3'h0, cfg_similar_i} < difference_5_s4_q) ? 8'h0 : select_67_s4_q;
-  logic [7:0] select_129;
-  assign select_129 = ({3'h0, cfg_similar_i} < difference_6_s4_q) ? 8'h0 : select_79_s4_q;
+  assign select_123 = ({3'h0, cfg_similar_i} < difference_4_s4_q) ? 8'h0 : select_25_s4_q;
+  logic [7:0] select_128;
+  assign select_128 = ({3'h0, cfg_similar_i} < difference_5_s4_q) ? 8'h0 : select_34_s4_q;
   logic [7:0] select_134;
-  assign select_134 = ({3'h0, cfg_similar_i} < difference_7_s4_q) ? 8'h0 : select_73_s4_q;
-  logic [7:0] select_153;
-  assign select_153 = ({3'h0, cfg_similar_i} < difference_9_s4_q) ? 8'h0 : select_152_s4_q;
-  logic [7:0] select_158;
-  assign select_158 = ({3'h0, cfg_similar_i} < difference_10_s4_q) ? 8'h0 : select_85_s4_q;
+  assign select_134 = ({3'h0, cfg_similar_i} < difference_6_s4_q) ? 8'h0 : select_43_s4_q;
+  logic [7:0] select_139;
+  assign select_139 = ({3'h0, cfg_similar_i} < difference_7_s4_q) ? 8'h0 : select_52_s4_q;
+  logic [7:0] select_146;
+  assign select_146 = ({3'h0, cfg_similar_i} < difference_8_s4_q) ? 8'h0 : select_67_s4_q;
+  logic [7:0] select_152;
+  assign select_152 = ({3'h0, cfg_similar_i} < difference_9_s4_q) ? 8'h0 : select_73_s4_q;
+  logic [7:0] select_157;
+  assign select_157 = ({3'h0, cfg_similar_i} < difference_10_s4_q) ? 8'h0 : select_79_s4_q;
 
   logic marks_first_s5_q;
   logic marks_last_s5_q;
@@ -478,14 +478,14 @@ module horopter_ballot (
   logic select_91_s5_q;
   logic [7:0] select_100_s5_q;
   logic [7:0] select_105_s5_q;
-  logic [7:0] select_111_s5_q;
   logic [7:0] select_116_s5_q;
   logic [7:0] select_123_s5_q;
-  logic [7:0] select_129_s5_q;
+  logic [7:0] select_128_s5_q;
   logic [7:0] select_134_s5_q;
-  logic [7:0] select_142_s5_q;
-  logic [7:0] select_153_s5_q;
-  logic [7:0] select_158_s5_q;
+  logic [7:0] select_139_s5_q;
+  logic [7:0] select_146_s5_q;
+  logic [7:0] select_152_s5_q;
+  logic [7:0] select_157_s5_q;
   logic and_174_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
@@ -495,34 +495,34 @@ module horopter_ballot (
       marks_nearer_s5_q <= marks_nearer_s4_q;
       select_61_s5_q <= select_61_s4_q;
       select_91_s5_q <= select_91_s4_q;
-      select_100_s5_q <= select_100;
+      select_100_s5_q <= ({3'h0, cfg_similar_i} < difference_s4_q) ? 8'h0 : vote_s4_q;
       select_105_s5_q <= select_105;
-      select_111_s5_q <= select_111;
       select_116_s5_q <= select_116;
       select_123_s5_q <= select_123;
-      select_129_s5_q <= select_129;
+      select_128_s5_q <= select_128;
       select_134_s5_q <= select_134;
-      select_142_s5_q <= ({3'h0, cfg_similar_i} < difference_8_s4_q) ? 8'h0 : vote_s4_q;
-      select_153_s5_q <= select_153;
-      select_158_s5_q <= select_158;
+      select_139_s5_q <= select_139;
+      select_146_s5_q <= select_146;
+      select_152_s5_q <= select_152;
+      select_157_s5_q <= select_157;
       and_174_s5_q <= and_174_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:71
-  logic [8:0] sum_106;
-  assign sum_106 = {select_100_s5_q[7], select_100_s5_q} + {select_105_s5_q[7], select_105_s5_q};
   logic [8:0] sum_117;
-  assign sum_117 = {select_111_s5_q[7], select_111_s5_q} + {select_116_s5_q[7], select_116_s5_q};
-  logic [8:0] sum_124;
-  assign sum_124 = {select_61_s5_q[7], select_61_s5_q} + {select_123_s5_q[7], select_123_s5_q};
-  logic [8:0] sum_135;
-  assign sum_135 = {select_129_s5_q[7], select_129_s5_q} + {select_134_s5_q[7], select_134_s5_q};
-  logic [8:0] sum_159;
-  assign sum_159 = {select_153_s5_q[7], select_153_s5_q} + {select_158_s5_q[7], select_158_s5_q};
-  logic [9:0] sum_160;
-  assign sum_160 = {{2{select_142_s5_q[7]}}, select_142_s5_q} + {sum_159[8], sum_159};
+  assign sum_117 = {select_105_s5_q[7], select_105_s5_q} + {select_116_s5_q[7], select_116_s5_q};
+  logic [9:0] sum_118;
+  assign sum_118 = {{2{select_100_s5_q[7]}}, select_100_s5_q} + {sum_117[8], sum_117};
+  logic [8:0] sum_129;
+  assign sum_129 = {select_123_s5_q[7], select_123_s5_q} + {select_128_s5_q[7], select_128_s5_q};
+  logic [8:0] sum_140;
+  assign sum_140 = {select_134_s5_q[7], select_134_s5_q} + {select_139_s5_q[7], select_139_s5_q};
+  logic [8:0] sum_147;
+  assign sum_147 = {select_61_s5_q[7], select_61_s5_q} + {select_146_s5_q[7], select_146_s5_q};
+  logic [8:0] sum_158;
+  assign sum_158 = {select_152_s5_q[7], select_152_s5_q} + {select_157_s5_q[7], select_157_s5_q};
 
   logic marks_first_s6_q;
   logic marks_last_s6_q;
@@ -530,8 +530,8 @@ module horopter_ballot (
   logic marks_nearer_s6_q;
   logic select_91_s6_q;
   logic [9:0] sum_118_s6_q;
-  logic [9:0] sum_136_s6_q;
-  logic [9:0] sum_160_s6_q;
+  logic [9:0] sum_141_s6_q;
+  logic [9:0] sum_159_s6_q;
   logic and_174_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
@@ -540,17 +540,17 @@ module horopter_ballot (
       marks_seen_s6_q <= marks_seen_s5_q;
       marks_nearer_s6_q <= marks_nearer_s5_q;
       select_91_s6_q <= select_91_s5_q;
-      sum_118_s6_q <= {sum_106[8], sum_106} + {sum_117[8], sum_117};
-      sum_136_s6_q <= {sum_124[8], sum_124} + {sum_135[8], sum_135};
-      sum_160_s6_q <= sum_160;
+      sum_118_s6_q <= sum_118;
+      sum_141_s6_q <= {sum_129[8], sum_129} + {sum_140[8], sum_140};
+      sum_159_s6_q <= {sum_147[8], sum_147} + {sum_158[8], sum_158};
       and_174_s6_q <= and_174_s5_q;
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:71
-  logic [10:0] sum_137;
-  assign sum_137 = {sum_118_s6_q[9], sum_118_s6_q} + {sum_136_s6_q[9], sum_136_s6_q};
+  logic [10:0] sum_160;
+  assign sum_160 = {sum_141_s6_q[9], sum_141_s6_q} + {sum_159_s6_q[9], sum_159_s6_q};
 
   logic marks_first_s7_q;
   logic marks_last_s7_q;
@@ -566,23 +566,26 @@ module horopter_ballot (
       marks_seen_s7_q <= marks_seen_s6_q;
       marks_nearer_s7_q <= marks_nearer_s6_q;
       select_91_s7_q <= select_91_s6_q;
-      sum_161_s7_q <= {sum_137[10], sum_137} + {{2{sum_160_s6_q[9]}}, sum_160_s6_q};
+      sum_161_s7_q <= {{2{sum_118_s6_q[9]}}, sum_118_s6_q} + {sum_160[10], sum_160};
       and_174_s7_q <= and_174_s6_q;
     end
   end
 
   // Stage 7 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:89
+  logic [12:0] difference_164;
+  assign difference_164 = 13'h0 - {sum_161_s7_q[11], sum_161_s7_q};
   logic less_168;
-  assign less_168 = $signed((13'h0 - {sum_161_s7_q[11], sum_161_s7_q})) < $signed({2'h0, sum_167, select_165[0]});
+  assign less_168 = {{3{difference_164[12]}}, difference_164} < {5'h0, sum_167, select_165[0]};
 
   logic marks_first_s8_q;
   logic marks_last_s8_q;
   logic marks_seen_s8_q;
   logic marks_nearer_s8_q;
+  logic select_91_s8_q;
+  logic sum_161_s8_q;
   logic not_163_s8_q;
   logic not_169_s8_q;
-  logic and_170_s8_q;
   logic and_174_s8_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
@@ -590,9 +593,10 @@ module horopter_ballot (
       marks_last_s8_q <= marks_last_s7_q;
       marks_seen_s8_q <= marks_seen_s7_q;
       marks_nearer_s8_q <= marks_nearer_s7_q;
+      select_91_s8_q <= select_91_s7_q;
+      sum_161_s8_q <= sum_161_s7_q[11];
       not_163_s8_q <= ~($signed(sum_161_s7_q) < $signed({4'h0, cfg_quorum_i}));
       not_169_s8_q <= ~less_168;
-      and_170_s8_q <= select_91_s7_q & sum_161_s7_q[11];
       and_174_s8_q <= and_174_s7_q;
     end
   end
@@ -604,7 +608,7 @@ module horopter_ballot (
   logic marks_seen_s9_q;
   logic marks_nearer_s9_q;
   logic not_163_s9_q;
-  logic or_171_s9_q;
+  logic and_171_s9_q;
   logic and_174_s9_q;
   always_ff @(posedge clk_i) begin
     if (s8_en) begin
@@ -613,14 +617,14 @@ module horopter_ballot (
       marks_seen_s9_q <= marks_seen_s8_q;
       marks_nearer_s9_q <= marks_nearer_s8_q;
       not_163_s9_q <= not_163_s8_q;
-      or_171_s9_q <= not_169_s8_q | and_170_s8_q;
+      and_171_s9_q <= sum_161_s8_q & (select_91_s8_q | not_169_s8_q);
       and_174_s9_q <= and_174_s8_q;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign skin_o = not_163_s9_q;
-  assign clear_o = or_171_s9_q;
+  assign clear_o = and_171_s9_q;
   assign exists_o = and_174_s9_q;
   assign marks_first_o = marks_first_s9_q;
   assign marks_last_o = marks_last_s9_q;

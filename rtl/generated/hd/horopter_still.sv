@@ -27,17 +27,17 @@ module horopter_still (
   assign s6_en = en_i & valid_s6_q;
 
   // Of the configuration alone: not pipelined.
-  logic equal_51;
-  assign equal_51 = cfg_still_limit_i == 8'h0;
+  logic equal_49;
+  assign equal_49 = cfg_still_limit_i == 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [8:0] index_q;
   logic [4:0] place_q;
-  // hls/stages/still.hpp:46
-  logic and_17;
-  assign and_17 = (place_q == 5'h10) & (~first_i);
+  // hls/stages/still.hpp:50
+  logic and_16;
+  assign and_16 = (place_q == 5'h10) & (~first_i);
 
-  // Memory kept, 512 x 32, DISTANCE 17, hls/stages/still.hpp:107; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory kept, 512 x 32, DISTANCE 17, hls/stages/still.hpp:115; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [31:0] kept_mem [0:511];
@@ -48,7 +48,7 @@ module horopter_still (
   assign kept_raddr = index_q;
 `ifndef SYNTHESIS
   logic kept_re;
-  assign kept_re = s0_en & and_17;
+  assign kept_re = s0_en & and_16;
 `endif
   logic [31:0] kept_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -60,8 +60,8 @@ module horopter_still (
       index_q <= 9'h0;
       place_q <= 5'h0;
     end else if (s0_en) begin
-      index_q <= first_i ? 9'h0 : (index_q + {8'h0, and_17});
-      place_q <= (first_i | and_17) ? 5'h0 : (place_q + 5'h1);
+      index_q <= first_i ? 9'h0 : (index_q + {8'h0, and_16});
+      place_q <= (first_i | and_16) ? 5'h0 : (place_q + 5'h1);
     end
   end
 
@@ -69,14 +69,14 @@ module horopter_still (
   logic [7:0] right_s1_q;
   logic first_s1_q;
   logic [8:0] index_s1_q;
-  logic and_17_s1_q;
+  logic and_16_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       left_s1_q <= left_i;
       right_s1_q <= right_i;
       first_s1_q <= first_i;
       index_s1_q <= index_q;
-      and_17_s1_q <= and_17;
+      and_16_s1_q <= and_16;
     end
   end
 
@@ -86,52 +86,52 @@ module horopter_still (
   logic [7:0] right_s2_q;
   logic first_s2_q;
   logic [8:0] index_s2_q;
-  logic and_17_s2_q;
+  logic and_16_s2_q;
   logic [31:0] kept_rdata_s2_q;
-  logic and_93_s2_q;
+  logic and_91_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       left_s2_q <= left_s1_q;
       right_s2_q <= right_s1_q;
       first_s2_q <= first_s1_q;
       index_s2_q <= index_s1_q;
-      and_17_s2_q <= and_17_s1_q;
+      and_16_s2_q <= and_16_s1_q;
       kept_rdata_s2_q <= kept_rdata_q;
-      and_93_s2_q <= (~equal_51) & (~(index_q[8:4] == 5'h0));
+      and_91_s2_q <= (~equal_49) & (~(index_q[8:4] == 5'h0));
     end
   end
 
   // Stage 2 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/still.hpp:50
-  logic [7:0] select_27;
-  assign select_27 = and_17_s2_q ? kept_rdata_s2_q[7:0] : 8'h0;
-  // hls/stages/still.hpp:78
-  logic [8:0] difference_28;
-  assign difference_28 = {1'b0, left_s2_q} - {1'b0, select_27};
-  // hls/stages/still.hpp:50
-  logic [7:0] select_40;
-  assign select_40 = and_17_s2_q ? kept_rdata_s2_q[23:16] : 8'h0;
-  // hls/stages/still.hpp:78
-  logic [8:0] difference_41;
-  assign difference_41 = {1'b0, left_s2_q} - {1'b0, select_40};
-  // hls/stages/still.hpp:50
-  logic [7:0] select_61;
-  assign select_61 = and_17_s2_q ? kept_rdata_s2_q[15:8] : 8'h0;
-  // hls/stages/still.hpp:78
-  logic [8:0] difference_62;
-  assign difference_62 = {1'b0, right_s2_q} - {1'b0, select_61};
-  // hls/stages/still.hpp:50
-  logic [7:0] select_72;
-  assign select_72 = and_17_s2_q ? kept_rdata_s2_q[31:24] : 8'h0;
-  // hls/stages/still.hpp:78
-  logic [8:0] difference_73;
-  assign difference_73 = {1'b0, right_s2_q} - {1'b0, select_72};
+  // hls/stages/still.hpp:57
+  logic [7:0] select_25;
+  assign select_25 = and_16_s2_q ? kept_rdata_s2_q[7:0] : 8'h0;
+  // hls/stages/still.hpp:86
+  logic [8:0] difference_26;
+  assign difference_26 = {1'b0, left_s2_q} - {1'b0, select_25};
+  // hls/stages/still.hpp:57
+  logic [7:0] select_38;
+  assign select_38 = and_16_s2_q ? kept_rdata_s2_q[23:16] : 8'h0;
+  // hls/stages/still.hpp:86
+  logic [8:0] difference_39;
+  assign difference_39 = {1'b0, left_s2_q} - {1'b0, select_38};
+  // hls/stages/still.hpp:57
+  logic [7:0] select_59;
+  assign select_59 = and_16_s2_q ? kept_rdata_s2_q[15:8] : 8'h0;
+  // hls/stages/still.hpp:86
+  logic [8:0] difference_60;
+  assign difference_60 = {1'b0, right_s2_q} - {1'b0, select_59};
+  // hls/stages/still.hpp:57
+  logic [7:0] select_70;
+  assign select_70 = and_16_s2_q ? kept_rdata_s2_q[31:24] : 8'h0;
+  // hls/stages/still.hpp:86
+  logic [8:0] difference_71;
+  assign difference_71 = {1'b0, right_s2_q} - {1'b0, select_70};
 
   // Memory kept, write
   logic [8:0] kept_waddr;
   assign kept_waddr = index_s2_q;
   logic kept_we;
-  assign kept_we = s2_en & and_17_s2_q;
+  assign kept_we = s2_en & and_16_s2_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (kept_we) kept_mem[kept_waddr] <= {kept_rdata_s2_q[15:0], right_s2_q, left_s2_q};
   end
@@ -159,102 +159,100 @@ module horopter_still (
 `endif
 
   logic first_s3_q;
-  logic and_17_s3_q;
-  logic [5:0] difference_28_s3_q;
-  logic [5:0] difference_41_s3_q;
-  logic [5:0] difference_62_s3_q;
-  logic [5:0] difference_73_s3_q;
-  logic and_93_s3_q;
+  logic and_16_s3_q;
+  logic [5:0] difference_26_s3_q;
+  logic [5:0] difference_39_s3_q;
+  logic [5:0] difference_60_s3_q;
+  logic [5:0] difference_71_s3_q;
+  logic and_91_s3_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       first_s3_q <= first_s2_q;
-      and_17_s3_q <= and_17_s2_q;
-      difference_28_s3_q <= difference_28[8:3];
-      difference_41_s3_q <= difference_41[8:3];
-      difference_62_s3_q <= difference_62[8:3];
-      difference_73_s3_q <= difference_73[8:3];
-      and_93_s3_q <= and_93_s2_q;
+      and_16_s3_q <= and_16_s2_q;
+      difference_26_s3_q <= difference_26[8:3];
+      difference_39_s3_q <= difference_39[8:3];
+      difference_60_s3_q <= difference_60[8:3];
+      difference_71_s3_q <= difference_71[8:3];
+      and_91_s3_q <= and_91_s2_q;
     end
   end
 
   // Stage 3 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/still.hpp:79
-  logic [6:0] sum_29;
-  assign sum_29 = {difference_28_s3_q[5], difference_28_s3_q} + 7'h7f;
-  logic [6:0] sum_42;
-  assign sum_42 = {difference_41_s3_q[5], difference_41_s3_q} + 7'h7f;
-  logic [6:0] sum_63;
-  assign sum_63 = {difference_62_s3_q[5], difference_62_s3_q} + 7'h1;
-  logic [6:0] sum_74;
-  assign sum_74 = {difference_73_s3_q[5], difference_73_s3_q} + 7'h7f;
+  // hls/stages/still.hpp:87
+  logic [6:0] sum_27;
+  assign sum_27 = {difference_26_s3_q[5], difference_26_s3_q} + 7'h7f;
+  logic [6:0] sum_40;
+  assign sum_40 = {difference_39_s3_q[5], difference_39_s3_q} + 7'h7f;
+  logic [6:0] sum_61;
+  assign sum_61 = {difference_60_s3_q[5], difference_60_s3_q} + 7'h1;
+  logic [6:0] sum_72;
+  assign sum_72 = {difference_71_s3_q[5], difference_71_s3_q} + 7'h7f;
 
   logic first_s4_q;
-  logic and_32_s4_q;
-  logic and_45_s4_q;
-  logic or_66_s4_q;
-  logic and_77_s4_q;
-  logic and_93_s4_q;
+  logic and_30_s4_q;
+  logic and_43_s4_q;
+  logic or_64_s4_q;
+  logic and_75_s4_q;
+  logic and_91_s4_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       first_s4_q <= first_s3_q;
-      and_32_s4_q <= and_17_s3_q & (~(sum_29[6:1] == 6'h3f));
-      and_45_s4_q <= and_17_s3_q & (~(sum_42[6:1] == 6'h3f));
-      or_66_s4_q <= (sum_63[6:1] == 6'h0) | (~and_17_s3_q);
-      and_77_s4_q <= and_17_s3_q & (~(sum_74[6:1] == 6'h3f));
-      and_93_s4_q <= and_93_s3_q;
+      and_30_s4_q <= and_16_s3_q & (~(sum_27[6:1] == 6'h3f));
+      and_43_s4_q <= and_16_s3_q & (~(sum_40[6:1] == 6'h3f));
+      or_64_s4_q <= (sum_61[6:1] == 6'h0) | (~and_16_s3_q);
+      and_75_s4_q <= and_16_s3_q & (~(sum_72[6:1] == 6'h3f));
+      and_91_s4_q <= and_91_s3_q;
     end
   end
 
   // Stage 4 -----------------------------------------------------------------------------------------------------------
-  logic one_before_q;
-  logic two_before_q;
+  logic [1:0] before_v_q;
   logic [1:0] left_last_q;
   logic [1:0] left_older_q;
   logic [7:0] left_frames_q;
   logic [1:0] right_last_q;
   logic [1:0] right_older_q;
   logic [7:0] right_frames_q;
-  // hls/stages/still.hpp:89
-  logic not_26;
-  assign not_26 = ~one_before_q;
-  // hls/stages/still.hpp:86
-  logic not_34;
-  assign not_34 = ~(left_last_q == 2'h2);
-  // hls/stages/still.hpp:53
-  logic [1:0] select_38;
-  assign select_38 = first_s4_q ? {not_26, 1'b0} : ((and_32_s4_q & not_34) ? (left_last_q + 2'h1) : left_last_q);
-  // hls/stages/still.hpp:90
-  logic not_39;
-  assign not_39 = ~two_before_q;
-  // hls/stages/still.hpp:86
-  logic equal_46;
-  assign equal_46 = left_older_q == 2'h2;
-  // hls/stages/still.hpp:53
-  logic [1:0] select_49;
-  assign select_49 = and_45_s4_q ? (equal_46 ? left_older_q : (left_older_q + 2'h1)) : left_older_q;
-  // hls/stages/still.hpp:88
-  logic [7:0] select_59;
-  assign select_59 = (equal_51 | (~(not_34 | (~equal_46)))) ? 8'h0 : ((left_frames_q == 8'hff) ? 8'hff : (left_frames_q + 8'h1));
-  // hls/stages/still.hpp:86
-  logic equal_67;
-  assign equal_67 = right_last_q == 2'h2;
-  // hls/stages/still.hpp:55
-  logic [1:0] select_71;
-  assign select_71 = first_s4_q ? {not_26, 1'b0} : ((or_66_s4_q | equal_67) ? right_last_q : (right_last_q + 2'h1));
-  // hls/stages/still.hpp:86
-  logic equal_78;
-  assign equal_78 = right_older_q == 2'h2;
-  // hls/stages/still.hpp:55
-  logic [1:0] select_81;
-  assign select_81 = and_77_s4_q ? (equal_78 ? right_older_q : (right_older_q + 2'h1)) : right_older_q;
-  // hls/stages/still.hpp:88
-  logic [7:0] select_88;
-  assign select_88 = (equal_51 | (equal_67 & equal_78)) ? 8'h0 : ((right_frames_q == 8'hff) ? 8'hff : (right_frames_q + 8'h1));
+  // hls/stages/still.hpp:97
+  logic not_24;
+  assign not_24 = ~before_v_q[0];
+  // hls/stages/still.hpp:94
+  logic not_32;
+  assign not_32 = ~(left_last_q == 2'h2);
+  // hls/stages/still.hpp:63
+  logic [1:0] select_36;
+  assign select_36 = first_s4_q ? {not_24, 1'b0} : ((and_30_s4_q & not_32) ? (left_last_q + 2'h1) : left_last_q);
+  // hls/stages/still.hpp:98
+  logic not_37;
+  assign not_37 = ~before_v_q[1];
+  // hls/stages/still.hpp:94
+  logic equal_44;
+  assign equal_44 = left_older_q == 2'h2;
+  // hls/stages/still.hpp:63
+  logic [1:0] select_47;
+  assign select_47 = and_43_s4_q ? (equal_44 ? left_older_q : (left_older_q + 2'h1)) : left_older_q;
+  // hls/stages/still.hpp:96
+  logic [7:0] select_57;
+  assign select_57 = (equal_49 | (~(not_32 | (~equal_44)))) ? 8'h0 : ((left_frames_q == 8'hff) ? 8'hff : (left_frames_q + 8'h1));
+  // hls/stages/still.hpp:94
+  logic equal_65;
+  assign equal_65 = right_last_q == 2'h2;
+  // hls/stages/still.hpp:65
+  logic [1:0] select_69;
+  assign select_69 = first_s4_q ? {not_24, 1'b0} : ((or_64_s4_q | equal_65) ? right_last_q : (right_last_q + 2'h1));
+  // hls/stages/still.hpp:94
+  logic equal_76;
+  assign equal_76 = right_older_q == 2'h2;
+  // hls/stages/still.hpp:65
+  logic [1:0] select_79;
+  assign select_79 = and_75_s4_q ? (equal_76 ? right_older_q : (right_older_q + 2'h1)) : right_older_q;
+  // hls/stages/still.hpp:96
+  logic [7:0] select_86;
+  assign select_86 = (equal_49 | (equal_65 & equal_76)) ? 8'h0 : ((right_frames_q == 8'hff) ? 8'hff : (right_frames_q + 8'h1));
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      one_before_q <= 1'b0;
-      two_before_q <= 1'b0;
+      before_v_q <= 2'h0;
       left_last_q <= 2'h2;
       left_older_q <= 2'h2;
       left_frames_q <= 8'h0;
@@ -262,64 +260,63 @@ module horopter_still (
       right_older_q <= 2'h2;
       right_frames_q <= 8'h0;
     end else if (s4_en) begin
-      one_before_q <= first_s4_q | one_before_q;
-      two_before_q <= first_s4_q ? one_before_q : two_before_q;
-      left_last_q <= select_38;
-      left_older_q <= first_s4_q ? {not_39, 1'b0} : select_49;
-      left_frames_q <= first_s4_q ? select_59 : left_frames_q;
-      right_last_q <= select_71;
-      right_older_q <= first_s4_q ? {not_39, 1'b0} : select_81;
-      right_frames_q <= first_s4_q ? select_88 : right_frames_q;
+      before_v_q <= first_s4_q ? {before_v_q[0], 1'b1} : before_v_q;
+      left_last_q <= select_36;
+      left_older_q <= first_s4_q ? {not_37, 1'b0} : select_47;
+      left_frames_q <= first_s4_q ? select_57 : left_frames_q;
+      right_last_q <= select_69;
+      right_older_q <= first_s4_q ? {not_37, 1'b0} : select_79;
+      right_frames_q <= first_s4_q ? select_86 : right_frames_q;
     end
   end
 
-  logic and_93_s5_q;
+  logic and_91_s5_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      and_93_s5_q <= and_93_s4_q;
+      and_91_s5_q <= and_91_s4_q;
     end
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
 
-  logic and_93_s6_q;
-  logic equal_94_s6_q;
-  logic not_96_s6_q;
-  logic not_99_s6_q;
-  logic equal_103_s6_q;
-  logic not_105_s6_q;
-  logic not_108_s6_q;
+  logic and_91_s6_q;
+  logic equal_92_s6_q;
+  logic not_94_s6_q;
+  logic not_97_s6_q;
+  logic equal_101_s6_q;
+  logic not_103_s6_q;
+  logic not_106_s6_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
-      and_93_s6_q <= and_93_s5_q;
-      equal_94_s6_q <= left_last_q == 2'h2;
-      not_96_s6_q <= ~(left_older_q == 2'h2);
-      not_99_s6_q <= ~(({1'b0, left_frames_q} + 9'h1) < {1'b0, cfg_still_limit_i});
-      equal_103_s6_q <= right_last_q == 2'h2;
-      not_105_s6_q <= ~(right_older_q == 2'h2);
-      not_108_s6_q <= ~(({1'b0, right_frames_q} + 9'h1) < {1'b0, cfg_still_limit_i});
+      and_91_s6_q <= and_91_s5_q;
+      equal_92_s6_q <= left_last_q == 2'h2;
+      not_94_s6_q <= ~(left_older_q == 2'h2);
+      not_97_s6_q <= ~(({1'b0, left_frames_q} + 9'h1) < {1'b0, cfg_still_limit_i});
+      equal_101_s6_q <= right_last_q == 2'h2;
+      not_103_s6_q <= ~(right_older_q == 2'h2);
+      not_106_s6_q <= ~(({1'b0, right_frames_q} + 9'h1) < {1'b0, cfg_still_limit_i});
     end
   end
 
   // Stage 6 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/still.hpp:65
-  logic and_102;
-  assign and_102 = and_93_s6_q & (equal_94_s6_q ? (not_96_s6_q & not_99_s6_q) : not_99_s6_q);
-  logic and_111;
-  assign and_111 = and_93_s6_q & (equal_103_s6_q ? (not_105_s6_q & not_108_s6_q) : not_108_s6_q);
+  // hls/stages/still.hpp:72
+  logic and_100;
+  assign and_100 = and_91_s6_q & (equal_92_s6_q ? (not_94_s6_q & not_97_s6_q) : not_97_s6_q);
+  logic and_109;
+  assign and_109 = and_91_s6_q & (equal_101_s6_q ? (not_103_s6_q & not_106_s6_q) : not_106_s6_q);
 
-  logic and_102_s7_q;
-  logic and_111_s7_q;
+  logic and_100_s7_q;
+  logic and_109_s7_q;
   always_ff @(posedge clk_i) begin
     if (s6_en) begin
-      and_102_s7_q <= and_102;
-      and_111_s7_q <= and_111;
+      and_100_s7_q <= and_100;
+      and_109_s7_q <= and_109;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign left_still_o = and_102_s7_q;
-  assign right_still_o = and_111_s7_q;
+  assign left_still_o = and_100_s7_q;
+  assign right_still_o = and_109_s7_q;
   assign valid_o = valid_s7_q;
 
   always_ff @(posedge clk_i) begin
@@ -344,6 +341,6 @@ module horopter_still (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_74[0], difference_73[2:0], sum_63[0], difference_62[2:0], sum_42[0], difference_41[2:0], sum_29[0], difference_28[2:0]};
+  assign unused_bits = ^{sum_72[0], difference_71[2:0], sum_61[0], difference_60[2:0], sum_40[0], difference_39[2:0], sum_27[0], difference_26[2:0]};
 
 endmodule

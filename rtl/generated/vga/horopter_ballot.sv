@@ -375,232 +375,232 @@ module horopter_ballot (
   assign select_153 = and_24 ? select_152 : 9'h0;
   // hls/stages/ballot.hpp:67
   logic [6:0] difference_157;
-  assign difference_157 = {1'b0, select_39} - {1'b0, select_102};
+  assign difference_157 = {1'b0, grey_s1_q} - {1'b0, select_102};
   logic [5:0] xor_158;
   assign xor_158 = difference_157[5:0] ^ {6{difference_157[6]}};
   logic [6:0] difference;
   assign difference = {6'h0, difference_157[6]} + {1'b0, xor_158};
   // hls/stages/ballot.hpp:68
   logic [7:0] select_161;
-  assign select_161 = ({3'h0, cfg_similar_i} < difference) ? 8'h0 : select_36;
+  assign select_161 = ({3'h0, cfg_similar_i} < difference) ? 8'h0 : vote_s1_q;
   // hls/stages/ballot.hpp:67
   logic [6:0] difference_162;
-  assign difference_162 = {1'b0, select_30} - {1'b0, select_102};
+  assign difference_162 = {1'b0, select_150} - {1'b0, select_102};
   logic [5:0] xor_163;
   assign xor_163 = difference_162[5:0] ^ {6{difference_162[6]}};
   logic [6:0] difference_2;
   assign difference_2 = {6'h0, difference_162[6]} + {1'b0, xor_163};
   // hls/stages/ballot.hpp:68
   logic [7:0] select_166;
-  assign select_166 = ({3'h0, cfg_similar_i} < difference_2) ? 8'h0 : select_27;
-  // hls/stages/ballot.hpp:71
-  logic [8:0] sum_167;
-  assign sum_167 = {select_161[7], select_161} + {select_166[7], select_166};
+  assign select_166 = ({3'h0, cfg_similar_i} < difference_2) ? 8'h0 : select_147;
+  // hls/stages/ballot.hpp:59
+  logic [5:0] select_168;
+  assign select_168 = running_s1_q ? memory_rdata_q[260:255] : (marks_first_s1_q ? memory_rdata_q[260:255] : 6'h0);
+  // hls/stages/ballot.hpp:62
+  logic [5:0] select_169;
+  assign select_169 = and_24 ? select_168 : 6'h0;
   // hls/stages/ballot.hpp:67
-  logic [6:0] difference_168;
-  assign difference_168 = {1'b0, select_57} - {1'b0, select_102};
-  logic [5:0] xor_169;
-  assign xor_169 = difference_168[5:0] ^ {6{difference_168[6]}};
+  logic [6:0] difference_170;
+  assign difference_170 = {1'b0, select_169} - {1'b0, select_102};
+  logic [5:0] xor_171;
+  assign xor_171 = difference_170[5:0] ^ {6{difference_170[6]}};
   logic [6:0] difference_3;
-  assign difference_3 = {6'h0, difference_168[6]} + {1'b0, xor_169};
-  // hls/stages/ballot.hpp:68
-  logic [7:0] select_172;
-  assign select_172 = ({3'h0, cfg_similar_i} < difference_3) ? 8'h0 : select_54;
-  // hls/stages/ballot.hpp:67
-  logic [6:0] difference_173;
-  assign difference_173 = {1'b0, select_48} - {1'b0, select_102};
-  logic [5:0] xor_174;
-  assign xor_174 = difference_173[5:0] ^ {6{difference_173[6]}};
-  logic [6:0] difference_4;
-  assign difference_4 = {6'h0, difference_173[6]} + {1'b0, xor_174};
+  assign difference_3 = {6'h0, difference_170[6]} + {1'b0, xor_171};
+  // hls/stages/ballot.hpp:59
+  logic [7:0] select_175;
+  assign select_175 = running_s1_q ? memory_rdata_q[254:247] : (marks_first_s1_q ? memory_rdata_q[254:247] : 8'h0);
   // hls/stages/ballot.hpp:68
   logic [7:0] select_177;
-  assign select_177 = ({3'h0, cfg_similar_i} < difference_4) ? 8'h0 : select_45;
+  assign select_177 = ({3'h0, cfg_similar_i} < difference_3) ? 8'h0 : (and_24 ? select_175 : 8'h0);
   // hls/stages/ballot.hpp:71
   logic [8:0] sum_178;
-  assign sum_178 = {select_172[7], select_172} + {select_177[7], select_177};
-  logic [9:0] sum_179;
-  assign sum_179 = {sum_167[8], sum_167} + {sum_178[8], sum_178};
+  assign sum_178 = {select_166[7], select_166} + {select_177[7], select_177};
   // hls/stages/ballot.hpp:67
   logic [6:0] difference_180;
-  assign difference_180 = {1'b0, select_75} - {1'b0, select_102};
+  assign difference_180 = {1'b0, select_30} - {1'b0, select_102};
   logic [5:0] xor_181;
   assign xor_181 = difference_180[5:0] ^ {6{difference_180[6]}};
-  logic [6:0] difference_5;
-  assign difference_5 = {6'h0, difference_180[6]} + {1'b0, xor_181};
+  logic [6:0] difference_4;
+  assign difference_4 = {6'h0, difference_180[6]} + {1'b0, xor_181};
   // hls/stages/ballot.hpp:68
   logic [7:0] select_184;
-  assign select_184 = ({3'h0, cfg_similar_i} < difference_5) ? 8'h0 : select_72;
+  assign select_184 = ({3'h0, cfg_similar_i} < difference_4) ? 8'h0 : select_27;
   // hls/stages/ballot.hpp:67
   logic [6:0] difference_185;
-  assign difference_185 = {1'b0, select_66} - {1'b0, select_102};
+  assign difference_185 = {1'b0, select_39} - {1'b0, select_102};
   logic [5:0] xor_186;
   assign xor_186 = difference_185[5:0] ^ {6{difference_185[6]}};
-  logic [6:0] difference_6;
-  assign difference_6 = {6'h0, difference_185[6]} + {1'b0, xor_186};
+  logic [6:0] difference_5;
+  assign difference_5 = {6'h0, difference_185[6]} + {1'b0, xor_186};
   // hls/stages/ballot.hpp:68
   logic [7:0] select_189;
-  assign select_189 = ({3'h0, cfg_similar_i} < difference_6) ? 8'h0 : select_63;
+  assign select_189 = ({3'h0, cfg_similar_i} < difference_5) ? 8'h0 : select_36;
   // hls/stages/ballot.hpp:71
   logic [8:0] sum_190;
   assign sum_190 = {select_184[7], select_184} + {select_189[7], select_189};
   // hls/stages/ballot.hpp:67
   logic [6:0] difference_191;
-  assign difference_191 = {1'b0, select_93} - {1'b0, select_102};
+  assign difference_191 = {1'b0, select_48} - {1'b0, select_102};
   logic [5:0] xor_192;
   assign xor_192 = difference_191[5:0] ^ {6{difference_191[6]}};
-  logic [6:0] difference_7;
-  assign difference_7 = {6'h0, difference_191[6]} + {1'b0, xor_192};
+  logic [6:0] difference_6;
+  assign difference_6 = {6'h0, difference_191[6]} + {1'b0, xor_192};
   // hls/stages/ballot.hpp:68
   logic [7:0] select_195;
-  assign select_195 = ({3'h0, cfg_similar_i} < difference_7) ? 8'h0 : select_90;
+  assign select_195 = ({3'h0, cfg_similar_i} < difference_6) ? 8'h0 : select_45;
   // hls/stages/ballot.hpp:67
   logic [6:0] difference_196;
-  assign difference_196 = {1'b0, select_84} - {1'b0, select_102};
+  assign difference_196 = {1'b0, select_57} - {1'b0, select_102};
   logic [5:0] xor_197;
   assign xor_197 = difference_196[5:0] ^ {6{difference_196[6]}};
-  logic [6:0] difference_8;
-  assign difference_8 = {6'h0, difference_196[6]} + {1'b0, xor_197};
+  logic [6:0] difference_7;
+  assign difference_7 = {6'h0, difference_196[6]} + {1'b0, xor_197};
   // hls/stages/ballot.hpp:68
   logic [7:0] select_200;
-  assign select_200 = ({3'h0, cfg_similar_i} < difference_8) ? 8'h0 : select_81;
+  assign select_200 = ({3'h0, cfg_similar_i} < difference_7) ? 8'h0 : select_54;
   // hls/stages/ballot.hpp:71
   logic [8:0] sum_201;
   assign sum_201 = {select_195[7], select_195} + {select_200[7], select_200};
   logic [9:0] sum_202;
   assign sum_202 = {sum_190[8], sum_190} + {sum_201[8], sum_201};
-  logic [10:0] sum_203;
-  assign sum_203 = {sum_179[9], sum_179} + {sum_202[9], sum_202};
   // hls/stages/ballot.hpp:67
-  logic [6:0] difference_204;
-  assign difference_204 = {1'b0, select_108} - {1'b0, select_102};
-  logic [5:0] xor_205;
-  assign xor_205 = difference_204[5:0] ^ {6{difference_204[6]}};
+  logic [6:0] difference_203;
+  assign difference_203 = {1'b0, select_66} - {1'b0, select_102};
+  logic [5:0] xor_204;
+  assign xor_204 = difference_203[5:0] ^ {6{difference_203[6]}};
+  logic [6:0] difference_8;
+  assign difference_8 = {6'h0, difference_203[6]} + {1'b0, xor_204};
+  // hls/stages/ballot.hpp:68
+  logic [7:0] select_207;
+  assign select_207 = ({3'h0, cfg_similar_i} < difference_8) ? 8'h0 : select_63;
+  // hls/stages/ballot.hpp:67
+  logic [6:0] difference_208;
+  assign difference_208 = {1'b0, select_75} - {1'b0, select_102};
+  logic [5:0] xor_209;
+  assign xor_209 = difference_208[5:0] ^ {6{difference_208[6]}};
   logic [6:0] difference_9;
-  assign difference_9 = {6'h0, difference_204[6]} + {1'b0, xor_205};
+  assign difference_9 = {6'h0, difference_208[6]} + {1'b0, xor_209};
   // hls/stages/ballot.hpp:68
-  logic [7:0] select_208;
-  assign select_208 = ({3'h0, cfg_similar_i} < difference_9) ? 8'h0 : select_105;
+  logic [7:0] select_212;
+  assign select_212 = ({3'h0, cfg_similar_i} < difference_9) ? 8'h0 : select_72;
   // hls/stages/ballot.hpp:71
-  logic [8:0] sum_209;
-  assign sum_209 = {select_99[7], select_99} + {select_208[7], select_208};
+  logic [8:0] sum_213;
+  assign sum_213 = {select_207[7], select_207} + {select_212[7], select_212};
   // hls/stages/ballot.hpp:67
-  logic [6:0] difference_210;
-  assign difference_210 = {1'b0, select_120} - {1'b0, select_102};
-  logic [5:0] xor_211;
-  assign xor_211 = difference_210[5:0] ^ {6{difference_210[6]}};
+  logic [6:0] difference_214;
+  assign difference_214 = {1'b0, select_84} - {1'b0, select_102};
+  logic [5:0] xor_215;
+  assign xor_215 = difference_214[5:0] ^ {6{difference_214[6]}};
   logic [6:0] difference_10;
-  assign difference_10 = {6'h0, difference_210[6]} + {1'b0, xor_211};
+  assign difference_10 = {6'h0, difference_214[6]} + {1'b0, xor_215};
   // hls/stages/ballot.hpp:68
-  logic [7:0] select_214;
-  assign select_214 = ({3'h0, cfg_similar_i} < difference_10) ? 8'h0 : select_117;
+  logic [7:0] select_218;
+  assign select_218 = ({3'h0, cfg_similar_i} < difference_10) ? 8'h0 : select_81;
   // hls/stages/ballot.hpp:67
-  logic [6:0] difference_215;
-  assign difference_215 = {1'b0, select_114} - {1'b0, select_102};
-  logic [5:0] xor_216;
-  assign xor_216 = difference_215[5:0] ^ {6{difference_215[6]}};
+  logic [6:0] difference_219;
+  assign difference_219 = {1'b0, select_93} - {1'b0, select_102};
+  logic [5:0] xor_220;
+  assign xor_220 = difference_219[5:0] ^ {6{difference_219[6]}};
   logic [6:0] difference_11;
-  assign difference_11 = {6'h0, difference_215[6]} + {1'b0, xor_216};
+  assign difference_11 = {6'h0, difference_219[6]} + {1'b0, xor_220};
   // hls/stages/ballot.hpp:68
-  logic [7:0] select_219;
-  assign select_219 = ({3'h0, cfg_similar_i} < difference_11) ? 8'h0 : select_111;
+  logic [7:0] select_223;
+  assign select_223 = ({3'h0, cfg_similar_i} < difference_11) ? 8'h0 : select_90;
   // hls/stages/ballot.hpp:71
-  logic [8:0] sum_220;
-  assign sum_220 = {select_214[7], select_214} + {select_219[7], select_219};
-  logic [9:0] sum_221;
-  assign sum_221 = {sum_209[8], sum_209} + {sum_220[8], sum_220};
-  // hls/stages/ballot.hpp:67
-  logic [6:0] difference_222;
-  assign difference_222 = {1'b0, select_132} - {1'b0, select_102};
-  logic [5:0] xor_223;
-  assign xor_223 = difference_222[5:0] ^ {6{difference_222[6]}};
-  logic [6:0] difference_12;
-  assign difference_12 = {6'h0, difference_222[6]} + {1'b0, xor_223};
-  // hls/stages/ballot.hpp:68
-  logic [7:0] select_226;
-  assign select_226 = ({3'h0, cfg_similar_i} < difference_12) ? 8'h0 : select_129;
+  logic [8:0] sum_224;
+  assign sum_224 = {select_218[7], select_218} + {select_223[7], select_223};
+  logic [9:0] sum_225;
+  assign sum_225 = {sum_213[8], sum_213} + {sum_224[8], sum_224};
+  logic [10:0] sum_226;
+  assign sum_226 = {sum_202[9], sum_202} + {sum_225[9], sum_225};
   // hls/stages/ballot.hpp:67
   logic [6:0] difference_227;
-  assign difference_227 = {1'b0, select_126} - {1'b0, select_102};
+  assign difference_227 = {1'b0, select_108} - {1'b0, select_102};
   logic [5:0] xor_228;
   assign xor_228 = difference_227[5:0] ^ {6{difference_227[6]}};
-  logic [6:0] difference_13;
-  assign difference_13 = {6'h0, difference_227[6]} + {1'b0, xor_228};
+  logic [6:0] difference_12;
+  assign difference_12 = {6'h0, difference_227[6]} + {1'b0, xor_228};
   // hls/stages/ballot.hpp:68
   logic [7:0] select_231;
-  assign select_231 = ({3'h0, cfg_similar_i} < difference_13) ? 8'h0 : select_123;
+  assign select_231 = ({3'h0, cfg_similar_i} < difference_12) ? 8'h0 : select_105;
   // hls/stages/ballot.hpp:71
   logic [8:0] sum_232;
-  assign sum_232 = {select_226[7], select_226} + {select_231[7], select_231};
+  assign sum_232 = {select_99[7], select_99} + {select_231[7], select_231};
   // hls/stages/ballot.hpp:67
   logic [6:0] difference_233;
-  assign difference_233 = {1'b0, select_144} - {1'b0, select_102};
+  assign difference_233 = {1'b0, select_114} - {1'b0, select_102};
   logic [5:0] xor_234;
   assign xor_234 = difference_233[5:0] ^ {6{difference_233[6]}};
-  logic [6:0] difference_14;
-  assign difference_14 = {6'h0, difference_233[6]} + {1'b0, xor_234};
+  logic [6:0] difference_13;
+  assign difference_13 = {6'h0, difference_233[6]} + {1'b0, xor_234};
   // hls/stages/ballot.hpp:68
   logic [7:0] select_237;
-  assign select_237 = ({3'h0, cfg_similar_i} < difference_14) ? 8'h0 : select_141;
+  assign select_237 = ({3'h0, cfg_similar_i} < difference_13) ? 8'h0 : select_111;
   // hls/stages/ballot.hpp:67
   logic [6:0] difference_238;
-  assign difference_238 = {1'b0, select_138} - {1'b0, select_102};
+  assign difference_238 = {1'b0, select_120} - {1'b0, select_102};
   logic [5:0] xor_239;
   assign xor_239 = difference_238[5:0] ^ {6{difference_238[6]}};
-  logic [6:0] difference_15;
-  assign difference_15 = {6'h0, difference_238[6]} + {1'b0, xor_239};
+  logic [6:0] difference_14;
+  assign difference_14 = {6'h0, difference_238[6]} + {1'b0, xor_239};
   // hls/stages/ballot.hpp:68
   logic [7:0] select_242;
-  assign select_242 = ({3'h0, cfg_similar_i} < difference_15) ? 8'h0 : select_135;
+  assign select_242 = ({3'h0, cfg_similar_i} < difference_14) ? 8'h0 : select_117;
   // hls/stages/ballot.hpp:71
   logic [8:0] sum_243;
   assign sum_243 = {select_237[7], select_237} + {select_242[7], select_242};
   logic [9:0] sum_244;
   assign sum_244 = {sum_232[8], sum_232} + {sum_243[8], sum_243};
-  logic [10:0] sum_245;
-  assign sum_245 = {sum_221[9], sum_221} + {sum_244[9], sum_244};
   // hls/stages/ballot.hpp:67
-  logic [6:0] difference_247;
-  assign difference_247 = {1'b0, grey_s1_q} - {1'b0, select_102};
-  logic [5:0] xor_248;
-  assign xor_248 = difference_247[5:0] ^ {6{difference_247[6]}};
+  logic [6:0] difference_245;
+  assign difference_245 = {1'b0, select_126} - {1'b0, select_102};
+  logic [5:0] xor_246;
+  assign xor_246 = difference_245[5:0] ^ {6{difference_245[6]}};
+  logic [6:0] difference_15;
+  assign difference_15 = {6'h0, difference_245[6]} + {1'b0, xor_246};
+  // hls/stages/ballot.hpp:68
+  logic [7:0] select_249;
+  assign select_249 = ({3'h0, cfg_similar_i} < difference_15) ? 8'h0 : select_123;
+  // hls/stages/ballot.hpp:67
+  logic [6:0] difference_250;
+  assign difference_250 = {1'b0, select_132} - {1'b0, select_102};
+  logic [5:0] xor_251;
+  assign xor_251 = difference_250[5:0] ^ {6{difference_250[6]}};
   logic [6:0] difference_16;
-  assign difference_16 = {6'h0, difference_247[6]} + {1'b0, xor_248};
+  assign difference_16 = {6'h0, difference_250[6]} + {1'b0, xor_251};
   // hls/stages/ballot.hpp:68
-  logic [7:0] select_251;
-  assign select_251 = ({3'h0, cfg_similar_i} < difference_16) ? 8'h0 : vote_s1_q;
-  // hls/stages/ballot.hpp:59
-  logic [5:0] select_253;
-  assign select_253 = running_s1_q ? memory_rdata_q[260:255] : (marks_first_s1_q ? memory_rdata_q[260:255] : 6'h0);
-  // hls/stages/ballot.hpp:62
-  logic [5:0] select_254;
-  assign select_254 = and_24 ? select_253 : 6'h0;
-  // hls/stages/ballot.hpp:67
-  logic [6:0] difference_255;
-  assign difference_255 = {1'b0, select_254} - {1'b0, select_102};
-  logic [5:0] xor_256;
-  assign xor_256 = difference_255[5:0] ^ {6{difference_255[6]}};
-  logic [6:0] difference_17;
-  assign difference_17 = {6'h0, difference_255[6]} + {1'b0, xor_256};
-  // hls/stages/ballot.hpp:59
-  logic [7:0] select_260;
-  assign select_260 = running_s1_q ? memory_rdata_q[254:247] : (marks_first_s1_q ? memory_rdata_q[254:247] : 8'h0);
-  // hls/stages/ballot.hpp:68
-  logic [7:0] select_262;
-  assign select_262 = ({3'h0, cfg_similar_i} < difference_17) ? 8'h0 : (and_24 ? select_260 : 8'h0);
-  // hls/stages/ballot.hpp:67
-  logic [6:0] difference_263;
-  assign difference_263 = {1'b0, select_150} - {1'b0, select_102};
-  logic [5:0] xor_264;
-  assign xor_264 = difference_263[5:0] ^ {6{difference_263[6]}};
-  logic [6:0] difference_18;
-  assign difference_18 = {6'h0, difference_263[6]} + {1'b0, xor_264};
-  // hls/stages/ballot.hpp:68
-  logic [7:0] select_267;
-  assign select_267 = ({3'h0, cfg_similar_i} < difference_18) ? 8'h0 : select_147;
+  logic [7:0] select_254;
+  assign select_254 = ({3'h0, cfg_similar_i} < difference_16) ? 8'h0 : select_129;
   // hls/stages/ballot.hpp:71
-  logic [8:0] sum_268;
-  assign sum_268 = {select_262[7], select_262} + {select_267[7], select_267};
+  logic [8:0] sum_255;
+  assign sum_255 = {select_249[7], select_249} + {select_254[7], select_254};
+  // hls/stages/ballot.hpp:67
+  logic [6:0] difference_256;
+  assign difference_256 = {1'b0, select_138} - {1'b0, select_102};
+  logic [5:0] xor_257;
+  assign xor_257 = difference_256[5:0] ^ {6{difference_256[6]}};
+  logic [6:0] difference_17;
+  assign difference_17 = {6'h0, difference_256[6]} + {1'b0, xor_257};
+  // hls/stages/ballot.hpp:68
+  logic [7:0] select_260;
+  assign select_260 = ({3'h0, cfg_similar_i} < difference_17) ? 8'h0 : select_135;
+  // hls/stages/ballot.hpp:67
+  logic [6:0] difference_261;
+  assign difference_261 = {1'b0, select_144} - {1'b0, select_102};
+  logic [5:0] xor_262;
+  assign xor_262 = difference_261[5:0] ^ {6{difference_261[6]}};
+  logic [6:0] difference_18;
+  assign difference_18 = {6'h0, difference_261[6]} + {1'b0, xor_262};
+  // hls/stages/ballot.hpp:68
+  logic [7:0] select_265;
+  assign select_265 = ({3'h0, cfg_similar_i} < difference_18) ? 8'h0 : select_141;
+  // hls/stages/ballot.hpp:71
+  logic [8:0] sum_266;
+  assign sum_266 = {select_260[7], select_260} + {select_265[7], select_265};
+  logic [9:0] sum_267;
+  assign sum_267 = {sum_255[8], sum_255} + {sum_266[8], sum_266};
+  logic [10:0] sum_268;
+  assign sum_268 = {sum_244[9], sum_244} + {sum_267[9], sum_267};
   // hls/stages/ballot.hpp:59
   logic select_281;
   assign select_281 = running_s1_q ? memory_rdata_q[134] : (marks_first_s1_q & memory_rdata_q[134]);
@@ -640,8 +640,8 @@ module horopter_ballot (
   logic marks_seen_s2_q;
   logic marks_nearer_s2_q;
   logic select_153_s2_q;
-  logic [11:0] sum_246_s2_q;
-  logic [9:0] sum_269_s2_q;
+  logic [9:0] sum_179_s2_q;
+  logic [11:0] sum_269_s2_q;
   logic and_282_s2_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
@@ -650,8 +650,8 @@ module horopter_ballot (
       marks_seen_s2_q <= marks_seen_s1_q;
       marks_nearer_s2_q <= marks_nearer_s1_q;
       select_153_s2_q <= select_153[8];
-      sum_246_s2_q <= {sum_203[10], sum_203} + {sum_245[10], sum_245};
-      sum_269_s2_q <= {{2{select_251[7]}}, select_251} + {sum_268[8], sum_268};
+      sum_179_s2_q <= {{2{select_161[7]}}, select_161} + {sum_178[8], sum_178};
+      sum_269_s2_q <= {sum_226[10], sum_226} + {sum_268[10], sum_268};
       and_282_s2_q <= and_24 & select_281;
     end
   end
@@ -659,19 +659,19 @@ module horopter_ballot (
   // Stage 2 -----------------------------------------------------------------------------------------------------------
   // hls/stages/ballot.hpp:71
   logic [12:0] sum_270;
-  assign sum_270 = {sum_246_s2_q[11], sum_246_s2_q} + {{3{sum_269_s2_q[9]}}, sum_269_s2_q};
+  assign sum_270 = {{3{sum_179_s2_q[9]}}, sum_179_s2_q} + {sum_269_s2_q[11], sum_269_s2_q};
   // hls/stages/ballot.hpp:89
   logic [13:0] difference_273;
   assign difference_273 = 14'h0 - {sum_270[12], sum_270};
   logic less_276;
-  assign less_276 = $signed(difference_273[13:2]) < $signed({2'h0, sum_275, select_274[0]});
+  assign less_276 = {{2{difference_273[13]}}, difference_273[13:2]} < {4'h0, sum_275, select_274[0]};
 
   logic marks_first_s3_q;
   logic marks_last_s3_q;
   logic marks_seen_s3_q;
   logic marks_nearer_s3_q;
   logic not_272_s3_q;
-  logic or_279_s3_q;
+  logic and_279_s3_q;
   logic and_282_s3_q;
   always_ff @(posedge clk_i) begin
     if (s2_en) begin
@@ -680,7 +680,7 @@ module horopter_ballot (
       marks_seen_s3_q <= marks_seen_s2_q;
       marks_nearer_s3_q <= marks_nearer_s2_q;
       not_272_s3_q <= ~($signed(sum_270) < $signed({5'h0, cfg_quorum_i}));
-      or_279_s3_q <= (~less_276) | (select_153_s2_q & sum_270[12]);
+      and_279_s3_q <= sum_270[12] & (select_153_s2_q | (~less_276));
       and_282_s3_q <= and_282_s2_q;
     end
   end
@@ -690,7 +690,7 @@ module horopter_ballot (
 
   // Outputs -----------------------------------------------------------------------------------------------------------
   assign skin_o = not_272_s3_q;
-  assign clear_o = or_279_s3_q;
+  assign clear_o = and_279_s3_q;
   assign exists_o = and_282_s3_q;
   assign marks_first_o = marks_first_s3_q;
   assign marks_last_o = marks_last_s3_q;

@@ -25,17 +25,17 @@ module horopter_still (
   assign s1_en = en_i & valid_s1_q;
 
   // Of the configuration alone: not pipelined.
-  logic equal_51;
-  assign equal_51 = cfg_still_limit_i == 8'h0;
+  logic equal_49;
+  assign equal_49 = cfg_still_limit_i == 8'h0;
 
   // Stage 0 -----------------------------------------------------------------------------------------------------------
   logic [8:0] index_q;
   logic [4:0] place_q;
-  // hls/stages/still.hpp:46
-  logic and_17;
-  assign and_17 = (place_q == 5'h10) & (~first_i);
+  // hls/stages/still.hpp:50
+  logic and_16;
+  assign and_16 = (place_q == 5'h10) & (~first_i);
 
-  // Memory kept, 512 x 32, DISTANCE 17, hls/stages/still.hpp:107; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory kept, 512 x 32, DISTANCE 17, hls/stages/still.hpp:115; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [31:0] kept_mem [0:511];
@@ -46,7 +46,7 @@ module horopter_still (
   assign kept_raddr = index_q;
 `ifndef SYNTHESIS
   logic kept_re;
-  assign kept_re = s0_en & and_17;
+  assign kept_re = s0_en & and_16;
 `endif
   logic [31:0] kept_rdata_q;
   always_ff @(posedge clk_i) begin
@@ -58,8 +58,8 @@ module horopter_still (
       index_q <= 9'h0;
       place_q <= 5'h0;
     end else if (s0_en) begin
-      index_q <= first_i ? 9'h0 : (index_q + {8'h0, and_17});
-      place_q <= (first_i | and_17) ? 5'h0 : (place_q + 5'h1);
+      index_q <= first_i ? 9'h0 : (index_q + {8'h0, and_16});
+      place_q <= (first_i | and_16) ? 5'h0 : (place_q + 5'h1);
     end
   end
 
@@ -67,134 +67,133 @@ module horopter_still (
   logic [7:0] right_s1_q;
   logic first_s1_q;
   logic [8:0] index_s1_q;
-  logic and_17_s1_q;
+  logic and_16_s1_q;
   always_ff @(posedge clk_i) begin
     if (en_i) begin
       left_s1_q <= left_i;
       right_s1_q <= right_i;
       first_s1_q <= first_i;
       index_s1_q <= index_q;
-      and_17_s1_q <= and_17;
+      and_16_s1_q <= and_16;
     end
   end
 
   // Stage 1 -----------------------------------------------------------------------------------------------------------
-  logic one_before_q;
-  logic two_before_q;
+  logic [1:0] before_v_q;
   logic [1:0] left_last_q;
   logic [1:0] left_older_q;
   logic [7:0] left_frames_q;
   logic [1:0] right_last_q;
   logic [1:0] right_older_q;
   logic [7:0] right_frames_q;
-  // hls/stages/still.hpp:89
-  logic not_26;
-  assign not_26 = ~one_before_q;
-  // hls/stages/still.hpp:50
-  logic [7:0] select_27;
-  assign select_27 = and_17_s1_q ? kept_rdata_q[7:0] : 8'h0;
-  // hls/stages/still.hpp:78
-  logic [8:0] difference_28;
-  assign difference_28 = {1'b0, left_s1_q} - {1'b0, select_27};
-  // hls/stages/still.hpp:79
-  logic [6:0] sum_29;
-  assign sum_29 = {difference_28[8], difference_28[8:3]} + 7'h7f;
+  // hls/stages/still.hpp:97
+  logic not_24;
+  assign not_24 = ~before_v_q[0];
+  // hls/stages/still.hpp:57
+  logic [7:0] select_25;
+  assign select_25 = and_16_s1_q ? kept_rdata_q[7:0] : 8'h0;
   // hls/stages/still.hpp:86
-  logic not_34;
-  assign not_34 = ~(left_last_q == 2'h2);
-  // hls/stages/still.hpp:93
-  logic [1:0] select_37;
-  assign select_37 = ((and_17_s1_q & (~(sum_29[6:1] == 6'h3f))) & not_34) ? (left_last_q + 2'h1) : left_last_q;
-  // hls/stages/still.hpp:53
-  logic [1:0] select_38;
-  assign select_38 = first_s1_q ? {not_26, 1'b0} : select_37;
-  // hls/stages/still.hpp:90
-  logic not_39;
-  assign not_39 = ~two_before_q;
-  // hls/stages/still.hpp:50
-  logic [7:0] select_40;
-  assign select_40 = and_17_s1_q ? kept_rdata_q[23:16] : 8'h0;
-  // hls/stages/still.hpp:78
-  logic [8:0] difference_41;
-  assign difference_41 = {1'b0, left_s1_q} - {1'b0, select_40};
-  // hls/stages/still.hpp:79
-  logic [6:0] sum_42;
-  assign sum_42 = {difference_41[8], difference_41[8:3]} + 7'h7f;
+  logic [8:0] difference_26;
+  assign difference_26 = {1'b0, left_s1_q} - {1'b0, select_25};
+  // hls/stages/still.hpp:87
+  logic [6:0] sum_27;
+  assign sum_27 = {difference_26[8], difference_26[8:3]} + 7'h7f;
+  // hls/stages/still.hpp:94
+  logic not_32;
+  assign not_32 = ~(left_last_q == 2'h2);
+  // hls/stages/still.hpp:101
+  logic [1:0] select_35;
+  assign select_35 = ((and_16_s1_q & (~(sum_27[6:1] == 6'h3f))) & not_32) ? (left_last_q + 2'h1) : left_last_q;
+  // hls/stages/still.hpp:63
+  logic [1:0] select_36;
+  assign select_36 = first_s1_q ? {not_24, 1'b0} : select_35;
+  // hls/stages/still.hpp:98
+  logic not_37;
+  assign not_37 = ~before_v_q[1];
+  // hls/stages/still.hpp:57
+  logic [7:0] select_38;
+  assign select_38 = and_16_s1_q ? kept_rdata_q[23:16] : 8'h0;
   // hls/stages/still.hpp:86
-  logic equal_46;
-  assign equal_46 = left_older_q == 2'h2;
-  // hls/stages/still.hpp:53
-  logic [1:0] select_49;
-  assign select_49 = (and_17_s1_q & (~(sum_42[6:1] == 6'h3f))) ? (equal_46 ? left_older_q : (left_older_q + 2'h1)) : left_older_q;
-  logic [1:0] select_50;
-  assign select_50 = first_s1_q ? {not_39, 1'b0} : select_49;
-  // hls/stages/still.hpp:88
+  logic [8:0] difference_39;
+  assign difference_39 = {1'b0, left_s1_q} - {1'b0, select_38};
+  // hls/stages/still.hpp:87
+  logic [6:0] sum_40;
+  assign sum_40 = {difference_39[8], difference_39[8:3]} + 7'h7f;
+  // hls/stages/still.hpp:94
+  logic equal_44;
+  assign equal_44 = left_older_q == 2'h2;
+  // hls/stages/still.hpp:63
+  logic [1:0] select_47;
+  assign select_47 = (and_16_s1_q & (~(sum_40[6:1] == 6'h3f))) ? (equal_44 ? left_older_q : (left_older_q + 2'h1)) : left_older_q;
+  logic [1:0] select_48;
+  assign select_48 = first_s1_q ? {not_37, 1'b0} : select_47;
+  // hls/stages/still.hpp:96
+  logic [7:0] select_57;
+  assign select_57 = (equal_49 | (~(not_32 | (~equal_44)))) ? 8'h0 : ((left_frames_q == 8'hff) ? 8'hff : (left_frames_q + 8'h1));
+  // hls/stages/still.hpp:63
+  logic [7:0] select_58;
+  assign select_58 = first_s1_q ? select_57 : left_frames_q;
+  // hls/stages/still.hpp:57
   logic [7:0] select_59;
-  assign select_59 = (equal_51 | (~(not_34 | (~equal_46)))) ? 8'h0 : ((left_frames_q == 8'hff) ? 8'hff : (left_frames_q + 8'h1));
-  // hls/stages/still.hpp:53
-  logic [7:0] select_60;
-  assign select_60 = first_s1_q ? select_59 : left_frames_q;
-  // hls/stages/still.hpp:50
-  logic [7:0] select_61;
-  assign select_61 = and_17_s1_q ? kept_rdata_q[15:8] : 8'h0;
-  // hls/stages/still.hpp:78
-  logic [8:0] difference_62;
-  assign difference_62 = {1'b0, right_s1_q} - {1'b0, select_61};
-  // hls/stages/still.hpp:79
-  logic [6:0] sum_63;
-  assign sum_63 = {difference_62[8], difference_62[8:3]} + 7'h1;
+  assign select_59 = and_16_s1_q ? kept_rdata_q[15:8] : 8'h0;
   // hls/stages/still.hpp:86
-  logic equal_67;
-  assign equal_67 = right_last_q == 2'h2;
-  // hls/stages/still.hpp:93
-  logic [1:0] select_70;
-  assign select_70 = (((sum_63[6:1] == 6'h0) | (~and_17_s1_q)) | equal_67) ? right_last_q : (right_last_q + 2'h1);
-  // hls/stages/still.hpp:55
-  logic [1:0] select_71;
-  assign select_71 = first_s1_q ? {not_26, 1'b0} : select_70;
-  // hls/stages/still.hpp:50
-  logic [7:0] select_72;
-  assign select_72 = and_17_s1_q ? kept_rdata_q[31:24] : 8'h0;
-  // hls/stages/still.hpp:78
-  logic [8:0] difference_73;
-  assign difference_73 = {1'b0, right_s1_q} - {1'b0, select_72};
-  // hls/stages/still.hpp:79
-  logic [6:0] sum_74;
-  assign sum_74 = {difference_73[8], difference_73[8:3]} + 7'h7f;
-  // hls/stages/still.hpp:86
-  logic equal_78;
-  assign equal_78 = right_older_q == 2'h2;
-  // hls/stages/still.hpp:55
-  logic [1:0] select_81;
-  assign select_81 = (and_17_s1_q & (~(sum_74[6:1] == 6'h3f))) ? (equal_78 ? right_older_q : (right_older_q + 2'h1)) : right_older_q;
-  logic [1:0] select_82;
-  assign select_82 = first_s1_q ? {not_39, 1'b0} : select_81;
-  // hls/stages/still.hpp:88
-  logic [7:0] select_88;
-  assign select_88 = (equal_51 | (equal_67 & equal_78)) ? 8'h0 : ((right_frames_q == 8'hff) ? 8'hff : (right_frames_q + 8'h1));
-  // hls/stages/still.hpp:55
-  logic [7:0] select_89;
-  assign select_89 = first_s1_q ? select_88 : right_frames_q;
-  // hls/stages/still.hpp:62
-  logic and_93;
-  assign and_93 = (~equal_51) & (~(index_q[8:4] == 5'h0));
-  // hls/stages/still.hpp:97
-  logic not_99;
-  assign not_99 = ~(({1'b0, select_60} + 9'h1) < {1'b0, cfg_still_limit_i});
+  logic [8:0] difference_60;
+  assign difference_60 = {1'b0, right_s1_q} - {1'b0, select_59};
+  // hls/stages/still.hpp:87
+  logic [6:0] sum_61;
+  assign sum_61 = {difference_60[8], difference_60[8:3]} + 7'h1;
+  // hls/stages/still.hpp:94
+  logic equal_65;
+  assign equal_65 = right_last_q == 2'h2;
+  // hls/stages/still.hpp:101
+  logic [1:0] select_68;
+  assign select_68 = (((sum_61[6:1] == 6'h0) | (~and_16_s1_q)) | equal_65) ? right_last_q : (right_last_q + 2'h1);
   // hls/stages/still.hpp:65
-  logic and_102;
-  assign and_102 = and_93 & ((select_38 == 2'h2) ? ((~(select_50 == 2'h2)) & not_99) : not_99);
-  // hls/stages/still.hpp:97
-  logic not_108;
-  assign not_108 = ~(({1'b0, select_89} + 9'h1) < {1'b0, cfg_still_limit_i});
-  logic select_110;
-  assign select_110 = (select_71 == 2'h2) ? ((~(select_82 == 2'h2)) & not_108) : not_108;
+  logic [1:0] select_69;
+  assign select_69 = first_s1_q ? {not_24, 1'b0} : select_68;
+  // hls/stages/still.hpp:57
+  logic [7:0] select_70;
+  assign select_70 = and_16_s1_q ? kept_rdata_q[31:24] : 8'h0;
+  // hls/stages/still.hpp:86
+  logic [8:0] difference_71;
+  assign difference_71 = {1'b0, right_s1_q} - {1'b0, select_70};
+  // hls/stages/still.hpp:87
+  logic [6:0] sum_72;
+  assign sum_72 = {difference_71[8], difference_71[8:3]} + 7'h7f;
+  // hls/stages/still.hpp:94
+  logic equal_76;
+  assign equal_76 = right_older_q == 2'h2;
+  // hls/stages/still.hpp:65
+  logic [1:0] select_79;
+  assign select_79 = (and_16_s1_q & (~(sum_72[6:1] == 6'h3f))) ? (equal_76 ? right_older_q : (right_older_q + 2'h1)) : right_older_q;
+  logic [1:0] select_80;
+  assign select_80 = first_s1_q ? {not_37, 1'b0} : select_79;
+  // hls/stages/still.hpp:96
+  logic [7:0] select_86;
+  assign select_86 = (equal_49 | (equal_65 & equal_76)) ? 8'h0 : ((right_frames_q == 8'hff) ? 8'hff : (right_frames_q + 8'h1));
+  // hls/stages/still.hpp:65
+  logic [7:0] select_87;
+  assign select_87 = first_s1_q ? select_86 : right_frames_q;
+  // hls/stages/still.hpp:69
+  logic and_91;
+  assign and_91 = (~equal_49) & (~(index_q[8:4] == 5'h0));
+  // hls/stages/still.hpp:105
+  logic not_97;
+  assign not_97 = ~(({1'b0, select_58} + 9'h1) < {1'b0, cfg_still_limit_i});
+  // hls/stages/still.hpp:72
+  logic and_100;
+  assign and_100 = and_91 & ((select_36 == 2'h2) ? ((~(select_48 == 2'h2)) & not_97) : not_97);
+  // hls/stages/still.hpp:105
+  logic not_106;
+  assign not_106 = ~(({1'b0, select_87} + 9'h1) < {1'b0, cfg_still_limit_i});
+  logic select_108;
+  assign select_108 = (select_69 == 2'h2) ? ((~(select_80 == 2'h2)) & not_106) : not_106;
 
   // Memory kept, write
   logic [8:0] kept_waddr;
   assign kept_waddr = index_s1_q;
   logic kept_we;
-  assign kept_we = s1_en & and_17_s1_q;
+  assign kept_we = s1_en & and_16_s1_q;
   always @(posedge clk_i) begin  // not always_ff: `initial` writes it, too
     if (kept_we) kept_mem[kept_waddr] <= {kept_rdata_q[15:0], right_s1_q, left_s1_q};
   end
@@ -210,8 +209,7 @@ module horopter_still (
 
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
-      one_before_q <= 1'b0;
-      two_before_q <= 1'b0;
+      before_v_q <= 2'h0;
       left_last_q <= 2'h2;
       left_older_q <= 2'h2;
       left_frames_q <= 8'h0;
@@ -219,29 +217,28 @@ module horopter_still (
       right_older_q <= 2'h2;
       right_frames_q <= 8'h0;
     end else if (s1_en) begin
-      one_before_q <= first_s1_q | one_before_q;
-      two_before_q <= first_s1_q ? one_before_q : two_before_q;
-      left_last_q <= select_38;
-      left_older_q <= select_50;
-      left_frames_q <= select_60;
-      right_last_q <= select_71;
-      right_older_q <= select_82;
-      right_frames_q <= select_89;
+      before_v_q <= first_s1_q ? {before_v_q[0], 1'b1} : before_v_q;
+      left_last_q <= select_36;
+      left_older_q <= select_48;
+      left_frames_q <= select_58;
+      right_last_q <= select_69;
+      right_older_q <= select_80;
+      right_frames_q <= select_87;
     end
   end
 
-  logic and_102_s2_q;
-  logic and_111_s2_q;
+  logic and_100_s2_q;
+  logic and_109_s2_q;
   always_ff @(posedge clk_i) begin
     if (s1_en) begin
-      and_102_s2_q <= and_102;
-      and_111_s2_q <= and_93 & select_110;
+      and_100_s2_q <= and_100;
+      and_109_s2_q <= and_91 & select_108;
     end
   end
 
   // Outputs -----------------------------------------------------------------------------------------------------------
-  assign left_still_o = and_102_s2_q;
-  assign right_still_o = and_111_s2_q;
+  assign left_still_o = and_100_s2_q;
+  assign right_still_o = and_109_s2_q;
   assign valid_o = valid_s2_q;
 
   always_ff @(posedge clk_i) begin
@@ -256,6 +253,6 @@ module horopter_still (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_74[0], difference_73[2:0], sum_63[0], difference_62[2:0], sum_42[0], difference_41[2:0], sum_29[0], difference_28[2:0]};
+  assign unused_bits = ^{sum_72[0], difference_71[2:0], sum_61[0], difference_60[2:0], sum_40[0], difference_39[2:0], sum_27[0], difference_26[2:0]};
 
 endmodule

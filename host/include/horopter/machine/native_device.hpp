@@ -81,10 +81,10 @@ class NativeDevice : public Device {
   std::array<std::optional<Table>, 15> tables_;
   int active_slot_ =
       registers::kNoSlot;  ///< selected for the first of `pending_`, from its arrival on, or the frame before
-  int slot_before_ = registers::kNoSlot;  ///< of the frame before it
-  bool has_table_ = false;                ///< the active slot
-  bool same_table_ = false;               ///< as the frame before of this field
-  Faults frame_faults_pending_;           ///< of the control side since the last frame
+  std::optional<std::uint32_t> crc_before_, crc_two_before_;  ///< of the tables with which the last frames began
+  bool has_table_ = false;                                    ///< the active slot
+  bool same_table_ = false;                                   ///< as the frame before of this field
+  Faults frame_faults_pending_;                               ///< of the control side since the last frame
   bool uploading_ = false;
   int upload_slot_ = registers::kNoSlot;
   Table upload_;

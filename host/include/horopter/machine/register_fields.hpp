@@ -225,7 +225,7 @@ inline constexpr std::array<RegisterField, 261> kRegisterFields = {{
     {0x134, "regions", {8, 8}, "More of the textured cells in regions of which less than a fifth is explained are, too."},
     {0x134, "unproven", {16, 8}, "More of the textured cells around which less than a third is explained are, too."},
     {0x134, "hidden", {24, 8}, "More of the cells nearer than the skin, for HIDDEN.frames, are a fault."},
-    {0x138, "frames", {0, 8}, "Frames in a row, 1 to 128; 0 = for ever."},
+    {0x138, "frames", {0, 8}, "Frames in a row, 1 to 255; 0 = for ever, but for a frame with another table, of whose skin three quarters are hidden. Where tables take turns, a frame in which it is not counts half."},
     {0x13C, "moved", {0, 6}, "A median of this or more is a fault, of the image or, in opposite directions, of two halves of it."},
     {0x13C, "moved_half", {6, 6}, "In one half of the image a median of this or more is."},
     {0x13C, "patches", {12, 6}, "1/8 px: the same at full resolution, of most places of two rounds (hls/stages/patches.hpp); nothing is safe before rounds have few such places; 63 = never, and not waited for."},

@@ -885,7 +885,8 @@ namespace hidden {
 inline constexpr std::uint32_t kAddress = 0x138;
 inline constexpr Access kAccess = Access::kReadWrite;
 inline constexpr std::uint32_t kReset = 0x32;
-/// Frames in a row, 1 to 128; 0 = for ever.
+/// Frames in a row, 1 to 255; 0 = for ever, but for a frame with another table, of whose skin three quarters are
+/// hidden. Where tables take turns, a frame in which it is not counts half.
 inline constexpr Field kFrames{0, 8};
 }  // namespace hidden
 
