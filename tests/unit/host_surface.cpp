@@ -484,6 +484,33 @@ TEST_CASE("A mesh with holes, inverted or degenerate triangles is refused") {
   SECTION("nothing") { CHECK_THROWS_WITH(make_mesh({}), Catch::Contains("no triangle")); }
 }
 
+/// What is said of a mesh file; nothing where it is read.
+std::string mesh_error(const TemporaryDirectory& directory, const char* name, const std::string& text) {
+  try {
+    read_mesh(directory.write(name, text), 1);
+  } catch (const FileError& e) {
+    return e.what();
+  }
+  return {};
+}
+
+/// A cube of 1 as a solid of a text STL.
+std::string stl_cube(double x) {
+  constexpr int kSides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+  std::string text = "solid a cube\n";
+  for (const auto& side : kSides) {
+    for (const int second : {1, 2}) {
+      text += "facet normal 0 0 0\nouter loop\n";
+      for (const int corner : {side[0], side[second], side[second + 1]}) {
+        text += "vertex " + std::to_string(x + (corner & 1)) + " " + std::to_string((corner >> 1) & 1) + " " +
+                std::to_string(corner >> 2) + "\n";
+      }
+      text += "endloop\nendfacet\n";
+    }
+  }
+  return text + "endsolid a cube\n";
+}
+
 TEST_CASE("Meshes are read from PLY, STL and OBJ") {
   const TemporaryDirectory directory;
   const std::string obj = "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 2 3 4\n";
@@ -527,14 +554,7 @@ TEST_CASE("Meshes are read from PLY, STL and OBJ") {
   CHECK(read_mesh(directory.write("s.stl", binary_stl), 1).triangles.size() == 1);
   refuses_cuts("cut.ply", binary_ply, binary_ply.size() - 1);
   refuses_cuts("cut.stl", binary_stl, binary_stl.size() - 1);
-  const auto error = [&](const char* name, const std::string& text) -> std::string {
-    try {
-      read_mesh(directory.write(name, text), 1);
-    } catch (const FileError& e) {
-      return e.what();
-    }
-    return {};
-  };
+  const auto error = [&](const char* name, const std::string& text) { return mesh_error(directory, name, text); };
   CHECK_THAT(error("bad.obj", obj + "f 1 2 9\n"), Catch::Contains("line 6") && Catch::Contains("vertex 8"));
   CHECK_THAT(error("bad.obj", obj + "f 1 3 2 4\n"), Catch::Contains("line 6") && Catch::Contains("convex"));
   CHECK_THAT(error("bad.ply", ply + "1\n"), Catch::Contains("more than the header announces"));
@@ -544,6 +564,17 @@ TEST_CASE("Meshes are read from PLY, STL and OBJ") {
   CHECK_THAT(error("bad.ply", with("element nothing 4294967295\n")), Catch::Contains("an element nothing of nothing"));
   CHECK_THAT(error("bad.ply", with("element vertex 1\nproperty int a\n")), Catch::Contains("2 elements vertex"));
   CHECK_THROWS_AS(read_mesh(directory.write("s.txt", obj), 1), FileError);
+}
+
+TEST_CASE("A text STL is read to its end, whatever its number of solids") {
+  const TemporaryDirectory directory;
+  const TriangleMesh two = read_mesh(directory.write("two.stl", stl_cube(0) + "\n" + stl_cube(5)), 1);
+  CHECK(two.triangles.size() == 24);
+  CHECK_NOTHROW(make_mesh(two));
+  const auto error = [&](const std::string& text) { return mesh_error(directory, "bad.stl", text); };
+  CHECK_THAT(error(stl_cube(0) + "facet normal 0 0 0\n"), Catch::Contains("line 87") && Catch::Contains("'facet'"));
+  CHECK_THAT(error(stl_cube(0) + "solid b\n"), Catch::Contains("facet or endsolid"));
+  CHECK_THAT(error("solid a\nendsolid a\n"), Catch::Contains("no facet"));
 }
 
 TEST_CASE("skin.yaml is read strictly") {

@@ -101,7 +101,7 @@ class Words {
     return word;
   }
   void skip_line() {
-    const auto end = text_.find('\n');
+    const auto end = text_.find_first_of("\r\n");
     text_.remove_prefix(std::min(end, text_.size()));
   }
   std::string place() const { return fmt::format("line {}", line_); }
@@ -203,10 +203,7 @@ void read_stl_text(std::string_view text, Builder& builder) {
     const std::string_view word = words.next();
     if (word != expected) builder.fail(words.place(), quoted(word), std::string(expected));
   };
-  expect("solid");
-  words.skip_line();
-  for (std::string_view word = words.next(); word != "endsolid"; word = words.next()) {
-    if (word != "facet") builder.fail(words.place(), quoted(word), "facet or endsolid");
+  const auto read_facet = [&] {
     expect("normal");
     numbers(builder, words, "normal x y z");
     expect("outer");
@@ -220,7 +217,19 @@ void read_stl_text(std::string_view text, Builder& builder) {
     expect("endloop");
     expect("endfacet");
     builder.add_face(words.place(), std::array{first, first + 1, first + 2});
-  }
+  };
+  std::string_view word = words.next();
+  do {
+    if (word != "solid") builder.fail(words.place(), quoted(word), "solid, or the end of the file");
+    words.skip_line();
+    for (word = words.next(); word != "endsolid"; word = words.next()) {
+      if (word != "facet") builder.fail(words.place(), quoted(word), "facet or endsolid");
+      read_facet();
+    }
+    words.skip_line();
+    word = words.next();
+  } while (!word.empty());
+  if (builder.vertices() == 0) builder.fail(words.place(), "no facet", "one or more");
 }
 
 // --- PLY -------------------------------------------------------------------------------------------------------------
