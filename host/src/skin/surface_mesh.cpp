@@ -111,12 +111,12 @@ std::vector<bool> check(const TriangleMesh& mesh) {
   }
   Sets loops(points.size());
   for (const Edge& edge : border) loops.join(edge.low, edge.high);
-  std::vector<std::uint32_t> counted;
+  std::vector<bool> counted(points.size());
   for (const Edge& edge : border) {
     Part& part = of[parts.find(edge.triangle)];
     const std::uint32_t loop = loops.find(edge.low);
-    if (std::ranges::find(counted, loop) != counted.end()) continue;
-    counted.push_back(loop);
+    if (counted[loop]) continue;
+    counted[loop] = true;
     ++part.borders;
     part.at_border = points[edge.low];
   }
