@@ -577,6 +577,41 @@ TEST_CASE("A text STL is read to its end, whatever its number of solids") {
   CHECK_THAT(error("solid a\nendsolid a\n"), Catch::Contains("no facet"));
 }
 
+TEST_CASE("Faces in another form, or cut off, are refused: the skin would be without them") {
+  const TemporaryDirectory directory;
+  const auto obj = [&](const std::string& faces) {
+    return mesh_error(directory, "s.obj", "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\nf 1 2 3\n" + faces);
+  };
+  CHECK(obj("f 1 3 4\n").empty());
+  CHECK(obj("# a\n#b\nmtllib a.mtl\no a b\ng f\nusemtl m\ns off\nvt 0 0\nvn 0 0 1\nvp 0\nl 1 2\np 1\n\r\n\n# end")
+            .empty());
+  for (const std::string key : {"F", "fo", "surf", "cstype", "call", "1"}) {
+    CAPTURE(key);
+    CHECK_THAT(obj(key + " 1 3 4\n"), Catch::Contains("line 6") && Catch::Contains("'" + key + "'"));
+  }
+  for (const char* cut : {"f 1 3 4", "f 1 3", "v 1 2 3"}) {
+    CAPTURE(cut);
+    CHECK_THAT(obj(cut), Catch::Contains("line 6") && Catch::Contains("may have been cut"));
+  }
+  const auto ply = [&](const std::string& elements, const std::string& faces) {
+    return mesh_error(directory, "s.ply",
+                      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                      "property float z\nelement face 1\nproperty list uchar float vertex_indices\n" +
+                          elements + "end_header\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n" + faces);
+  };
+  const auto strips = [](int count) {
+    return "element tristrips " + std::to_string(count) + "\nproperty list int int vertex_indices\n";
+  };
+  CHECK(ply("", "3 0 1 2\n").empty());
+  CHECK(ply(strips(0), "3 0 1 2\n").empty());
+  CHECK_THAT(ply(strips(1), "3 0 1 2\n4 0 1 3 2\n"), Catch::Contains("1 tristrips, which hold faces"));
+  CHECK_THAT(ply("", "3 0.9 1.7 3\n"), Catch::Contains("vertex 0.9"));
+  CHECK_THAT(ply("", "3.5 0 1 2 3\n"), Catch::Contains("a list of 3.5 values"));
+  // A byte order mark is no part of the first vertex's key.
+  CHECK(read_mesh(directory.write("mark.obj", "\xEF\xBB\xBFv 0 0 1\nv 1 0 1\nv 1 1 1\nf 1 2 3\n"), 1)
+            .vertices_mm.size() == 3);
+}
+
 TEST_CASE("skin.yaml is read strictly") {
   const TemporaryDirectory directory;
   const CameraPair cameras = table_11_1(640, 480);
@@ -624,6 +659,9 @@ TEST_CASE("skin.yaml is read strictly") {
   CHECK_THAT(error("surface:\n  type: ellipsoid\n  centre_mm: [76, 0, 0]\n  half_axes_mm: [9, 9, 9]\n"),
              Catch::Contains("a camera stands inside"));
   CHECK_THAT(error("surface:\n  type: mesh\n  file: none.stl\n"), Catch::Contains("none.stl"));
+  const std::string square = "surface:\n  type: mesh\n  file: square.obj\n  position_mm: [0, 0, 800]\n  triangles: ";
+  CHECK_NOTHROW(read(square + "2\n"));
+  CHECK_THAT(error(square + "3\n"), Catch::Contains("line 5") && Catch::Contains("square.obj has 2"));
   for (const char* none : {"\"\"", "!tag"}) {
     CHECK_THAT(error(std::string("surface:\n  type: mesh\n  file: ") + none + "\n"),
                Catch::Contains("the name of a PLY"));

@@ -151,9 +151,13 @@ SurfacePtr read_mesh_surface(Keys& keys) {
   const calib::Pose pose = keys.pose(keys.vector("position_mm", Vector3d::Zero()));
   const double unit_mm = keys.positive("unit_mm", 1);
   const bool open = keys.flag("open");
+  const double triangles = keys.positive("triangles", 0);  // 0: not told
   const std::filesystem::path path = keys.beside(name.Scalar());
   try {
     TriangleMesh mesh = read_mesh(path, unit_mm);
+    if (const auto found = static_cast<double>(mesh.triangles.size()); triangles != 0 && found != triangles) {
+      keys.fail("triangles", fmt::format("{} has {:.0f}", path.string(), found), fmt::format("{:.10g}", triangles));
+    }
     mesh.open = open;
     for (Vector3d& vertex : mesh.vertices_mm) vertex = pose * vertex;
     return make_mesh(std::move(mesh));
@@ -200,7 +204,7 @@ const std::vector<Type>& types() {
        [](Keys& keys) { return make_ellipsoid(keys.pose(keys.vector("centre_mm")), keys.vector("half_axes_mm")); }},
       {"mesh",
        "file: of type PLY, STL or OBJ; unit_mm (1), position_mm (0), rotation_deg (0), open (false): its borders are "
-       "meant",
+       "meant; triangles: how many it must have (any number)",
        read_mesh_surface},
       {"heightfield", "step_mm: [dx, dy], heights_mm: rows along x; origin_mm (0) of the first", read_height_field},
       {"box", "centre_mm, size_mm: [x, y, z], rotation_deg (0)",

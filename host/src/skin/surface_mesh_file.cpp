@@ -139,7 +139,17 @@ std::array<double, 3> numbers(const Builder& builder, Words& words, const char* 
 
 // --- OBJ -------------------------------------------------------------------------------------------------------------
 
+/// Whether lines of this key hold no face, and no vertex of one. Any other may be one that was damaged.
+bool is_beside_faces(std::string_view key) {
+  constexpr std::string_view kBeside[] = {"vt",       "vn",       "vp",         "g",      "o",        "s",   "mg",
+                                          "l",        "p",        "usemtl",     "mtllib", "usemap",   "lod", "bevel",
+                                          "c_interp", "d_interp", "shadow_obj", "maplib", "trace_obj"};
+  return key.empty() || key.starts_with('#') || std::ranges::find(kBeside, key) != std::end(kBeside);
+}
+
 void read_obj(std::string_view text, Builder& builder) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   int line_number = 0;
   while (!text.empty()) {
     ++line_number;
@@ -147,6 +157,9 @@ void read_obj(std::string_view text, Builder& builder) {
     Words words(text.substr(0, end), line_number);
     text.remove_prefix(end == text.npos ? text.size() : end + 1);
     const std::string_view key = words.next();
+    if (end == text.npos && (key == "v" || key == "f")) {
+      builder.fail(words.place(), "the end of the file within a line", "a line that ends: the file may have been cut");
+    }
     if (key == "v") {
       builder.add_vertex(words.place(), numbers(builder, words, "v x y z"));
     } else if (key == "f") {
@@ -157,6 +170,8 @@ void read_obj(std::string_view text, Builder& builder) {
         corners.push_back(*index > 0 ? *index - 1 : static_cast<std::int64_t>(builder.vertices()) + *index);
       }
       builder.add_face(words.place(), corners);
+    } else if (!is_beside_faces(key)) {
+      builder.fail(words.place(), quoted(key), "v, f, or what holds no face; free-form surfaces as triangles");
     }
   }
 }
@@ -254,6 +269,9 @@ struct PlyProperty {
   PlyType type = PlyType::float32;
   std::optional<PlyType> count;  ///< of a list
 };
+bool holds_corners(const PlyProperty& property) {
+  return property.count && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
 struct PlyElement {
   std::string name;
   std::size_t count = 0;
@@ -387,14 +405,16 @@ void read_ply_row(const PlyElement& element, std::size_t row, PlyValues& values,
       continue;
     }
     const double count = value(*property.count, property.name);
-    if (!(count >= 0 && count <= 1e6)) {
+    if (!(count >= 0 && count <= 1e6 && count == std::trunc(count))) {
       builder.fail(values.place(element, row), fmt::format("a list of {} values", count), "a length");
     }
-    const bool is_corners = property.name == "vertex_indices" || property.name == "vertex_index";
+    const bool is_corners = holds_corners(property);
     for (double i = 0; i < count; ++i) {
       const double number = value(property.type, property.name);
       if (!is_corners) continue;
-      if (!(std::abs(number) < 1e15)) builder.fail(values.place(element, row), fmt::format("vertex {}", number), "");
+      if (!(std::abs(number) < 1e15 && number == std::trunc(number))) {
+        builder.fail(values.place(element, row), fmt::format("vertex {}", number), "the number of a vertex, from 0");
+      }
       corners.push_back(static_cast<std::int64_t>(number));
     }
   }
@@ -409,7 +429,7 @@ void read_ply(std::string_view bytes, Builder& builder) {
     const bool complete =
         element != header.elements.end() && std::ranges::all_of(properties, [&](std::string_view wanted) {
           return std::ranges::any_of(element->properties, [&](const PlyProperty& p) {
-            return p.name == wanted || (wanted == "vertex_indices" && p.name == "vertex_index");
+            return p.name == wanted || (wanted == "vertex_indices" && holds_corners(p));
           });
         });
     if (!complete)
@@ -422,6 +442,10 @@ void read_ply(std::string_view bytes, Builder& builder) {
     if (same > 1) builder.fail("header", fmt::format("{} elements {}", same, element.name), "one");
     // Rows of nothing would not end where the file does.
     if (element.properties.empty()) builder.fail("header", "an element " + element.name + " of nothing", "property");
+    if (element.name != "face" && element.count > 0 && std::ranges::any_of(element.properties, holds_corners)) {
+      builder.fail("header", fmt::format("{} {}, which hold faces", element.count, element.name),
+                   "all faces in the element face");
+    }
   }
   PlyValues values(bytes.substr(header.bytes), header);
   for (const PlyElement& element : header.elements) {

@@ -85,8 +85,8 @@ struct TriangleMesh {
   bool open = false;                                    ///< its borders are meant
 };
 /// PLY or STL, text or binary, or OBJ, of triangles and convex polygons; vertices at the same place become one. Throws
-/// FileError, with the place, for a file that is not complete; of OBJ, which announces nothing, only what is damaged
-/// shows, or leaves a hole.
+/// FileError, with the place, for a file that is not complete, or holds faces in another form. OBJ, and text STL of more
+/// than one solid, announce nothing: of a file that ends behind a face, or a solid, only a hole shows it.
 TriangleMesh read_mesh(const std::filesystem::path& path, double unit_mm);
 /// Heights above (x, y) = origin + (column, row)·step, in rows; ≥ 2 × 2.
 TriangleMesh height_field(const Eigen::Vector3d& origin_mm, const Eigen::Vector2d& step_mm,
