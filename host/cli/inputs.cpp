@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <ranges>
 
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
@@ -57,6 +58,19 @@ void check_cameras(const std::string& skin, const calib::Rig& rig, int image_wid
     }
     warn(fmt::format("{}: the rig does not tell the image size of camera {}; taken for {}", skin, camera.name, size));
   }
+}
+
+/// A rig that was given beside a skin, or a table, that knows none: only its image size serves. Throws FileError.
+void check_rig_beside(const std::string& skin, const std::optional<calib::Rig>& rig, int image_width,
+                      int image_height) {
+  if (!rig) return;
+  calib::Rig pair{rig->world, {}};
+  for (const calib::Camera& camera : rig->cameras | std::views::take(2)) pair.cameras.push_back(camera);
+  check_cameras(skin, pair, image_width, image_height);
+  warn(fmt::format(
+      "{}: of the rig only the image size is used: this skin says in pixels what the cameras see of it. One in mm "
+      "of the rig's world uses the rig",
+      skin));
 }
 
 /// So many pixels along the row as down, spread over the image.
@@ -253,7 +267,10 @@ SkinFile load_skin_for(const std::string& skin, const std::optional<calib::Rig>&
   const Point centre{0.5 * (image_width - 1), 0.5 * (image_height - 1)};
   SkinFile file = load_skin(skin, centre, rig ? &*rig : nullptr);
   if (!file.correspondences.empty()) check_points(file, image_width, image_height);
-  if (file.rig.empty()) return file;
+  if (file.rig.empty()) {
+    check_rig_beside(skin, rig, image_width, image_height);
+    return file;
+  }
   check_cameras(skin, calib::rig_from_yaml(file.rig, skin), image_width, image_height);
   if (const auto* in_space = dynamic_cast<const RigSkin*>(file.skin.get())) {
     check_distance(skin, *in_space, image_width, image_height);
@@ -304,7 +321,11 @@ MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::
     throw FileError(skin, "", fmt::format("a table for images of {}x{} pixels", maps.image_width, maps.image_height),
                     fmt::format("{}x{}", image_width, image_height));
   }
-  if (!maps.rig.empty()) check_cameras(skin, calib::rig_from_yaml(maps.rig, skin), image_width, image_height);
+  if (maps.rig.empty()) {
+    check_rig_beside(skin, rig, image_width, image_height);
+  } else {
+    check_cameras(skin, calib::rig_from_yaml(maps.rig, skin), image_width, image_height);
+  }
   if (!rig && !maps.rig.empty()) {
     warn(fmt::format("{}: a table for the rig of CRC {}: whether the cameras still stand so is not known without --rig",
                      skin, crc_text(maps.rig_crc())));
@@ -387,7 +408,7 @@ void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& 
         settings.undecidable_percent));
   }
   if (rig.empty()) {
-    warn(fmt::format("{}: without a rig cameras that are exchanged or moved are not told", skin));
+    warn(fmt::format("{}: this skin knows no rig: cameras that are exchanged or moved are not told", skin));
   } else if (!with_knowledge(settings.proof, profile, tables, rig, skin).at_full_resolution) {
     warn(fmt::format(
         "{}: a camera that moves by less than about 3 px is not told. The cameras are turned so far about their axes that "
@@ -400,7 +421,9 @@ void report_rows(Decision decision, bool has_rig, nlohmann::ordered_json& summar
   if (decision != Decision::compete) return;
   summary["rows_checked"] = has_rig;
   if (has_rig || json) return;
-  fmt::print("no rig: compete supposes rectified images, and whether epipolar lines stay in their rows is not known\n");
+  fmt::print(
+      "this skin knows no rig: compete supposes rectified images, and whether epipolar lines stay in their rows is not "
+      "known\n");
 }
 
 bool report_row_count(const RowCount& rows, const ViewLimits& view, bool json) {

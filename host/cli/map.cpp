@@ -70,7 +70,7 @@ void explain_facts(const MapTable& table, const MachineProfile& profile) {
         fmt::format("by {}", name_of(decision)), supported,
         100.0 * static_cast<double>(supported) / static_cast<double>(pixels), pixels - supported);
   }
-  const char* unknown = "not known: made without a rig";
+  const char* unknown = "not known: the skin knows no rig";
   const auto areas = area_range_mm2(facts);
   fmt::print(
       "  areas         {}\n",
@@ -224,7 +224,9 @@ void add_map(CLI::App& app, Outcome& outcome) {
   auto options = std::make_shared<MapOptions>();
   CLI::App* command = app.add_subcommand("map", "Make a mapping table from a skin, or explain one");
   command->add_option("--skin", options->skin, "The skin (skin.yaml)")->type_name("FILE");
-  command->add_option("--rig", options->rig, "The cameras (rig.yaml); homographies and correspondences need none")
+  command
+      ->add_option("--rig", options->rig,
+                   "The cameras (rig.yaml); homographies and correspondences use only the image size")
       ->type_name("FILE");
   command->add_option("--profile", options->profile, "Build of the machine: " + profile_sizes())->type_name("P");
   command

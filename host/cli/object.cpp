@@ -66,8 +66,8 @@ InMm of_table(const std::string& skin) {
   constexpr int kStep_px = 8;
   const MapSet maps = load_maps(skin);
   if (maps.rig.empty()) {
-    return FileError(skin, "", "--object in mm: a table that was made without a rig knows no mm",
-                     "one that was made with --rig, or --object in px");
+    return FileError(skin, "", "--object in mm: a table without a rig knows no mm",
+                     "one of a surface in the rig's world, or --object in px");
   }
   const CameraPair cameras = first_pair(calib::rig_from_yaml(maps.rig, skin), skin);
   const StereoAxis axis(cameras);

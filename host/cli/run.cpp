@@ -292,7 +292,7 @@ ExitStatus run(const RunOptions& options) {
   if (!options.json) {
     fmt::print("object: {}{}\n",
                object_text(session.object, session.settings, *session.profile, session.judgeable_pixels),
-               session.follower->in_mm() ? "" : "; without a rig nothing is known in mm");
+               session.follower->in_mm() ? "" : "; this skin knows no rig: nothing is known in mm");
   }
   if (session.thickness) {
     summary.update(session.thickness->json());
@@ -399,7 +399,9 @@ void add_run(CLI::App& app, Outcome& outcome) {
   command->add_option("--skin", options->skin, "The skin: skin.yaml, or a table made by `horopter map`")
       ->required()
       ->type_name("FILE");
-  command->add_option("--rig", options->rig, "The cameras (rig.yaml); homographies and correspondences need none")
+  command
+      ->add_option("--rig", options->rig,
+                   "The cameras (rig.yaml); homographies and correspondences use only the image size")
       ->type_name("FILE");
   command
       ->add_option("--profile", options->profile,

@@ -166,7 +166,9 @@ void add_upload(CLI::App& app, Outcome& outcome) {
   command->add_option("--map", options->map, "A table made by `horopter map`")->type_name("FILE");
   command->add_option("--skin", options->skin, "Instead: the skin (skin.yaml), for the profile that the machine has")
       ->type_name("FILE");
-  command->add_option("--rig", options->rig, "The cameras (rig.yaml); homographies and correspondences need none")
+  command
+      ->add_option("--rig", options->rig,
+                   "The cameras (rig.yaml); homographies and correspondences use only the image size")
       ->type_name("FILE");
   command->add_option("--profile", options->profile, "What the machine must be: " + profile_sizes())->type_name("P");
   add_decision(*command, options->settings.decision);

@@ -168,6 +168,25 @@ TEST_CASE("A table of some rig is said to be unchecked without --rig") {
   CHECK(box.run(by_table + Arguments{"--rig", "rig.yaml"}).err.empty());
 }
 
+TEST_CASE("A skin in pixels uses of --rig the image size alone, and says so") {
+  const Watched box;
+  box.write("skin.yaml", kSkin);
+  REQUIRE(box.run({"map", "--skin", "skin.yaml", "--profile", "vga", "--size", "200x120", "-o", "skin.hmap"}).status ==
+          0);
+  for (const std::string skin : {"skin.yaml", "skin.hmap"}) {
+    CAPTURE(skin);
+    box.write("rig.yaml", rig_text());
+    const Arguments with_rig = run_arguments("left0.png", "right0.png", skin) + Arguments{"--rig", "rig.yaml"};
+    check_warned(box, with_rig + Arguments{"--json"}, "of the rig only the image size is used");
+    const auto proven = box.run_proven(with_rig);
+    CHECK_THAT(proven.err, Catch::Contains("knows no rig: cameras that are exchanged or moved are not told"));
+    CHECK_THAT(proven.err + proven.out, !Catch::Contains("without a rig"));
+    fs::remove_all(box / "out");
+    box.write("rig.yaml", two_cameras(756, 572, 700, "-50, 0, 0"));
+    check_bad_file(box, with_rig, skin, "camera left of the rig takes images of 756x572 pixels");
+  }
+}
+
 TEST_CASE("Distances, baselines, thicknesses and speeds that no rig has are refused") {
   const Watched box;
   const Arguments plan{"plan", "thickness", "--rig", "rig.yaml", "--distance"};

@@ -444,8 +444,8 @@ std::string skin_file_help() {
       "skin.yaml holds `surface:` with `type:` and what belongs to it, in the world coordinates of the rig; values in\n"
       "parentheses need not be given. `cameras: [left, right]` beside it names two of the rig's cameras (the first two).\n";
   for (const Type& type : types()) text += fmt::format("  {:16} {}\n", type.name, type.keys);
-  text += fmt::format("  {:16} matrix: 3 rows of 3 numbers, left pixel to right pixel; no rig\n", kHomography);
-  text += fmt::format("  {:16} points: 4 or more of {{left: [x, y], right: [x, y]}}; no rig\n", kCorrespondences);
+  text += fmt::format("  {:16} matrix: 3 rows of 3 numbers, left pixel to right pixel; uses no rig\n", kHomography);
+  text += fmt::format("  {:16} points: 4 or more of {{left: [x, y], right: [x, y]}}; uses no rig\n", kCorrespondences);
   text +=
       "`motion:` beside it makes a skin that moves, for `run`: from `surface` at time 0 to what it lists, one table a\n"
       "frame, in steps that no object slips through; intermediate skins are inserted where it would move too far.\n"
