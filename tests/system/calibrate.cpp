@@ -352,11 +352,39 @@ TEST_CASE("images: what is wrong with one of them is named, and the rig made fro
   // A pair that was not taken at one time.
   Sandbox other;
   with_images(other);
-  fs::copy_file(other / "right3.png", other / "right4.png", fs::copy_options::overwrite_existing);
+  const auto& [turn_x, turn_y, x, y] = kPoses[3];
+  cv::imwrite((other / "right4.png").string(), photographed(turn_x, turn_y, kBaselineMm, x + 1, y));
   const json moved = report(other, from_pairs());
   CHECK(names(moved["warnings"], "outlier_view: left4.png"));
   CHECK(names(moved["warnings"], "outlier_view: right4.png"));
   CHECK(moved["baseline_mm"].get<double>() == Approx(kBaselineMm).epsilon(0.01));
+}
+
+TEST_CASE("images: one pose is one in however many views, and no image counts twice") {
+  Sandbox box;
+  const auto& [turn_x, turn_y, x, y] = kPoses[0];
+  cv::RNG random(1);
+  for (int i = 0; i < 4; ++i) {
+    for (const auto& [camera, shift_mm] : {std::pair{"left", 0.0}, {"right", kBaselineMm}}) {
+      cv::Mat noise(kHeight, kWidth, CV_16SC1), noisy;
+      random.fill(noise, cv::RNG::NORMAL, 0, 2);
+      cv::add(photographed(turn_x, turn_y, shift_mm, x, y), noise, noisy, cv::noArray(), CV_8U);
+      cv::imwrite((box / (camera + std::to_string(i) + ".png")).string(), noisy);
+    }
+  }
+  const auto result = box.run(from_pairs());
+  CAPTURE(result.out, result.err);
+  CHECK(result.status == 0);
+  for (const char* const warning : {"one_view: left: ", "one_view: right: ", "one_pair: "}) {
+    CHECK_THAT(result.err, Catch::Contains(std::string("horopter: warning: ") + warning));
+  }
+  CHECK_THAT(result.out, !Catch::Contains("few_views"));
+  CHECK(report(box, from_pairs())["baseline_mm"].get<double>() == Approx(kBaselineMm).epsilon(0.02));
+  fs::remove(box / "rig.yaml");
+  for (const std::string camera : {"left", "right"}) {
+    fs::copy_file(box / (camera + "0.png"), box / (camera + "4.png"));
+  }
+  check_refused(box, from_pairs(), 3, "left0.png and left4.png are one image");
 }
 
 TEST_CASE("images: bad input never makes a rig") {

@@ -164,6 +164,40 @@ TEST_CASE("a pair that was not taken at one time is named and left out") {
   CHECK(std::abs(*report.baseline_mm - truth.left_to_right.translation_mm.norm()) < 4 * report.baseline_sd_mm);
 }
 
+TEST_CASE("views of one pose are one view, whatever their noise, and a pair is seen by both cameras") {
+  Truth truth;
+  truth.left = truth.right = CameraModel(BrownConradyIntrinsics{533, 533, 319.5, 239.5, {.k1 = -0.28}});
+  const auto one = synthetic(truth, 1, 0, 1);
+  auto cameras = one;
+  std::mt19937_64 random(1);
+  std::normal_distribution<double> noise(0, 0.1);
+  for (ViewCamera& camera : cameras) {
+    camera.views.resize(10, camera.views[0]);
+    for (SeenTarget& view : camera.views) {
+      for (Vector2d& pixel : view.pixels) pixel += Vector2d(noise(random), noise(random));
+    }
+  }
+  const Report alone = calibrate_views(one, board()), often = calibrate_views(cameras, board());
+  for (const char* const warning : {"one_view: left", "one_view: right", "one_pair"}) {
+    CAPTURE(warning);
+    CHECK(warned(alone, warning));
+    CHECK(warned(often, warning));
+  }
+  CHECK(*often.baseline_mm == Approx(truth.left_to_right.translation_mm.norm()).epsilon(0.02));
+  // Different poses, but both cameras saw only one of them.
+  auto apart = synthetic(truth, 9, 0.1, 1);
+  for (std::size_t i = 1; i < 9; ++i) apart[i % 2].views[i].pixels.clear();
+  const Report shared = calibrate_views(apart, board());
+  CHECK(warned(shared, "one_pair"));
+  CHECK_FALSE(warned(shared, "one_view"));
+}
+
+TEST_CASE("an image that a camera has twice is refused by both names") {
+  auto cameras = synthetic(Truth{}, 6, 0.1, 9);
+  cameras[1].views[4].pixels = cameras[1].views[1].pixels;
+  CHECK_THROWS_WITH(calibrate_views(cameras, board()), Contains("right1 and right4 are one image"));
+}
+
 TEST_CASE("images without the target, in one camera or both") {
   const Truth truth;
   auto cameras = synthetic(truth, 6, 0.1, 4);

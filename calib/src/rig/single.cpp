@@ -121,12 +121,12 @@ std::vector<FocalGuess> focal_guesses(const ViewCamera& camera, const Measured& 
   return guesses;
 }
 
-FreeParameters free_parameters(const ViewOptions& options, bool few_views) {
+FreeParameters free_parameters(const ViewOptions& options, bool one_pose) {
   FreeParameters free{};
   free[P::f] = true;
-  free[P::scale] = free[P::cx] = free[P::cy] = !few_views;
+  free[P::scale] = free[P::cx] = free[P::cy] = !one_pose;
   for (std::size_t i = 0; i < LensCoefficients::kCount; ++i) {
-    free[P::lens + i] = options.distortion[i] && (!few_views || i == 0);
+    free[P::lens + i] = options.distortion[i] && (!one_pose || i == 0);
   }
   return free;
 }
@@ -195,8 +195,8 @@ std::optional<Single> try_single(const ViewCamera& camera, const Measured& measu
     optimise(problem, {.huber_px = 5, .max_iterations = 50});
     free[P::lens] = options.distortion[0];
     optimise(problem, {.huber_px = 2, .max_iterations = 50});
-    // Two views of a plane barely determine five numbers of a camera. One view determines only its focal length.
-    free = free_parameters(options, problem.observations.size() < 2);
+    // Two poses of a plane barely determine five numbers of a camera. One pose determines only its focal length.
+    free = free_parameters(options, count_poses(problem, {0}) < 2);
     optimise(problem, {.huber_px = 1, .max_iterations = 100});
   } catch (const CalibrationError&) {
     return std::nullopt;

@@ -24,9 +24,9 @@ using P = CameraParameters;
 /// Share of the image, in tiles, over which targets should be.
 constexpr double kCoverage = 0.5;
 constexpr int kTilesAcross = 8, kTilesDown = 6;
-/// Fewer views, or pairs of images, than this get a warning.
-constexpr std::size_t kFewViews = 4;
-constexpr std::size_t kFewPairs = 2;
+/// Fewer poses of the target, or poses that both cameras saw, than this get a warning.
+constexpr std::size_t kFewPoses = 4;
+constexpr std::size_t kFewSharedPoses = 2;
 
 /// A solved problem with what follows from it.
 struct Solution {
@@ -162,11 +162,6 @@ void report_views(const Solution& solution, Report& report) {
   }
 }
 
-std::size_t count_used(const JointProblem& problem, std::size_t c) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      problem.observations, [&](const auto& o) { return o.used && o.camera == static_cast<int>(c); }));
-}
-
 /// Share of the image's tiles with points in them.
 double covered(const std::vector<Vector2d>& pixels, const ViewCamera& camera) {
   std::array<bool, kTilesAcross * kTilesDown> tiles{};
@@ -182,15 +177,16 @@ double covered(const std::vector<Vector2d>& pixels, const ViewCamera& camera) {
 /// Are the views enough, and do they reach over the image?
 void judge_views(const Solution& solution, std::size_t c, Report& report) {
   const ViewCamera& camera = solution.camera(c);
-  const std::size_t used = count_used(solution.problem(), c);
-  if (used == 1) {
+  const std::size_t poses = count_poses(solution.problem(), {static_cast<int>(c)});
+  if (poses == 1) {
     report.warnings.push_back(fmt::format(
-        "one_view: {}: one view of a plane knows f and k1 only; square pixels and the middle of the image are taken "
-        "for granted",
+        "one_view: {}: one pose of a plane, in however many views, knows f and k1 only; square pixels and the middle of "
+        "the image are taken for granted",
         camera.name));
-  } else if (used < kFewViews) {
+  } else if (poses < kFewPoses) {
     report.warnings.push_back(
-        fmt::format("few_views: {}: {} views; ten, tilted in different directions, are usual", camera.name, used));
+        fmt::format("few_views: {}: {} different poses of the target; ten, tilted in different directions, are usual",
+                    camera.name, poses));
   }
   const double seen = covered(report.cameras[c].pixels, camera);
   if (seen < kCoverage) {
@@ -227,10 +223,10 @@ void report_baseline(const Solution& solution, Report& report) {
         fmt::format("left_right_exchanged: {} stands {:.1f} mm to the left of {}; are the images exchanged?",
                     solution.camera(1).name, relative.translation_mm.x(), solution.camera(0).name));
   }
-  if (count_used(solution.problem(), 1) < kFewPairs && !solution.measured.raised()) {
+  if (!solution.measured.raised() && count_poses(solution.problem(), {0, 1}) < kFewSharedPoses) {
     report.warnings.push_back(
-        "one_pair: the relative pose rests on a single pair of images, and the ± of the report is several times too "
-        "small: take ten");
+        "one_pair: the relative pose rests on a single pose of the target, and the ± of the report is several times too "
+        "small: take pairs of ten poses");
   }
 }
 

@@ -35,6 +35,49 @@ std::size_t detail::count_seen(const ViewCamera& camera) {
 
 namespace {
 
+/// The target as a camera sees it. How it is turned about its normal is left out: that tells nothing of a camera.
+struct TargetPlace {
+  Vector3d normal, middle_mm;
+  double lift_mm;  // known exactly: another one is another pose, however small the difference
+};
+
+/// The limits are beyond what a target moves in a burst, and beyond what noise does to the pose of a small one.
+bool same_pose(const TargetPlace& a, const TargetPlace& b) {
+  constexpr double kTurn_deg = 5, kShift = 0.05;
+  return a.lift_mm == b.lift_mm && a.normal.dot(b.normal) > std::cos(kTurn_deg * M_PI / 180) &&
+         (a.middle_mm - b.middle_mm).norm() < kShift * b.middle_mm.norm();
+}
+
+TargetPlace target_place(const JointProblem& problem, const JointObservation& observation) {
+  const Pose pose = problem.cameras[static_cast<std::size_t>(observation.camera)].rig_to_camera *
+                    problem.views[static_cast<std::size_t>(observation.view)].target_to_rig;
+  Vector3d middle = Vector3d::Zero();
+  for (const Vector3d& point : observation.points_mm) middle += point;
+  middle /= static_cast<double>(observation.points_mm.size());
+  return {pose.rotation.col(2), pose * middle, middle.z()};
+}
+
+}  // namespace
+
+std::size_t detail::count_poses(const JointProblem& problem, const std::vector<int>& cameras) {
+  const auto saw = [&](int camera, int view) {
+    return std::ranges::any_of(problem.observations, [&](const JointObservation& other) {
+      return other.used && other.camera == camera && other.view == view;
+    });
+  };
+  std::vector<TargetPlace> places;
+  for (const JointObservation& observation : problem.observations) {
+    if (!observation.used || observation.camera != cameras.front()) continue;
+    if (!std::ranges::all_of(cameras, [&](int camera) { return saw(camera, observation.view); })) continue;
+    const TargetPlace place = target_place(problem, observation);
+    const auto same = [&](const TargetPlace& other) { return same_pose(other, place); };
+    if (std::ranges::none_of(places, same)) places.push_back(place);
+  }
+  return places.size();
+}
+
+namespace {
+
 using namespace detail;
 
 /// A view whose residual is `factor` times the median of all views, and at least `least_px`, disagrees with them.
@@ -79,6 +122,22 @@ void check_seen(const ViewCamera& camera) {
       fmt::format("the target is in none of the {} images of {}{}", camera.views.size(), camera.name, reason));
 }
 
+/// An image that counts twice makes the result look better than it is. Two photographs are never the same.
+void check_repeats(const ViewCamera& camera) {
+  constexpr double kSame_px = 1e-6;
+  const auto same = [](const Vector2d& a, const Vector2d& b) { return (a - b).norm() < kSame_px; };
+  for (std::size_t i = 0; i < camera.views.size(); ++i) {
+    const SeenTarget& view = camera.views[i];
+    if (view.pixels.empty()) continue;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!std::ranges::equal(camera.views[k].pixels, view.pixels, same)) continue;
+      throw CalibrationError(fmt::format(
+          "{} and {} are one image: the target is at exactly the same place in both; expected each image once",
+          camera.views[k].file, view.file));
+    }
+  }
+}
+
 void check_input(const Measured& measured) {
   if (measured.cameras.empty()) throw CalibrationError("no camera");
   if (measured.points_mm.size() < 6) throw CalibrationError("a target needs at least 6 points");
@@ -86,6 +145,7 @@ void check_input(const Measured& measured) {
     check_camera(camera, measured);
     for (const SeenTarget& view : camera.views) check_view(view, measured.points_mm.size());
     check_seen(camera);
+    check_repeats(camera);
   }
 }
 

@@ -39,8 +39,8 @@ struct ViewOptions {
 /// "k1", "k1k2", "k1k2p1p2", … "none". Throws std::invalid_argument that says what is possible.
 std::array<bool, LensCoefficients::kCount> distortion_terms(std::string_view text);
 
-/// `points_mm` are the target's, in its plane, x right, y down. Throws CalibrationError when no camera can be found;
-/// a result that is no good has `usable` false and says why.
+/// `points_mm` are the target's, in its plane, x right, y down. Throws CalibrationError when no camera can be found,
+/// or when a camera has one image twice; a result that is no good has `usable` false and says why.
 Report calibrate_views(const std::vector<ViewCamera>& cameras, const std::vector<Eigen::Vector2d>& points_mm,
                        const ViewOptions& options = {});
 
