@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -60,11 +62,31 @@ std::string from_files(const std::vector<std::string>& files, const std::string&
   return files.front() + (files.size() > 1 ? fmt::format(" and {} more", files.size() - 1) : "") + ": " + message;
 }
 
-std::vector<calib::PointPair> read_all(const std::vector<std::string>& files) {
+struct PointFile {
+  std::string name;
+  std::vector<std::array<double, 5>> sorted_points;
+};
+
+/// Throws FileError where all the points of one file are in the other, too: they would count twice, or judge themselves.
+void check_apart(const PointFile& a, const PointFile& b) {
+  const auto& [small, large] = a.sorted_points.size() < b.sorted_points.size() ? std::tie(a, b) : std::tie(b, a);
+  if (!std::ranges::includes(large.sorted_points, small.sorted_points)) return;
+  throw FileError(small.name, "", fmt::format("all its points are in {}, too", large.name), "each measurement once");
+}
+
+/// The points of all files, none of which repeats another or one of `earlier`; they are added to these.
+std::vector<calib::PointPair> read_all(const std::vector<std::string>& files, std::vector<PointFile>& earlier) {
   std::vector<calib::PointPair> points;
   for (const std::string& file : files) {
     const auto more = calib::read_points(file);
     points.insert(points.end(), more.begin(), more.end());
+    PointFile read{file, {}};
+    for (const auto& [world, pixel] : more) {
+      read.sorted_points.push_back({world.x(), world.y(), world.z(), pixel.x(), pixel.y()});
+    }
+    std::ranges::sort(read.sorted_points);
+    for (const PointFile& other : earlier) check_apart(other, read);
+    earlier.push_back(std::move(read));
   }
   return points;
 }
@@ -111,9 +133,10 @@ calib::Report from_points(const CalibrateOptions& options) {
   std::vector<calib::PointErrors> withheld;
   const auto add = [&](const std::vector<std::string>& files, const std::vector<std::string>& withhold,
                        const std::string& sensor_file, const std::string& name) {
-    const auto points = read_all(files);
+    std::vector<PointFile> read;
+    const auto points = read_all(files, read);
     const calib::Sensor sensor = calib::read_sensor(sensor_file);
-    const auto held = read_all(withhold);
+    const auto held = read_all(withhold, read);
     try {
       cameras.push_back(calib::calibrate_points(points, sensor, method, point));
     } catch (const calib::CalibrationError& error) {
@@ -407,7 +430,7 @@ void add_calibrate(CLI::App& app, Outcome& outcome) {
       ->type_name("MM,...")
       ->group("From images of a flat target");
   files("--points", options->points, "Lines of x_mm y_mm z_mm u_px v_px; several files are one set", "From points");
-  files("--withhold", options->withhold, "Points that take no part, to judge the result", "From points");
+  files("--withhold", options->withhold, "Other points, which take no part and judge the result", "From points");
   files("--right-points", options->right_points, "The same for a second camera, in the same world", "From points");
   files("--right-withhold", options->right_withhold, "Withheld points of the second camera", "From points");
   command

@@ -273,6 +273,13 @@ TEST_CASE("points: bad input never makes a rig") {
   bad("# nothing\n1 2 three 4 5\n", "line 2: 'three' is not a number");
   bad("", "no points");
   check_bad_file(box, from_points({"none.txt"}), "none.txt", "there is no such file");
+  // Measured once, given twice: whole, as a part, or to judge itself.
+  box.write("part.txt", "# in other words\n" + lines(40, 8) + lines(0, 20));
+  box.write("all.txt", good);
+  check_bad_file(box, from_points({"low.txt", "high.txt", "low.txt"}), "low.txt", "all its points are in low.txt, too");
+  check_bad_file(box, from_points({"part.txt", "all.txt"}), "part.txt", "all its points are in all.txt, too");
+  check_bad_file(box, from_points({"all.txt"}) + Arguments{"--withhold", "part.txt"}, "part.txt",
+                 "all its points are in all.txt, too");
   const auto bad_sensor = [&](const std::string& text, const std::string& message) {
     box.write("bad.yaml", text);
     check_bad_file(box, {"calibrate", "--points", "low.txt", "high.txt", "--sensor", "bad.yaml", "-o", "rig.yaml"},
