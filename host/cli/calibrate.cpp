@@ -267,20 +267,19 @@ calib::RigFile import_files(const CalibrateOptions& options) {
 }
 
 std::vector<std::string> write_rig(const CalibrateOptions& options, const calib::Rig& rig) {
-  std::vector<std::string> warnings;
-  if (!options.export_opencv.empty()) {
-    const calib::Exported exported = calib::to_opencv(rig);
-    write_file(options.export_opencv, exported.files.front().text);
-    warnings.insert(warnings.end(), exported.warnings.begin(), exported.warnings.end());
-  }
+  // Before anything is written: a rig that a format cannot hold leaves nothing.
+  calib::Exported opencv, ros;
+  if (!options.export_opencv.empty()) opencv = calib::to_opencv(rig);
+  if (!options.export_ros.empty()) ros = calib::to_ros(rig);
+  if (!options.export_opencv.empty()) write_file(options.export_opencv, opencv.files.front().text);
   if (!options.export_ros.empty()) {
-    const calib::Exported exported = calib::to_ros(rig);
     OutputDirectory directory(options.export_ros);
-    for (const calib::ExportedFile& file : exported.files) directory.write(file.name, file.text);
+    for (const calib::ExportedFile& file : ros.files) directory.write(file.name, file.text);
     directory.commit();
-    warnings.insert(warnings.end(), exported.warnings.begin(), exported.warnings.end());
   }
   if (!options.output.empty()) write_file(options.output, calib::to_yaml(rig));  // last: where it is, all is
+  std::vector<std::string> warnings = std::move(opencv.warnings);
+  warnings.insert(warnings.end(), ros.warnings.begin(), ros.warnings.end());
   return warnings;
 }
 

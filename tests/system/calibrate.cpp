@@ -521,6 +521,21 @@ TEST_CASE("formats: one calibration in three formats is one rig; a rig survives 
   same({"back/left.yaml", "back/right.yaml"}, 1e-9);
 }
 
+TEST_CASE("formats: a rig whose camera is named as a place elsewhere is not exported, and nothing is written") {
+  Sandbox box;
+  with_points(box);
+  box.write("right.txt", seen(points_at({0, 80}), 0.4, kBaselineMm));
+  report(box, from_points({"low.txt", "high.txt"}) + Arguments{"--right-points", "right.txt"});
+  std::string rig = box.read("rig.yaml");
+  const auto at = rig.find("\"right\"");
+  REQUIRE(at != std::string::npos);
+  box.write("evil.yaml", rig.replace(at, 7, "\"../../evil\""));
+  check_refused(box,
+                {"calibrate", "--import", "evil.yaml", "--export-opencv", "rig.yml", "--export-ros", "deep/ros", "-o",
+                 "out.yaml"},
+                3, "camera '../../evil'");
+}
+
 TEST_CASE("opencv-doc's chessboards: the figures of OpenCV or better, in less than five seconds") {
   const auto folder = opencv_images();
   if (!folder) return;

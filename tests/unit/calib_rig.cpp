@@ -136,6 +136,17 @@ TEST_CASE("a rig survives export to OpenCV and ROS") {
   CHECK_THROWS_WITH(to_ros(full), Contains("thin prism"));
 }
 
+TEST_CASE("a camera's name that leads out of the directory is not exported to ROS") {
+  Rig rig = example();
+  for (const char* const name : {"../../evil", "/tmp/evil", "a/b", ".", "..", ".hidden", "a\nb"}) {
+    CAPTURE(name);
+    rig.cameras[1].name = name;
+    CHECK_THROWS_WITH(to_ros(rig), Contains("expected one without '/'"));
+  }
+  rig.cameras[1].name = "right camera 2.1 (Süd)";
+  CHECK(to_ros(rig).files.back().name == "right camera 2.1 (Süd).yaml");
+}
+
 TEST_CASE("a Tsai rig is exported by a fit that says how good it is, and loses its world by name") {
   const horopter::TemporaryDirectory folder;
   Rig rig = example();

@@ -637,6 +637,11 @@ TEST_CASE("Results are complete or not there") {
   CHECK(std::filesystem::exists(results / "notes.txt"));
   CHECK(std::distance(std::filesystem::directory_iterator(directory / "deep"), {}) == 1);
   CHECK_THROWS_AS(OutputDirectory(directory.write("file", "x")), FileError);
+  OutputDirectory output(results);
+  for (const char* const name : {"", ".", "..", "../up.txt", "sub/file.txt", "/tmp/file.txt", "file/"}) {
+    CAPTURE(name);
+    CHECK_THROWS_AS(output.write(name, "x"), FileError);
+  }
   CHECK_THROWS_AS(write_file(directory / "none/file", "x"), FileError);
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/core.hpp>
 
@@ -99,6 +100,18 @@ std::string camera_info(const Exportable& camera, const cv::Mat& r, const cv::Ma
       camera.d.cols > 5 ? "rational_polynomial" : "plumb_bob", list(camera.d, 2), list(r, 2), list(p_mm, 2, 1e-3));
 }
 
+/// Throws CalibrationError for a name that would lead to another directory, or hide the file.
+std::string file_name(const Camera& camera) {
+  const std::string& name = camera.name;
+  const auto bad = [](char c) { return c == '/' || static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
+  if (name.starts_with('.') || std::ranges::any_of(name, bad)) {
+    throw CalibrationError("camera '" + name +
+                           "': ROS's file would have this name; expected one without '/', control characters or a dot "
+                           "at its begin");
+  }
+  return name + ".yaml";
+}
+
 }  // namespace
 
 Exported to_opencv(const Rig& rig) {
@@ -136,13 +149,13 @@ Exported to_ros(const Rig& rig) {
   if (rig.cameras.size() == 1) {
     cv::Mat p = cv::Mat::zeros(3, 4, CV_64F);
     left.k.copyTo(p.colRange(0, 3));
-    result.files.push_back({left.name + ".yaml", camera_info(left, cv::Mat::eye(3, 3, CV_64F), p)});
+    result.files.push_back({file_name(rig.cameras[0]), camera_info(left, cv::Mat::eye(3, 3, CV_64F), p)});
     return result;
   }
   const Exportable right = prepare(rig.cameras[1], result.warnings);
   const Rectification rectified = rectify(rig, left, right);
-  result.files.push_back({left.name + ".yaml", camera_info(left, rectified.r1, rectified.p1)});
-  result.files.push_back({right.name + ".yaml", camera_info(right, rectified.r2, rectified.p2)});
+  result.files.push_back({file_name(rig.cameras[0]), camera_info(left, rectified.r1, rectified.p1)});
+  result.files.push_back({file_name(rig.cameras[1]), camera_info(right, rectified.r2, rectified.p2)});
   return result;
 }
 

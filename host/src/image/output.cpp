@@ -169,6 +169,10 @@ void OutputDirectory::set_aside(const std::string& file_name) {
 void OutputDirectory::write(const std::string& file_name, std::span<const std::uint8_t> bytes) {
   const std::lock_guard lock(mutex_);
   if (staging_.empty()) throw std::logic_error("OutputDirectory: written to after its end");
+  if (file_name.empty() || file_name == "." || file_name == ".." || fs::path(file_name).filename() != file_name) {
+    throw FileError(path_.string(), "", "the file '" + file_name + "' would lie elsewhere",
+                    "a name without directories");
+  }
   if (!write_plain(staging_ / file_name, bytes)) {
     throw FileError((path_ / file_name).string(), "", "the file cannot be written", "a directory with room for it");
   }

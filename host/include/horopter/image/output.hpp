@@ -41,6 +41,7 @@ class OutputDirectory {
   /// A file of an earlier run that nobody must take for one of this run, should it fail or be killed: from now on, and
   /// until commit(), it is called earlier-…
   void set_aside(const std::string& file_name);
+  /// Throws FileError where the file cannot be written, or `file_name` is not that of a file in the directory itself.
   void write(const std::string& file_name, std::span<const std::uint8_t> bytes);
   void write(const std::string& file_name, std::string_view text);
   /// The file that was written last appears last.
