@@ -220,6 +220,18 @@ TEST_CASE("damaged files are refused by name and place") {
                                           "cam0: {camera_model: pinhole, intrinsics: [1, 2, 3, 4], distortion_model: "
                                           "equidistant, distortion_coeffs: [0, 0, 0, 0], resolution: [4, 4]}\n")),
                     Contains("equidistant"));
+  // Degrees where radians are expected; half a turn, rounded up, is one.
+  const auto turned = [&](const std::string& vector) {
+    Exported exported = to_opencv(example());
+    std::string& text = exported.files.front().text;
+    const auto begin = text.find("\nR: "), end = text.find("\nT: ");
+    REQUIRE(begin < end);
+    REQUIRE(end != std::string::npos);
+    text.replace(begin, end - begin, "\nR: " + vector);
+    return load_rig(write_all(folder, exported)).rig;
+  };
+  CHECK_THROWS_WITH(turned("[ 0., 5., 0. ]"), Contains("R: a rotation by 5 radians") && Contains("not degrees"));
+  CHECK(turned("[ 0., 0., 3.1416 ]").between(0, 1).rotation(0, 0) == Approx(-1));
   // Metres where mm are expected.
   Rig small = example();
   small.cameras[1].world_to_camera.translation_mm /= 1000;

@@ -179,6 +179,16 @@ double unit_mm(const std::vector<Storage>& files, const Entry& t, const std::opt
   return 1;
 }
 
+/// A rotation by its vector. Beyond half a turn, and what it may be rounded to, it is of another unit.
+Matrix3d rotation_of(const Entry& entry, const Vector3d& vector_rad) {
+  constexpr double kLongest_rad = M_PI + 1e-3;
+  if (!(vector_rad.norm() <= kLongest_rad)) {
+    throw FileError(entry.source->file, entry.key, fmt::format("a rotation by {:g} radians", vector_rad.norm()),
+                    "a rotation vector in radians, not degrees, of at most half a turn (3.1416)");
+  }
+  return rotation_from_vector(vector_rad);
+}
+
 /// R and T: the second camera's pose in the coordinates of the first.
 Pose relative_pose(const std::vector<Storage>& files, const std::optional<double>& given_unit_mm) {
   const auto r = find(files, {"R", "Rotation", "rotation", "rotation_matrix"});
@@ -193,7 +203,7 @@ Pose relative_pose(const std::vector<Storage>& files, const std::optional<double
     throw FileError(t->source->file, t->key, fmt::format("{} numbers", shift.size()), "three numbers");
   }
   Pose pose;
-  pose.rotation = turn.size() == 3 ? rotation_from_vector({turn[0], turn[1], turn[2]})
+  pose.rotation = turn.size() == 3 ? rotation_of(*r, {turn[0], turn[1], turn[2]})
                                    : rotation(r->source->file, r->key, matrix_of(*r));
   pose.translation_mm = unit_mm(files, *t, given_unit_mm) * Vector3d(shift[0], shift[1], shift[2]);
   if (!pose.translation_mm.allFinite() || !pose.rotation.allFinite()) {
