@@ -18,8 +18,9 @@ const std::string kLongRun =
     "n=0; images=''; for i in $(seq 500); do images=\"$images left0.png left1.png\"; done\n"
     "right=$(echo $images | sed s/left/right/g)\n"
     "horopter run --left $images $images --right $right $right --skin skin.yaml --out out & pid=$!\n"
-    "until [ -e .out.$pid.partial/frame-0002-state.png ] || [ -e out/.out.$pid.partial/frame-0002-state.png ] ||\n"
-    "[ $((n += 1)) -gt 3000 ]; do sleep 0.02; done\n";
+    "half=.out.horopter-$pid-0.partial\n"
+    "until [ -e $half/frame-0002-state.png ] || [ -e out/$half/frame-0002-state.png ] || [ $((n += 1)) -gt 3000 ]\n"
+    "do sleep 0.02; done\n";
 
 }  // namespace
 
@@ -39,15 +40,17 @@ TEST_CASE("The summary of an earlier run never stands beside a run that failed")
     CHECK(box.read("out/frame-0000-state.png") == picture);
   }
   box.write("left0.png", good);
-  // What killed runs leave: no process has this number.
-  fs::create_directory(box / ".out.999999999.partial");
-  box.write(".out.999999999.partial/frame-0000-state.png", "half");
-  fs::create_directory(box / ".other.999999999.partial");
+  // What killed runs leave; and what is not theirs.
+  const std::vector<std::string> others{".other.horopter-999999999-0.partial", ".out.999999999.partial",
+                                        ".out.horopter-mine.partial"};
+  fs::create_directory(box / ".out.horopter-999999999-0.partial");
+  box.write(".out.horopter-999999999-0.partial/frame-0000-state.png", "half");
+  for (const std::string& other : others) fs::create_directory(box / other);
   CHECK(box.run(arguments).status == 0);
   CHECK(box.read("out/summary.json") == summary);
   CHECK_FALSE(fs::exists(box / "out/earlier-summary.json"));
-  CHECK_FALSE(fs::exists(box / ".out.999999999.partial"));
-  CHECK(fs::exists(box / ".other.999999999.partial"));
+  CHECK_FALSE(fs::exists(box / ".out.horopter-999999999-0.partial"));
+  for (const std::string& other : others) CHECK(fs::exists(box / other));
 }
 
 TEST_CASE("A bad image at the end: earlier results stay, what was made is kept apart and marked") {

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Images: what is read, and what is refused.
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
@@ -643,6 +647,36 @@ TEST_CASE("Results are complete or not there") {
     CHECK_THROWS_AS(output.write(name, "x"), FileError);
   }
   CHECK_THROWS_AS(write_file(directory / "none/file", "x"), FileError);
+}
+
+TEST_CASE("Beside a file that is written, only what a killed process left of it is taken away") {
+  const TemporaryDirectory directory;
+  const auto left = directory.write(".x.horopter-999999999-0.partial", "half");
+  const auto at_work = directory.write(".x.horopter-999999999-1.partial", "half");
+  const int lock = ::open(at_work.c_str(), O_RDWR | O_CLOEXEC);
+  REQUIRE(::flock(lock, LOCK_EX | LOCK_NB) == 0);
+  // Another process of this number, in another container.
+  const std::string own = ".x.horopter-" + std::to_string(::getpid()) + "-0.partial";
+  const int same = ::open(directory.write(own, "half").c_str(), O_RDWR | O_CLOEXEC);
+  REQUIRE(::flock(same, LOCK_EX | LOCK_NB) == 0);
+  const std::vector<std::filesystem::path> others{
+      directory.write(".x.20261130", "a backup"), directory.write(".x.999999999.partial", "somebody's"),
+      directory.write(".x.horopter-.partial", "somebody's"), directory.write(".y.horopter-1-0.partial", "of y")};
+  write_file(directory / "x", "new");
+  CHECK(bytes_of(directory / "x").size() == 3);
+  CHECK_FALSE(std::filesystem::exists(left));
+  CHECK(bytes_of(at_work).size() == 4);
+  CHECK(bytes_of(directory / own).size() == 4);
+  for (const auto& other : others) CHECK(std::filesystem::exists(other));
+  CHECK(std::distance(std::filesystem::directory_iterator(directory.path()), {}) == 7);
+  ::close(lock);
+  ::close(same);
+  write_file(directory / "x", "newer");
+  CHECK_FALSE(std::filesystem::exists(at_work));
+  CHECK_FALSE(std::filesystem::exists(directory / own));
+  const std::string longest(255, 'n');
+  write_file(directory / longest, "x");
+  CHECK(bytes_of(directory / longest).size() == 1);
 }
 
 TEST_CASE("Folders of moments are paired by their numbers") {

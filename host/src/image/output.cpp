@@ -3,16 +3,17 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <signal.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
+#include <cstring>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "horopter/base/error.hpp"
 #include "horopter/image/mat.hpp"
@@ -23,6 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kIncomplete = "incomplete";
+constexpr std::string_view kPartial = ".partial";
 
 std::span<const std::uint8_t> bytes_of(std::string_view text) {
   return {reinterpret_cast<const std::uint8_t*>(text.data()), text.size()};
@@ -36,39 +38,69 @@ bool write_plain(const fs::path& path, std::span<const std::uint8_t> bytes) {
   return stream.good();
 }
 
-/// Opens a directory and locks it for as long as this process lives; nothing where another process has it. Process
-/// numbers would not do: containers that share a directory have their own.
-std::optional<int> lock_directory(const fs::path& directory) {
-  const int file = ::open(directory.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) == 0) return file;
-  if (file >= 0) ::close(file);
-  return std::nullopt;
-}
-
 fs::path parent_of(const fs::path& place) { return place.parent_path().empty() ? "." : place.parent_path(); }
 
-/// Takes away what killed processes left: directories named `.NAME.PROCESS.partial`, and files `.NAME.PROCESS`.
+/// Names that only this program gives, to what is not complete yet: `.NAME.horopter-PROCESS-NUMBER.partial`.
+std::string partial_prefix(const std::string& name) {
+  constexpr std::size_t kLongest = 200;  // so that the rest has room in a name of 255 bytes
+  return "." + name.substr(0, kLongest) + ".horopter-";
+}
+
+bool is_partial_of(const std::string& name, std::string_view found) {
+  const std::string prefix = partial_prefix(name);
+  if (!found.starts_with(prefix) || !found.ends_with(kPartial)) return false;
+  found.remove_prefix(prefix.size());
+  found.remove_suffix(std::min(kPartial.size(), found.size()));
+  return !found.empty() && found.find_first_not_of("0123456789-") == std::string_view::npos;
+}
+
+/// The lock lasts as long as this process has `file` open. Process numbers would not do: containers that share a
+/// directory have their own.
+bool lock(int file) { return ::flock(file, LOCK_EX | LOCK_NB) == 0; }
+
+/// What is open still has this name.
+bool is_at(int file, const fs::path& path) {
+  struct stat opened{}, named{};
+  return ::fstat(file, &opened) == 0 && ::lstat(path.c_str(), &named) == 0 && opened.st_dev == named.st_dev &&
+         opened.st_ino == named.st_ino;
+}
+
+struct Partial {
+  fs::path path;
+  int file = -1;  ///< open, and locked unless the file system has no locks; -1 = it cannot be made, see errno
+};
+
+Partial make_partial(const fs::path& parent, const std::string& name, bool directory) {
+  for (int number = 0;; ++number) {
+    Partial made{parent / fmt::format("{}{}-{}{}", partial_prefix(name), ::getpid(), number, kPartial)};
+    if (directory && ::mkdir(made.path.c_str(), 0777) != 0) {
+      if (errno == EEXIST) continue;
+      return made;
+    }
+    const int how = directory ? O_RDONLY | O_DIRECTORY : O_WRONLY | O_CREAT | O_EXCL;
+    made.file = ::open(made.path.c_str(), how | O_CLOEXEC, 0666);
+    if (made.file < 0) {
+      if (errno == (directory ? ENOENT : EEXIST)) continue;
+      return made;
+    }
+    // Before it was locked, another process may have taken it for what a killed one left.
+    if ((lock(made.file) || errno != EWOULDBLOCK) && is_at(made.file, made.path)) return made;
+    ::close(made.file);
+  }
+}
+
+/// Takes away what killed processes left.
 void remove_leftovers(const fs::path& parent, const std::string& name) {
-  const std::string prefix = "." + name + ".";
-  const std::string suffix = ".partial";
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(parent, error)) {
-    const std::string found = entry.path().filename().string();
-    if (!found.starts_with(prefix)) continue;
-    const bool directory = entry.is_directory(error);
-    if (directory != found.ends_with(suffix)) continue;
-    const char* const end = found.data() + found.size() - (directory ? suffix.size() : 0);
-    pid_t process = 0;
-    const auto [rest, problem] = std::from_chars(found.data() + prefix.size(), end, process);
-    if (problem != std::errc{} || rest != end || process <= 0) continue;
-    if (directory) {
-      const auto lock = lock_directory(entry.path());
-      if (!lock) continue;
-      fs::remove_all(entry.path(), error);
-      ::close(*lock);
-    } else if (::kill(process, 0) != 0 && errno == ESRCH) {
-      fs::remove(entry.path(), error);
-    }
+    if (!is_partial_of(name, entry.path().filename().string())) continue;
+    const auto type = entry.symlink_status(error).type();
+    if (type != fs::file_type::directory && type != fs::file_type::regular) continue;
+    const int how = type == fs::file_type::directory ? O_RDONLY | O_DIRECTORY : O_RDWR | O_NONBLOCK;
+    const int file = ::open(entry.path().c_str(), how | O_NOFOLLOW | O_CLOEXEC);
+    if (file < 0) continue;
+    if (lock(file) && is_at(file, entry.path())) fs::remove_all(entry.path(), error);
+    ::close(file);
   }
 }
 
@@ -85,20 +117,24 @@ std::vector<std::uint8_t> encode(const cv::Mat& image) {
 void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
   const std::string name = path.filename().string();
   remove_leftovers(parent_of(path), name);
-  const fs::path temporary = path.parent_path() / fmt::format(".{}.{}", name, ::getpid());
+  Partial temporary;
   std::mutex mutex;
   const BeforeEnding before_ending([&] {
     mutex.lock();
     std::error_code error;
-    fs::remove(temporary, error);
+    if (temporary.file >= 0) fs::remove(temporary.path, error);
   });
-  const std::lock_guard lock(mutex);
+  const std::lock_guard guard(mutex);
+  temporary = make_partial(parent_of(path), name, false);
   std::error_code error;
-  const bool written = write_plain(temporary, bytes);
-  if (written) fs::rename(temporary, path, error);
+  const bool written = temporary.file >= 0 && write_plain(temporary.path, bytes);
+  if (written) fs::rename(temporary.path, path, error);
+  if (temporary.file >= 0) {
+    std::error_code ignored;
+    if (!written || error) fs::remove(temporary.path, ignored);
+    ::close(std::exchange(temporary.file, -1));
+  }
   if (written && !error) return;
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
   if (!written)
     throw FileError(path.string(), "", "the file cannot be written", "a directory that exists and has room");
   throw FileError(path.string(), "", "the file cannot be written (" + error.message() + ")", "a writable place");
@@ -128,13 +164,15 @@ OutputDirectory::OutputDirectory(const fs::path& path, IsResult is_result)
   const std::string name = path_.filename().string();
   remove_leftovers(parent_of(path_), name);
   remove_leftovers(path_, name);
-  staging_ = (exists ? path_ : path_.parent_path()) / fmt::format(".{}.{}.partial", name, ::getpid());
-  if (!fs::create_directory(staging_, error)) {
+  Partial staging = make_partial(exists ? path_ : path_.parent_path(), name, true);
+  if (staging.file < 0) {
+    const std::string why = std::strerror(errno);
     for (const fs::path& parent : made_) fs::remove(parent, error);
-    throw FileError(path_.string(), "", "the directory cannot be made, or written to (" + error.message() + ")",
+    throw FileError(path_.string(), "", "the directory cannot be made, or written to (" + why + ")",
                     "a writable place");
   }
-  lock_ = lock_directory(staging_);
+  staging_ = std::move(staging.path);
+  file_ = staging.file;
   before_ending_.emplace([this] {
     mutex_.lock();
     discard();
@@ -147,8 +185,7 @@ OutputDirectory::~OutputDirectory() {
 }
 
 void OutputDirectory::discard() {
-  if (lock_) ::close(*lock_);
-  lock_.reset();
+  if (file_ >= 0) ::close(std::exchange(file_, -1));
   if (staging_.empty()) return;
   std::error_code error;
   fs::remove_all(staging_, error);

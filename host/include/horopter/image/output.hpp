@@ -57,7 +57,7 @@ class OutputDirectory {
 
   std::filesystem::path path_;
   std::filesystem::path staging_;  ///< empty once it is gone
-  std::optional<int> lock_;        ///< on `staging_`; none on file systems without locks
+  int file_ = -1;                  ///< `staging_`, open and locked while there is one
   IsResult is_result_;
   std::vector<std::string> file_names_;
   std::vector<std::string> set_aside_;
