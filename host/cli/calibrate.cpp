@@ -13,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "commands.hpp"
@@ -26,6 +27,7 @@
 #include "horopter/image/frames.hpp"
 #include "horopter/image/mat.hpp"
 #include "horopter/image/output.hpp"
+#include "inputs.hpp"
 #include "numbers.hpp"
 #include "progress.hpp"
 #include "settings.hpp"
@@ -266,11 +268,39 @@ calib::RigFile import_files(const CalibrateOptions& options) {
   return calib::load_rig(std::vector<std::filesystem::path>(options.import.begin(), options.import.end()), import);
 }
 
+std::vector<NamedFile> named(const char* option, const std::vector<std::string>& files) {
+  std::vector<NamedFile> result;
+  for (const std::string& file : files) result.push_back({option, file});
+  return result;
+}
+
+/// `ros`: what is written into --export-ros. A rig.yaml may be imported and written to itself: import_rig looks at that.
+void check_places(const CalibrateOptions& options, const std::vector<calib::ExportedFile>& ros) {
+  std::vector<NamedFile> outputs{{"--export-opencv", options.export_opencv}, {"--picture", options.picture}};
+  for (const calib::ExportedFile& file : ros) {
+    outputs.push_back({"--export-ros", (std::filesystem::path(options.export_ros) / file.name).string()});
+  }
+  check_outputs(outputs, named("--import", options.import));
+  outputs.push_back({"--output", options.output});
+  std::vector<NamedFile> inputs{{"--sensor", options.sensor}, {"--right-sensor", options.right_sensor}};
+  for (const auto& [option, files] : {std::pair{"--points", &options.points},
+                                      {"--withhold", &options.withhold},
+                                      {"--right-points", &options.right_points},
+                                      {"--right-withhold", &options.right_withhold},
+                                      {"--left", &options.left},
+                                      {"--right", &options.right},
+                                      {"--images", &options.images}}) {
+    for (const NamedFile& file : named(option, *files)) inputs.push_back(file);
+  }
+  check_outputs(outputs, inputs);
+}
+
 std::vector<std::string> write_rig(const CalibrateOptions& options, const calib::Rig& rig) {
   // Before anything is written: a rig that a format cannot hold leaves nothing.
   calib::Exported opencv, ros;
   if (!options.export_opencv.empty()) opencv = calib::to_opencv(rig);
   if (!options.export_ros.empty()) ros = calib::to_ros(rig);
+  check_places(options, ros.files);
   if (!options.export_opencv.empty()) write_file(options.export_opencv, opencv.files.front().text);
   if (!options.export_ros.empty()) {
     OutputDirectory directory(options.export_ros);
@@ -314,6 +344,7 @@ nlohmann::json rig_json(const calib::RigFile& file) {
 
 ExitStatus import_rig(const CalibrateOptions& options) {
   calib::RigFile file = import_files(options);
+  if (file.format != "rig.yaml") check_outputs({{"--output", options.output}}, named("--import", options.import));
   const auto more = write_rig(options, file.rig);
   file.warnings.insert(file.warnings.end(), more.begin(), more.end());
   if (options.json) {
@@ -356,6 +387,7 @@ void check_usage(const CalibrateOptions& options) {
 
 ExitStatus calibrate(CalibrateOptions options) {
   check_usage(options);
+  check_places(options, {});
   if (!options.import.empty()) return import_rig(options);
   calib::Report report;
   bool determined = true;

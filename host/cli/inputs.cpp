@@ -7,11 +7,13 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <limits>
 #include <ranges>
 
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
+#include "horopter/image/output.hpp"
 #include "horopter/machine/proof.hpp"
 #include "horopter/map/map_compiler.hpp"
 #include "horopter/map/map_json.hpp"
@@ -35,6 +37,19 @@ constexpr double kAboutHalf = 47;
 constexpr double kLargestOffCentre = 0.2;
 
 const char* const kSkinExpected = "a skin (skin.yaml) or a mapping table (.hmap)";
+
+/// Devices and pipes are no files here: they may be named twice.
+bool is_same_file(const std::string& a, const std::string& b) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (fs::exists(a, error) && !fs::is_regular_file(a, error)) return false;
+  if (fs::equivalent(a, b, error)) return true;
+  const auto place = [&](const std::string& path) {
+    return fs::weakly_canonical(fs::absolute(behind_links(path), error), error);
+  };
+  const fs::path place_of_a = place(a);
+  return !place_of_a.empty() && place_of_a == place(b);
+}
 
 /// The rig of a skin, before images of a size. Throws FileError.
 void check_cameras(const std::string& skin, const calib::Rig& rig, int image_width, int image_height) {
@@ -245,6 +260,18 @@ const MachineProfile& choose_profile(const std::string& profile, const std::stri
 std::optional<calib::Rig> read_rig_option(const std::string& path) {
   if (path.empty()) return std::nullopt;
   return read_rig(path);
+}
+
+void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs) {
+  const auto check = [](const NamedFile& output, const NamedFile& other) {
+    if (output.path.empty() || other.path.empty() || !is_same_file(output.path, other.path)) return;
+    throw UsageError(
+        fmt::format("{} and {} are one file, {}, which would be lost", other.option, output.option, output.path));
+  };
+  for (std::size_t i = 0; i < outputs.size(); ++i) {
+    for (const NamedFile& input : inputs) check(outputs[i], input);
+    for (std::size_t j = 0; j < i; ++j) check(outputs[i], outputs[j]);
+  }
 }
 
 CameraPair first_pair(const calib::Rig& rig, const std::string& file) {

@@ -34,6 +34,13 @@ const MachineProfile& choose_profile(const std::string& profile, const std::stri
 std::optional<calib::Rig> read_rig_option(const std::string& path);
 /// The first two cameras, as left and right one. Throws FileError where there are not two, or they are exchanged.
 CameraPair first_pair(const calib::Rig& rig, const std::string& file);
+/// A file that an option names; empty where it is not given.
+struct NamedFile {
+  std::string option;
+  std::string path;
+};
+/// No output may replace an input or another output. Throws UsageError, which names both options.
+void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs);
 /// There and not empty; contents are checked by load_or_compile_maps.
 void check_skin_file(const std::string& path);
 /// A table (.hmap), not a skin.yaml. Throws FileError where there is neither.

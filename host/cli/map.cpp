@@ -156,6 +156,8 @@ void draw(const MapSet& maps, const std::string& path, bool json) {
 }
 
 ExitStatus map(const MapOptions& options) {
+  check_outputs({{"--output", options.output}, {"--draw", options.draw}},
+                {{"--skin", options.skin}, {"--rig", options.rig}, {"--inspect", options.inspect}});
   MapSet maps;
   if (!options.inspect.empty()) {
     for (const auto& [name, value] : {std::pair{"--skin", &options.skin},

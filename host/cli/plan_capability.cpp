@@ -310,6 +310,7 @@ void draw(const CapabilityOptions& options, const PlannedCapability& plan) {
 }
 
 ExitStatus plan_capability(const CapabilityOptions& options) {
+  check_outputs({{"--draw", options.draw}}, {{"--rig", options.rig}, {"--skin", options.skin}});
   if (!options.profile.empty()) find_profile(options.profile);
   const PlannedCapability planned = plan(options);
   if (!options.draw.empty()) draw(options, planned);

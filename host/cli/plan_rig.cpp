@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -56,6 +57,7 @@ struct RigOptions {
 using Json = nlohmann::ordered_json;
 
 constexpr double kLargestTilt_deg = 80;
+constexpr const char* kRigFile = "rig.yaml";
 
 Json to_json(const Eigen::Vector3d& place) { return {place.x(), place.y(), place.z()}; }
 
@@ -396,7 +398,7 @@ void write(OutputDirectory& output, const RigOptions& options, const RigInstalla
   if (std::isfinite(plan.distance_mm)) {
     write_over_distance(output, cameras, *profile, geometry, options.tolerance_px, view, plan.distance_mm);
   }
-  if (options.rig.empty()) output.write("rig.yaml", calib::to_yaml(rig));
+  if (options.rig.empty()) output.write(kRigFile, calib::to_yaml(rig));
   output.write("rig.json", json_text(json) + "\n");
   output.commit();
 }
@@ -416,9 +418,23 @@ void print_head(const RigOptions& options, const RigInstallation& installation, 
              name_of(options.decision), options.tolerance_px, options.tolerance_px * profile.subsample);
 }
 
+/// The designed rig replaces an earlier one, but none that was measured.
+void check_place_of_rig(const RigOptions& options) {
+  const std::filesystem::path file = std::filesystem::path(options.out) / kRigFile;
+  std::error_code error;
+  if (options.out.empty() || !options.rig.empty() || !std::filesystem::exists(file, error)) return;
+  try {
+    if (read_rig(file.string()).world == kDesignedWorld) return;
+  } catch (const FileError&) {  // no rig at all
+  }
+  throw FileError(file.string(), "", "this file is not of `plan rig`, which would replace it by the designed rig",
+                  "another --out, or --rig");
+}
+
 ExitStatus plan_rig(RigOptions options) {
   check_usage(options);
   const RigInstallation installation = install(options);
+  check_place_of_rig(options);
   std::optional<OutputDirectory> output;
   if (!options.out.empty()) output.emplace(options.out).set_aside("rig.json");
   const Plan plan = plan_of(options, installation);
@@ -506,7 +522,8 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
       ->check(above_zero())
       ->type_name("MM");
   rig->add_option("--out", options->out,
-                  "Directory for rig.svg (drawing), distance.svg and .csv, rig.json, and the designed rig.yaml")
+                  "Directory for rig.svg (drawing), distance.svg and .csv, rig.json, and the designed rig.yaml, which\n"
+                  "replaces no other one")
       ->type_name("DIR");
   rig->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");
   rig->footer(

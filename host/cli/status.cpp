@@ -130,6 +130,7 @@ void write_frame(Device& device, const StatusOptions& options) {
 }
 
 ExitStatus status(const StatusOptions& options) {
+  check_outputs({{"--states", options.states}, {"--runs", options.runs}}, {});
   const bool wants_frame = !options.states.empty() || !options.runs.empty();
   if (wants_frame && !is_somewhere(options.engine)) {
     throw UsageError(fmt::format(

@@ -13,6 +13,7 @@
 #include <random>
 #include <sstream>
 
+#include "rig_text.hpp"
 #include "sandbox.hpp"
 #include "shared_data.hpp"
 
@@ -485,6 +486,22 @@ TEST_CASE("calibrate, pattern, study: wrong usage is exit status 2, and help suf
     CHECK_THAT(help.out, Catch::Contains(word));
   CHECK_THAT(box.run({"pattern", "--help"}).out, Catch::Contains("--paper") && Catch::Contains("Example"));
   CHECK_THAT(box.run({"study", "--help"}).out, Catch::Contains("edges") && Catch::Contains("calibration"));
+}
+
+TEST_CASE("calibrate writes over none of its inputs, and not two outputs into one file; a rig.yaml may become itself") {
+  Sandbox box;
+  box.write("rig.yaml", two_cameras(200, 120, 200, "-50, 0, 0"));
+  const Arguments import{"calibrate", "--import", "rig.yaml"};
+  REQUIRE(box.run(import + Arguments{"-o", "rig.yaml", "--export-opencv", "cv.yml"}).status == 0);
+  check_refused(box, import + Arguments{"-o", "same.yml", "--export-opencv", "same.yml"}, 2,
+                "--export-opencv and --output");
+  check_refused(box, import + Arguments{"--export-opencv", "rig.yaml"}, 2, "--import and --export-opencv");
+  check_refused(box, import + Arguments{"--export-ros", ".", "-o", "left.yaml"}, 2, "--export-ros and --output");
+  check_refused(box, {"calibrate", "--import", "cv.yml", "-o", "cv.yml"}, 2, "--import and --output");
+  box.write("points.txt", "0 0 0 0 0\n");
+  check_refused(box, {"calibrate", "--points", "points.txt", "--sensor", "sensor.yaml", "--picture", "./points.txt"}, 2,
+                "--points and --picture");
+  CHECK(box.run({"calibrate", "--import", "rig.yaml", "--json"}).status == 0);
 }
 
 TEST_CASE("formats: one calibration in three formats is one rig; a rig survives export and import") {

@@ -1006,6 +1006,35 @@ TEST_CASE("Options of words: help shows them, and whoever writes another is told
              !Catch::Contains("is not one of"));
 }
 
+TEST_CASE("map writes over none of its inputs, and not two outputs into one file") {
+  Sandbox box;
+  box.write("skin.yaml", kSkin);
+  box.write("rig.yaml", rig_text());
+  const std::vector<std::string> make{"map", "--skin", "skin.yaml", "--profile", "vga"};
+  REQUIRE(box.run(make + std::vector<std::string>{"-o", "p.hmap"}).status == 0);
+  fs::create_symlink("p.hmap", box / "link");
+  fs::create_symlink("same", box / "same-as-well");
+  const auto before = box.files();
+  const auto table = box.read("p.hmap");
+  const auto refused = [&](const std::vector<std::string>& arguments, const std::string& one,
+                           const std::string& other) {
+    const auto result = box.run(arguments);
+    CAPTURE(arguments, result.err);
+    CHECK(result.status == 2);
+    CHECK_THAT(result.err, Catch::Contains(one + " and " + other));
+    CHECK(box.files() == before);
+  };
+  refused({"map", "--inspect", "p.hmap", "--draw", "p.hmap"}, "--inspect", "--draw");
+  refused({"map", "--inspect", "p.hmap", "--draw", "link"}, "--inspect", "--draw");
+  refused(make + std::vector<std::string>{"-o", "./skin.yaml"}, "--skin", "--output");
+  refused(make + std::vector<std::string>{"--rig", "rig.yaml", "--draw", "rig.yaml"}, "--rig", "--draw");
+  refused(make + std::vector<std::string>{"-o", "same", "--draw", "./same"}, "--output", "--draw");
+  refused(make + std::vector<std::string>{"-o", "same", "--draw", "same-as-well"}, "--output", "--draw");
+  CHECK(box.read("p.hmap") == table);
+  CHECK(box.read("skin.yaml") == kSkin);
+  CHECK(box.run(make + std::vector<std::string>{"-o", "/dev/null", "--draw", "/dev/null"}).status == 0);
+}
+
 TEST_CASE("map makes, explains and draws tables") {
   Sandbox box;
   with_pairs(box);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
+#include "rig_text.hpp"
 #include "sandbox.hpp"
 
 using namespace horopter::test;
@@ -270,6 +271,27 @@ TEST_CASE("plan rig: from lenses and a wanted thickness to a rig, which is plann
   REQUIRE(parallel.status == 0);
   CHECK(json::parse(parallel.out)["skins"][0]["common_field"]["exploitation"].get<double>() <
         skin["common_field"]["exploitation"].get<double>() - 0.05);
+}
+
+TEST_CASE("plan rig replaces its own rig.yaml, and no other") {
+  Sandbox box;
+  const std::vector<std::string> design{"plan",      "rig",          "--focal", "10",         "--pixel",
+                                        "8.5",       "--image-size", "756x572", "--distance", "800",
+                                        "--profile", "field",        "--out",   "plan"};
+  REQUIRE(box.run(design + std::vector<std::string>{"--baseline", "152"}).status == 0);
+  const auto designed = box.read("plan/rig.yaml");
+  REQUIRE(box.run(design + std::vector<std::string>{"--baseline", "140"}).status == 0);
+  CHECK(box.read("plan/rig.yaml") != designed);
+  const auto measured = two_cameras(756, 572, 1176, "-152, 0, 0");
+  for (const std::string& other : {measured, std::string("no rig")}) {
+    box.write("plan/rig.yaml", other);
+    check_bad_file(box, design + std::vector<std::string>{"--baseline", "152"}, "plan/rig.yaml", "would replace it");
+    CHECK(box.read("plan/rig.yaml") == other);
+  }
+  box.write("plan/rig.yaml", measured);
+  CHECK(box.run({"plan", "rig", "--rig", "plan/rig.yaml", "--distance", "800", "--profile", "field", "--out", "plan"})
+            .status == 0);
+  CHECK(box.read("plan/rig.yaml") == measured);
 }
 
 TEST_CASE("plan rig: where a zone is entered unseen, and what is refused") {

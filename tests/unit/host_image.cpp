@@ -2,6 +2,7 @@
 // Images: what is read, and what is refused.
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -677,6 +678,36 @@ TEST_CASE("Beside a file that is written, only what a killed process left of it 
   const std::string longest(255, 'n');
   write_file(directory / longest, "x");
   CHECK(bytes_of(directory / longest).size() == 1);
+}
+
+TEST_CASE("A file that is written anew keeps its mode and the links to it, and a pipe takes it as it is") {
+  namespace fs = std::filesystem;
+  const TemporaryDirectory directory;
+  const auto mode_of = [&](const char* name) { return fs::status(directory / name).permissions(); };
+  directory.write("private", "old");
+  fs::permissions(directory / "private", fs::perms::owner_read | fs::perms::owner_write);
+  fs::create_directory(directory / "links");
+  fs::create_symlink("../private", directory / "links/link");
+  fs::create_symlink("later", directory / "links/dangling");
+  for (const char* name : {"private", "links/link"}) {
+    write_file(directory / name, std::string("new ") + name);
+    CHECK(bytes_of(directory / "private") == bytes_of(directory.write("same", std::string("new ") + name)));
+    CHECK(mode_of("private") == (fs::perms::owner_read | fs::perms::owner_write));
+  }
+  write_file(directory / "links/dangling", "x");
+  CHECK(fs::is_regular_file(directory / "links/later"));
+  CHECK(fs::is_symlink(directory / "links/link"));
+  CHECK(fs::is_symlink(directory / "links/dangling"));
+  CHECK(mode_of("same") == mode_of("links/later"));  // as of any new file
+  REQUIRE(::mkfifo((directory / "pipe").c_str(), 0600) == 0);
+  const int reader = ::open((directory / "pipe").c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+  write_file(directory / "pipe", "through");
+  std::array<char, 16> text{};
+  CHECK(::read(reader, text.data(), text.size()) == 7);
+  ::close(reader);
+  CHECK(fs::is_fifo(directory / "pipe"));
+  write_file("/dev/null", "x");
+  CHECK(fs::is_character_file("/dev/null"));
 }
 
 TEST_CASE("Folders of moments are paired by their numbers") {

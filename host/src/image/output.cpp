@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -70,15 +69,17 @@ struct Partial {
   int file = -1;  ///< open, and locked unless the file system has no locks; -1 = it cannot be made, see errno
 };
 
-Partial make_partial(const fs::path& parent, const std::string& name, bool directory) {
+/// `mode`: of a new file or directory, before the umask, with its kind.
+Partial make_partial(const fs::path& parent, const std::string& name, mode_t mode) {
+  const bool directory = S_ISDIR(mode);
   for (int number = 0;; ++number) {
     Partial made{parent / fmt::format("{}{}-{}{}", partial_prefix(name), ::getpid(), number, kPartial)};
-    if (directory && ::mkdir(made.path.c_str(), 0777) != 0) {
+    if (directory && ::mkdir(made.path.c_str(), mode & 0777U) != 0) {
       if (errno == EEXIST) continue;
       return made;
     }
     const int how = directory ? O_RDONLY | O_DIRECTORY : O_WRONLY | O_CREAT | O_EXCL;
-    made.file = ::open(made.path.c_str(), how | O_CLOEXEC, 0666);
+    made.file = ::open(made.path.c_str(), how | O_CLOEXEC, mode & 0777U);
     if (made.file < 0) {
       if (errno == (directory ? ENOENT : EEXIST)) continue;
       return made;
@@ -114,9 +115,32 @@ std::vector<std::uint8_t> encode(const cv::Mat& image) {
 
 }  // namespace
 
+fs::path behind_links(fs::path path) {
+  constexpr int kMostLinks = 40;  // as Linux
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && fs::is_symlink(path, error); ++i) {
+    path = path.parent_path() / fs::read_symlink(path, error);
+  }
+  return path;
+}
+
+bool take_after(int file, const struct stat& other) {
+  // One by one: who may not give a file away may still give it to one of his groups.
+  const bool group = ::fchown(file, static_cast<uid_t>(-1), other.st_gid) == 0;
+  const bool owner = ::fchown(file, other.st_uid, static_cast<gid_t>(-1)) == 0;
+  return ::fchmod(file, other.st_mode & 0777U) == 0 && group && owner;
+}
+
 void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
-  const std::string name = path.filename().string();
-  remove_leftovers(parent_of(path), name);
+  struct stat earlier{};
+  const bool exists = ::stat(path.c_str(), &earlier) == 0;
+  if (exists && !S_ISREG(earlier.st_mode) && !S_ISDIR(earlier.st_mode)) {
+    if (write_plain(path, bytes)) return;
+    throw FileError(path.string(), "", "it cannot be written to", "a device or a pipe that takes the file");
+  }
+  const fs::path place = behind_links(path);
+  const std::string name = place.filename().string();
+  remove_leftovers(parent_of(place), name);
   Partial temporary;
   std::mutex mutex;
   const BeforeEnding before_ending([&] {
@@ -125,10 +149,11 @@ void write_file(const fs::path& path, std::span<const std::uint8_t> bytes) {
     if (temporary.file >= 0) fs::remove(temporary.path, error);
   });
   const std::lock_guard guard(mutex);
-  temporary = make_partial(parent_of(path), name, false);
+  temporary = make_partial(parent_of(place), name, exists ? S_IFREG | 0600 : S_IFREG | 0666);
   std::error_code error;
   const bool written = temporary.file >= 0 && write_plain(temporary.path, bytes);
-  if (written) fs::rename(temporary.path, path, error);
+  if (written && exists) take_after(temporary.file, earlier);
+  if (written) fs::rename(temporary.path, place, error);
   if (temporary.file >= 0) {
     std::error_code ignored;
     if (!written || error) fs::remove(temporary.path, ignored);
@@ -164,7 +189,7 @@ OutputDirectory::OutputDirectory(const fs::path& path, IsResult is_result)
   const std::string name = path_.filename().string();
   remove_leftovers(parent_of(path_), name);
   remove_leftovers(path_, name);
-  Partial staging = make_partial(exists ? path_ : path_.parent_path(), name, true);
+  Partial staging = make_partial(exists ? path_ : path_.parent_path(), name, S_IFDIR | 0777);
   if (staging.file < 0) {
     const std::string why = std::strerror(errno);
     for (const fs::path& parent : made_) fs::remove(parent, error);

@@ -30,7 +30,7 @@ calib::Rig make_rig(const RigDesign& design) {
   lens.dx_mm = lens.dy_mm = design.pitch_um * 1e-3;
   lens.cx_px = 0.5 * (design.width_px - 1);
   lens.cy_px = 0.5 * (design.height_px - 1);
-  calib::Rig rig{"between the cameras, z along the axis of symmetry", {}};
+  calib::Rig rig{kDesignedWorld, {}};
   for (const double side : {-1.0, 1.0}) {
     calib::Camera& camera = rig.cameras.emplace_back();
     camera.name = side < 0 ? "left" : "right";

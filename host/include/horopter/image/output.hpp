@@ -2,6 +2,8 @@
 // Output that is complete or not there: written beside its place, renamed when done.
 #pragma once
 
+#include <sys/stat.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <mutex>
@@ -16,7 +18,14 @@
 
 namespace horopter {
 
-/// Writes a file under a temporary name in the same directory and renames it. Throws FileError; nothing is left then.
+/// Where symbolic links lead, also to what is not there yet.
+std::filesystem::path behind_links(std::filesystem::path path);
+/// Gives an open file the owner, the group and the mode of another one; false where not all of them can be given.
+bool take_after(int file, const struct stat& other);
+
+/// Writes a file under a temporary name in the same directory and renames it: one that was there keeps its owner and
+/// group, where that may be, and its mode, links to it stay. Devices and pipes are written to as they are. Throws
+/// FileError; nothing is left then.
 void write_file(const std::filesystem::path& path, std::span<const std::uint8_t> bytes);
 void write_file(const std::filesystem::path& path, std::string_view text);
 

@@ -24,7 +24,9 @@ struct RigDesign {
   double f_px() const { return f_mm / (pitch_um * 1e-3); }
 };
 
-/// World: between the cameras, z along the axis of symmetry, x from left to right. Throws std::invalid_argument unless
+/// What the rig.yaml of a designed rig says of its world, and no calibration.
+inline constexpr const char* kDesignedWorld = "between the cameras, z along the axis of symmetry";
+/// In that world, x from left to right. Throws std::invalid_argument unless
 /// lengths and sizes are positive and the tilt is less than 90°.
 calib::Rig make_rig(const RigDesign& design);
 
