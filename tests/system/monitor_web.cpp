@@ -14,6 +14,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -661,6 +662,52 @@ TEST_CASE("With a certificate the page speaks TLS and nothing else") {
   CHECK_FALSE(Catch::contains(get_raw(cell.web->port(), "/"), "HTTP/1.1"));
   for (int i = 0; i < 20; ++i) raw(cell.web->port(), std::string(static_cast<std::size_t>(10 * i), '\x16'));
   CHECK(client.Get("/")->status == 200);
+}
+
+TEST_CASE("Users who are changed at the same time: each who was added is there, and none who was removed") {
+  Sandbox box;
+  const fs::path file = box / "users";
+  std::vector<std::thread> threads;
+  const auto add = [&](const std::string& name) {
+    threads.emplace_back([&file, name] { monitor::set_user(file, name, Role::viewer, kPassword); });
+  };
+  const auto names = [&] {
+    std::vector<std::string> found;
+    for (const monitor::User& user : monitor::read_users(file)) found.push_back(user.name);
+    std::ranges::sort(found);
+    return found;
+  };
+  const auto join = [&] {
+    for (std::thread& thread : threads) thread.join();
+    threads.clear();
+  };
+  for (const char* name : {"a", "b", "c", "d"}) add(name);
+  join();
+  REQUIRE(names() == std::vector<std::string>{"a", "b", "c", "d"});
+  for (const char* name : {"e", "f", "g", "h"}) add(name);
+  const bool removed = monitor::remove_user(file, "a");
+  join();
+  CHECK(removed);
+  CHECK(names() == std::vector<std::string>{"b", "c", "d", "e", "f", "g", "h"});
+  CHECK(box.files() == std::set<std::string>{"users"});
+}
+
+TEST_CASE("A file of users keeps owner, group, mode and links when users change") {
+  Sandbox box;
+  const fs::path file = box.write("real", users_text());
+  fs::create_symlink("real", box / "users");
+  if (::geteuid() == 0) REQUIRE(::chown(file.c_str(), 1, 2) == 0);
+  REQUIRE(::chmod(file.c_str(), 0640) == 0);
+  struct stat before{}, after{};
+  REQUIRE(::stat(file.c_str(), &before) == 0);
+  monitor::set_user(box / "users", "bert", Role::viewer, kPassword);
+  REQUIRE(monitor::remove_user(box / "users", "vera"));
+  CHECK(fs::is_symlink(box / "users"));
+  REQUIRE(::stat(file.c_str(), &after) == 0);
+  CHECK((after.st_mode & 0777) == 0640);
+  CHECK(after.st_uid == before.st_uid);
+  CHECK(after.st_gid == before.st_gid);
+  CHECK(monitor::read_users(file).size() == 3);
 }
 
 TEST_CASE("`horopter monitor-user` takes the password from standard input alone") {

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "horopter/base/error.hpp"
+#include "horopter/image/output.hpp"
 
 namespace horopter::monitor {
 namespace {
@@ -25,6 +26,8 @@ std::string_view text_of(std::span<const std::uint8_t> bytes) {
 }
 
 }  // namespace
+
+fs::path directory_of(const fs::path& path) { return path.parent_path().empty() ? "." : path.parent_path(); }
 
 void Descriptor::reset(int file) {
   if (file_ >= 0) ::close(file_);
@@ -48,16 +51,20 @@ void sync_directory(const fs::path& directory) {
 }
 
 int write_durably(const fs::path& path, std::string_view text, unsigned mode) {
-  fs::path temporary = path;
+  const fs::path place = behind_links(path);
+  struct stat earlier{};
+  const bool exists = ::stat(place.c_str(), &earlier) == 0 && S_ISREG(earlier.st_mode);
+  fs::path temporary = place;
   temporary += fmt::format(".{}{}", ::getpid(), kPartial);
   ::unlink(temporary.c_str());  // of a process that was killed
   Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode));
   if (!file.valid()) return errno;
   int problem = ::fchmod(file.get(), mode) == 0 ? write_all(file.get(), text) : errno;
+  if (problem == 0 && exists && !take_after(file.get(), earlier)) problem = EPERM;
   if (problem == 0 && ::fsync(file.get()) != 0) problem = errno;
-  if (problem == 0 && ::rename(temporary.c_str(), path.c_str()) != 0) problem = errno;
+  if (problem == 0 && ::rename(temporary.c_str(), place.c_str()) != 0) problem = errno;
   if (problem != 0) ::unlink(temporary.c_str());
-  if (problem == 0) sync_directory(path.parent_path().empty() ? "." : path.parent_path());
+  if (problem == 0) sync_directory(directory_of(place));
   return problem;
 }
 

@@ -38,10 +38,11 @@ class Descriptor {
 
 /// All bytes, or why not: the number of the error. 0 = written.
 int write_all(int file, std::string_view bytes);
+std::filesystem::path directory_of(const std::filesystem::path& path);
 /// What a directory lists is on the disk.
 void sync_directory(const std::filesystem::path& directory);
-/// Writes a new file beside its place, never open to more than `mode` says, and renames it. 0, or the number of the
-/// error; nothing is left then.
+/// Writes a new file beside its place, never open to more than `mode` says, and renames it. One that was there keeps its
+/// owner, its group, its mode and the links to it. 0, or the number of the error; nothing is left then.
 int write_durably(const std::filesystem::path& path, std::span<const std::uint8_t> bytes, unsigned mode = 0640);
 int write_durably(const std::filesystem::path& path, std::string_view text, unsigned mode = 0640);
 /// Names that write_durably gives to what is not complete.

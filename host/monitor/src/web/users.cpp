@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sodium.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,6 +15,7 @@
 #include <sstream>
 
 #include "horopter/base/error.hpp"
+#include "horopter/image/output.hpp"
 #include "log/durable.hpp"
 
 namespace horopter::monitor {
@@ -76,12 +78,25 @@ std::string read_private(const fs::path& file) {
 void write_users(const fs::path& file, const std::vector<User>& users) {
   std::string text = "# Who may use the page of `horopter monitor`: name, role, hash of the password.\n";
   for (const User& user : users) text += fmt::format("{} {} {}\n", user.name, name_of(user.role), user.hash);
-  if (write_durably(file, text, 0600) != 0) fail(file, "", "the file cannot be written", "a writable place");
+  const int problem = write_durably(file, text, 0600);
+  if (problem == 0) return;
+  fail(file, "", fmt::format("the file cannot be written ({})", std::strerror(problem)),
+       "a writable place, and the file's owner or root");
 }
 
 std::vector<User> users_or_none(const fs::path& file) {
   std::error_code error;
   return fs::exists(file, error) ? read_users(file) : std::vector<User>();
+}
+
+/// From reading users to writing them, nobody else changes those of this directory; where it cannot be locked, he may.
+Descriptor lock_users(const fs::path& file) {
+  Descriptor directory(::open(directory_of(behind_links(file)).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (directory.valid()) {
+    while (::flock(directory.get(), LOCK_EX) != 0 && errno == EINTR) {
+    }
+  }
+  return directory;
 }
 
 }  // namespace
@@ -133,8 +148,9 @@ void set_user(const fs::path& file, const std::string& name, Role role, const st
     throw UsageError(fmt::format("the password has {} bytes; expected {} to {}", password.size(), kShortestPassword,
                                  kLongestPassword));
   }
+  const User user{.name = name, .role = role, .hash = hash_of(password)};  // takes its time: before the lock
+  const Descriptor lock = lock_users(file);
   std::vector<User> users = users_or_none(file);
-  const User user{.name = name, .role = role, .hash = hash_of(password)};
   const auto known = std::ranges::find(users, name, &User::name);
   if (known != users.end()) {
     *known = user;
@@ -145,6 +161,7 @@ void set_user(const fs::path& file, const std::string& name, Role role, const st
 }
 
 bool remove_user(const fs::path& file, const std::string& name) {
+  const Descriptor lock = lock_users(file);
   std::vector<User> users = read_users(file);
   if (std::erase_if(users, [&](const User& user) { return user.name == name; }) == 0) return false;
   write_users(file, users);

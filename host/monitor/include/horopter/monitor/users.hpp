@@ -31,8 +31,9 @@ inline constexpr std::size_t kLongestPassword = 256;
 /// A line for each: `NAME ROLE HASH`; lines that begin with # are comments. Throws FileError: also where others than the
 /// owner and the group may read it, or others than the owner may write to it.
 std::vector<User> read_users(const std::filesystem::path& file);
-/// Adds a user, or gives a new role and password; makes the file where there is none. Throws UsageError for a name or a
-/// password that cannot be, FileError for the file.
+/// Adds a user, or gives a new role and password; makes the file, for its owner alone, where there is none, and keeps
+/// owner, group and mode of one that is there. Like remove_user it waits for others that change the file. Throws
+/// UsageError for a name or a password that cannot be, FileError for the file.
 void set_user(const std::filesystem::path& file, const std::string& name, Role role, const std::string& password);
 /// False where there was none of this name.
 bool remove_user(const std::filesystem::path& file, const std::string& name);
