@@ -7,9 +7,12 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 
 #include "commands.hpp"
+#include "horopter/base/ending.hpp"
 #include "horopter/monitor/users.hpp"
 #include "words.hpp"
 
@@ -23,27 +26,37 @@ struct UserOptions {
   bool remove = false;
 };
 
-/// While it lives, a terminal does not show what is typed.
+/// While it lives, a terminal does not show what is typed; when a signal ends the program, it does again.
 class Unseen {
  public:
   Unseen() : terminal_(::tcgetattr(STDIN_FILENO, &before_) == 0) {
     if (!terminal_) return;
+    before_ending_.emplace([this] {
+      mutex_.lock();
+      show();
+    });
     termios unseen = before_;
     unseen.c_lflag &= ~static_cast<tcflag_t>(ECHO);
+    const std::lock_guard lock(mutex_);
     ::tcsetattr(STDIN_FILENO, TCSANOW, &unseen);
     std::fputs("password: ", stderr);
   }
   ~Unseen() {
     if (!terminal_) return;
-    ::tcsetattr(STDIN_FILENO, TCSANOW, &before_);
+    before_ending_.reset();
+    show();
     std::fputs("\n", stderr);
   }
   Unseen(const Unseen&) = delete;
   Unseen& operator=(const Unseen&) = delete;
 
  private:
+  void show() const { ::tcsetattr(STDIN_FILENO, TCSANOW, &before_); }
+
   termios before_{};
   bool terminal_;
+  std::mutex mutex_;
+  std::optional<BeforeEnding> before_ending_;
 };
 
 std::string password_from_input() {

@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <chrono>
@@ -30,6 +32,7 @@
 #include "http.hpp"
 #include "moments.hpp"
 #include "plc.hpp"
+#include "running.hpp"
 #include "sandbox.hpp"
 
 using namespace horopter;
@@ -737,4 +740,30 @@ TEST_CASE("`horopter monitor-user` takes the password from standard input alone"
   CHECK(monitor::read_users(box / "users").empty());
   REQUIRE(::chmod((box / "users").c_str(), 0666) == 0);
   CHECK(box.run_shell("printf 'a long password' | horopter monitor-user users anna viewer").status == 3);
+}
+
+TEST_CASE("A signal at the password of `horopter monitor-user` leaves a terminal that shows what is typed") {
+  Sandbox box;
+  const int program = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  REQUIRE(::grantpt(program) == 0);
+  REQUIRE(::unlockpt(program) == 0);
+  std::array<char, 256> name{};
+  REQUIRE(::ptsname_r(program, name.data(), name.size()) == 0);
+  const int terminal = ::open(name.data(), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  const auto shows = [&] {
+    termios settings{};
+    return ::tcgetattr(terminal, &settings) == 0 && (settings.c_lflag & ECHO) != 0;
+  };
+  REQUIRE(shows());
+  const auto [signal, status] = GENERATE(table<int, int>({{SIGINT, 130}, {SIGTERM, 143}}));
+  Running user(
+      box,
+      {"/bin/sh", "-c", fmt::format("exec '{}' monitor-user users anna viewer <{}", HOROPTER_PROGRAM, name.data())},
+      "monitor-user");
+  CHECK(eventually([&] { return !shows(); }));
+  CHECK(user.end(signal) == status);
+  CHECK(shows());
+  CHECK_FALSE(fs::exists(box / "users"));
+  ::close(terminal);
+  ::close(program);
 }
