@@ -97,7 +97,7 @@ void add_log(CLI::App& app, Outcome& outcome) {
                     "changed, removed or damaged");
   command
       ->add_option("--export", options->to_export,
-                   "Event N with its pictures into the file OUT.zip, or into the directory OUT")
+                   "Event N with its pictures into the file OUT.zip, or into the directory OUT, which is new or empty")
       ->type_name("N OUT")
       ->expected(2);
   command->add_flag("--json", options->json, "Print JSON on standard output, and nothing else");

@@ -91,11 +91,12 @@ void add_monitor_user(CLI::App& app, Outcome& outcome) {
       ->required();
   command->add_option("NAME", options->name, "Of the user; one that is there gets this role and a new password")
       ->required();
-  only(command->add_option("ROLE", options->role,
-                           "viewer looks; operator also restarts, where the configuration allows it;\n"
-                           "engineer also teaches"),
-       {"viewer", "operator", "engineer"});
-  command->add_flag("--remove", options->remove, "Remove the user");
+  CLI::Option* role =
+      only(command->add_option("ROLE", options->role,
+                               "viewer looks; operator also restarts, where the configuration allows it;\n"
+                               "engineer also teaches"),
+           {"viewer", "operator", "engineer"});
+  command->add_flag("--remove", options->remove, "Remove the user")->excludes(role);
   command->footer(
       "The password is the first line of standard input, 8 to 256 bytes; a terminal does not show it.\n\n"
       "Example: horopter monitor-user users anna operator");

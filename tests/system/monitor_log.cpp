@@ -637,6 +637,12 @@ TEST_CASE("`horopter log` lists, checks and exports") {
       "python3 -m zipfile -e ../event.zip . && diff -r . ../event");
   CAPTURE(unpacked.out, unpacked.err);
   CHECK(unpacked.status == 0);
+  fs::create_directory(box / "empty");
+  CHECK(box.run({"log", "log", "--export", "2", "empty"}).status == 0);
+  // Pictures of one event beside the sums of another, or all of it in the log itself.
+  for (const std::string place : {"event", "log"}) {
+    check_bad_file(box, {"log", "log", "--export", "1", place}, place, "there are files in this directory");
+  }
   CHECK(box.run({"log", "log", "--export", "77", "event.zip"}).status == 2);
   CHECK(box.run({"log", "log", "--export", "2", "no/such/place.zip"}).status == 3);
 

@@ -736,6 +736,10 @@ TEST_CASE("`horopter monitor-user` takes the password from standard input alone"
   CHECK_FALSE(monitor::is_password(&users[0], "a long password"));
   CHECK_FALSE(monitor::is_password(nullptr, "a long password"));
   CHECK(box.run_shell("horopter monitor-user users bert --remove").status == 2);
+  const auto both = box.run_shell("horopter monitor-user users anna viewer --remove");
+  CHECK(both.status == 2);
+  CHECK_THAT(both.err, Catch::Contains("ROLE excludes --remove"));
+  CHECK(monitor::read_users(box / "users").size() == 1);
   CHECK(box.run_shell("horopter monitor-user users anna --remove").status == 0);
   CHECK(monitor::read_users(box / "users").empty());
   REQUIRE(::chmod((box / "users").c_str(), 0666) == 0);

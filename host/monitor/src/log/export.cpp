@@ -69,9 +69,16 @@ std::vector<Item> items_of(const fs::path& directory, const LogReading::Event& e
 void write_directory(const fs::path& out, const std::vector<Item>& items) {
   std::error_code error;
   fs::create_directories(out, error);
+  if (!error && !fs::is_empty(out, error) && !error) {
+    throw FileError(out.string(), "", "there are files in this directory, which would seem to belong to the event",
+                    "a new or empty directory");
+  }
   if (error) fail(out, error.message());
   for (const Item& item : items) {
-    if (const int problem = write_durably(out / item.name, item.bytes); problem != 0) fail(out, std::strerror(problem));
+    const int problem = write_durably(out / item.name, item.bytes);
+    if (problem == 0) continue;
+    for (const Item& written : items) fs::remove(out / written.name, error);
+    fail(out, std::strerror(problem));
   }
 }
 

@@ -34,8 +34,8 @@ struct LogReading {
 /// The chain is always checked; `pictures`: also each picture. Throws FileError where there is no log.
 LogReading read_log(const std::filesystem::path& directory, bool pictures);
 
-/// One event with its pictures, its lines of the journal and a page of text, as a directory or, where the name ends in
-/// `.zip`, one file. Throws FileError: also where a picture is not as it was written.
+/// One event with its pictures, its lines of the journal and a page of text, as a new or empty directory or, where the
+/// name ends in `.zip`, one file. Throws FileError: also where a picture is not as it was written.
 void export_event(const std::filesystem::path& directory, const LogReading::Event& event,
                   const std::filesystem::path& out);
 
