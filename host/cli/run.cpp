@@ -235,6 +235,14 @@ void report_taught(const BlindWatch& watch, std::size_t pairs, const BlindSettin
       watch.taught(), percent(undecidable), percent(unwatched));
 }
 
+/// Pairs that teach are never safe, so others must follow. Throws FileError.
+void check_pairs_follow(const RunOptions& options, std::size_t pairs) {
+  if (options.teach == 0 || pairs > options.teach) return;
+  throw FileError(options.left.back(), "",
+                  fmt::format("the images end after {} pairs, and none that teaches is supervised", pairs),
+                  fmt::format("more than the {} pairs of --teach", options.teach));
+}
+
 /// What a run made that did not get to its end.
 void keep_incomplete(OutputDirectory& output, nlohmann::ordered_json summary, const std::string& reason) noexcept {
   try {
@@ -257,6 +265,11 @@ void keep_incomplete(OutputDirectory& output, nlohmann::ordered_json summary, co
 }
 
 ExitStatus run(const RunOptions& options) {
+  if (options.frames != 0 && options.frames <= options.teach) {
+    throw UsageError(
+        fmt::format("--frames {} with --teach {}: no pair that teaches is supervised; expected more frames",
+                    options.frames, options.teach));
+  }
   if (!options.profile.empty()) find_profile(options.profile);
   OutputDirectory output(options.out, is_result);
   output.set_aside("summary.json");
@@ -265,6 +278,7 @@ ExitStatus run(const RunOptions& options) {
   PairSource pairs(options.left, options.right, options.pair_by_order ? PairNumbers::ignored : PairNumbers::must_agree);
   for (const std::string& text : pairs.warnings()) warn(text);
   const auto count = pairs.count();
+  if (count) check_pairs_follow(options, *count);
   auto pair = pairs.next();
   if (!pair) throw FileError(options.left.front(), "", "there is no image", "at least one");
 
@@ -325,11 +339,12 @@ ExitStatus run(const RunOptions& options) {
     if (!complete) keep_incomplete(output, summary, "stopped by a signal");
   });
   try {
-    for (std::size_t index = 0; pair; ++index) {
-      if (options.teach != 0 && index == options.teach) {
+    std::size_t shown = 0;
+    while (pair) {
+      if (options.teach != 0 && shown == options.teach) {
         progress.clear();
         const std::lock_guard lock(results);
-        report_taught(session.monitor().blind_watch(), index, session.settings.blind, summary, options.json);
+        report_taught(session.monitor().blind_watch(), shown, session.settings.blind, summary, options.json);
         session.monitor().teach(false);
       }
       for (const FrameResult& result : session.process(pair->left, pair->right)) {
@@ -347,15 +362,16 @@ ExitStatus run(const RunOptions& options) {
         }
         ++frame;
       }
-      progress.show(index + 1, count);
-      if (options.frames != 0 && index + 1 == options.frames) break;
+      progress.show(++shown, count);
+      if (options.frames != 0 && shown == options.frames) break;
       if (pairs.is_live() && asked_to_stop()) break;  // that is how it ends
       pair = pairs.next();
     }
     progress.clear();
     const std::lock_guard lock(results);
     if (options.teach != 0 && !summary.contains("taught")) {
-      report_taught(session.monitor().blind_watch(), options.teach, session.settings.blind, summary, options.json);
+      report_taught(session.monitor().blind_watch(), shown, session.settings.blind, summary, options.json);
+      check_pairs_follow(options, shown);
     }
     output.write("summary.json", json_text(summary) + "\n");
     output.commit();
@@ -423,8 +439,8 @@ void add_run(CLI::App& app, Outcome& outcome) {
       ->add_option(
           "--teach", options->teach,
           "The first N pairs show the zone empty: learn where nothing can be decided. After them a place that could "
-          "be decided and cannot be any more is blind and counts as an object. Without it, whatever has no texture "
-          "reads undecidable, and a plain glove is no alarm")
+          "be decided and cannot be any more is blind and counts as an object. More pairs must follow, as none that "
+          "teaches is supervised. Without it, whatever has no texture reads undecidable, and a plain glove is no alarm")
       ->check(at_least_one())
       ->type_name("N");
   add_less_light(*command, options->settings.blind)->needs("--teach");
