@@ -458,6 +458,7 @@ void add_calibrate(CLI::App& app, Outcome& outcome) {
       ->add_option("--heights", options->heights_mm,
                    "The target was lifted to these heights (mm), one per image, and not moved otherwise")
       ->delimiter(',')
+      ->check(any_number())
       ->type_name("MM,...")
       ->group("From images of a flat target");
   files("--points", options->points, "Lines of x_mm y_mm z_mm u_px v_px; several files are one set", "From points");

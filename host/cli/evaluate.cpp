@@ -370,7 +370,7 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
       command
           ->add_option("--threshold", options->settings.threshold_percent,
                        "thesis: in the skin up to this share of the largest sum of direction differences, %")
-          ->check(CLI::Range(0.1, 100.0))
+          ->check(within(0.1, 100, "%"))
           ->capture_default_str();
   command
       ->add_option("--texture", options->settings.texture,
@@ -380,7 +380,7 @@ void add_evaluate(CLI::App& app, Outcome& outcome) {
   command
       ->add_option("--self", options->settings.self_percent,
                    "thesis: a window whose directions vary less is no texture, % as --threshold")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(within(0, 100, "%"))
       ->capture_default_str();
   const auto compete_option = [&](const char* name, int& value, int largest, const char* what) {
     return command->add_option(name, value, what)->check(CLI::Range(0, largest))->capture_default_str();

@@ -241,7 +241,7 @@ void add_map(CLI::App& app, Outcome& outcome) {
   command
       ->add_option("--alarm-limit", options->alarm_percent,
                    "That of `horopter run`, % of the whole image: a skin too small for it is refused")
-      ->check(CLI::Range(0.0, 100.0))
+      ->check(within(0, 100, "%"))
       ->excludes("--inspect")
       ->capture_default_str();
   command

@@ -31,10 +31,19 @@ inline CLI::Validator zero_or_more() {
   return {check, "NONNEGATIVE"};
 }
 
+inline CLI::Validator any_number() {
+  const auto check = [](std::string& text) {
+    double value = 0;
+    const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value);
+    return good ? std::string() : fmt::format("'{}'; expected a number", text);
+  };
+  return {check, ""};
+}
+
 /// A range that everything which exists is in: what is beyond is in another unit.
 inline CLI::Validator within(double smallest, double largest, const std::string& unit) {
   const auto check = [=](std::string& text) {
-    const std::string wrong = (smallest > 0 ? above_zero() : zero_or_more())(text);
+    const std::string wrong = (smallest > 0 ? above_zero() : smallest < 0 ? any_number() : zero_or_more())(text);
     if (!wrong.empty()) return wrong;
     double value = 0;
     CLI::detail::lexical_cast(text, value);

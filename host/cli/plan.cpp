@@ -258,8 +258,8 @@ void add_plan(CLI::App& app, Outcome& outcome) {
       ->transform(CLI::Validator(
           [](std::string& value) {
             if (value == "D95") value = fmt::format("{}", kD95_px);
-            return CLI::Range(0.01, 100.0)(value).empty() ? ""
-                                                          : fmt::format("'{}' is neither 0.01 to 100 nor D95", value);
+            const std::string wrong = is_tolerance_px()(value);
+            return wrong.empty() ? wrong : wrong + ", or D95";
           },
           ""))
       ->capture_default_str()

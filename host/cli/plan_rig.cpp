@@ -490,7 +490,7 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
       ->type_name("MM");
   rig->add_option("--tilt", options->tilt_deg,
                   "Each camera is turned towards the other by this (default: their axes meet at the first --distance)")
-      ->check(CLI::Range(-kLargestTilt_deg, kLargestTilt_deg))
+      ->check(within(-kLargestTilt_deg, kLargestTilt_deg, "degrees"))
       ->type_name("DEG");
   rig->add_option("--distance", options->distances_mm, "Planes across the axis of symmetry, at these distances")
       ->check(is_distance_mm())
@@ -515,6 +515,7 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
       ->type_name("FILE...");
   rig->add_option("--from", options->from_mm, "Where people are (default: everywhere around zone, skin and obstacles)")
       ->expected(3)
+      ->check(any_number())
       ->type_name("X Y Z");
   rig->add_option(
          "--step", options->search.step_mm,

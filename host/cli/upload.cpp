@@ -205,7 +205,7 @@ void add_upload(CLI::App& app, Outcome& outcome) {
           "--feedback", options->settings.interlock.feedback_ms,
           "Contactors hang at safe_o, and their mirror contacts at feedback_i: they must follow within this time, ms, "
           "of the clock that the profile is meant for; 0 = there are none")
-      ->check(CLI::Range(0.0, 10'000.0))
+      ->check(within(0, 10'000, "ms"))
       ->capture_default_str();
   command->add_flag(
       "--live", options->settings.live,
