@@ -150,7 +150,7 @@ ExitStatus status(const StatusOptions& options) {
   };
   read();
   if (wants_frame) write_frame(*device, options);
-  while (options.watch && !asked_to_stop()) {
+  while (options.watch && !asked_to_stop() && std::ferror(stdout) == 0) {  // where nobody reads, it would keep the port
     const auto next = std::chrono::steady_clock::now() + kWatchPeriod;
     while (std::chrono::steady_clock::now() < next && !asked_to_stop()) std::this_thread::sleep_for(kWatchStep);
     if (!asked_to_stop()) read();
@@ -176,7 +176,7 @@ void add_status(CLI::App& app, Outcome& outcome) {
       ->add_option("--runs", options->runs,
                    "The same as runs, row,start,end,state (0 clear, 1 skin, 2 undecidable, 3 unsupervised)")
       ->type_name("FILE");
-  command->add_flag("--watch", options->watch, "A line each second, until stopped");
+  command->add_flag("--watch", options->watch, "A line each second, until stopped, or until nobody reads it");
   command->add_flag("--json", options->json,
                     "Print JSON on standard output, and nothing else; with --watch a line each second");
   command->footer("Example: horopter status --engine serial:/dev/ttyUSB0");

@@ -152,6 +152,17 @@ TEST_CASE("SIGTERM ends every command at once, and leaves nothing half made") {
   for (const std::string& file : box.files()) CHECK_THAT(file, !Catch::Contains("partial"));
 }
 
+TEST_CASE("status --watch ends when nobody reads it any more") {
+  const std::string more = GENERATE("", " --json");
+  const Sandbox box;
+  const auto result = box.run_shell("{ timeout --signal=KILL 60 horopter status --engine native --watch" + more +
+                                    "; echo $? > status; } | head -c 1");
+  CAPTURE(result.err);
+  CHECK(result.out.size() == 1);
+  CHECK(box.read("status") == "3\n");
+  CHECK_THAT(result.err, Catch::Contains("standard output"));
+}
+
 TEST_CASE("A full standard output is an error") {
   Sandbox box;
   with_pairs(box);
