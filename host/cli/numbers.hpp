@@ -5,10 +5,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace horopter::cli {
@@ -71,8 +72,11 @@ inline CLI::Validator at_least_one() {
 inline std::optional<std::pair<int, int>> size_of(const std::string& text) {
   int width = 0;
   int height = 0;
-  char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width <= 0 || height <= 0) return {};
+  const char* const end = text.data() + text.size();
+  const auto [middle, wrong_width] = std::from_chars(text.data(), end, width);
+  if (wrong_width != std::errc() || middle == end || *middle != 'x') return {};
+  const auto [rest, wrong_height] = std::from_chars(middle + 1, end, height);
+  if (wrong_height != std::errc() || rest != end || width <= 0 || height <= 0) return {};
   return std::pair{width, height};
 }
 

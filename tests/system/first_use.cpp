@@ -64,6 +64,8 @@ TEST_CASE("What is mistyped is named") {
       {{"plan", "rig", "--from", "0", "nan", "0"}, 2, "--from: 'nan'; expected a number"},
       {{"calibrate", "--heights", "0,nan"}, 2, "--heights: 'nan'; expected a number"},
       {design("--image-size", "756"), 2, "--image-size '756'; expected WIDTHxHEIGHT"},
+      {design("--image-size", "4294968052x572"), 2, "--image-size '4294968052x572'; expected WIDTHxHEIGHT"},
+      {design("--image-size", "756x572 px"), 2, "--image-size '756x572 px'; expected WIDTHxHEIGHT"},
       {design("--pixel", "0.0085"), 1, "--pixel in um"},
       {design("--thickness", "0.1"), 1, "turned by 84 degrees"},
   }));

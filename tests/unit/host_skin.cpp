@@ -154,6 +154,12 @@ TEST_CASE("Bad skin files are refused by line") {
   CHECK_THAT(error_of(directory, head + "  - [0, 0, 0]\n  - [0, 0, 0]\n  - [0, 0, 0]\n"), Catch::Contains("singular"));
   CHECK_THAT(error_of(directory, "surface:\n  type: correspondences\n  points:\n  - {left: [1, 2], right: [3, 4]}\n"),
              Catch::Contains("at least 4"));
+  const std::string points =
+      "surface:\n  type: correspondences\n  points:\n"
+      "  - [[0, 0], [0, 0]]\n  - [[9, 0], [9, 0]]\n  - [[0, 9], [0, 9]]\n  - ";
+  CHECK_THAT(error_of(directory, points + "{left: [9, 9], right: [9, 9], weigth: 2}\n"),
+             Catch::Contains("line 7") && Catch::Contains("surface.points: unknown key 'weigth'"));
+  CHECK_THAT(error_of(directory, points + "{left: [9, 9], rigth: [9, 9]}\n"), Catch::Contains("right: missing"));
   CHECK_THAT(error_of(directory,
                       "surface:\n  type: correspondences\n  points:\n"
                       "  - {left: [0, 0], right: [0, 0]}\n  - {left: [1, 1], right: [1, 1]}\n"

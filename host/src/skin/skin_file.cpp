@@ -54,8 +54,10 @@ std::vector<Correspondence> read_points(const std::string& file, const YAML::Nod
   std::vector<Correspondence> points;
   for (const YAML::Node item : node) {
     if (item.IsMap()) {
-      points.push_back({point(file, yaml::member(file, item, "left", "[x, y]"), what + ": left"),
-                        point(file, yaml::member(file, item, "right", "[x, y]"), what + ": right")});
+      yaml::Keys keys(file, item, what);
+      points.push_back({point(file, keys.get("left", "[x, y]"), what + ": left"),
+                        point(file, keys.get("right", "[x, y]"), what + ": right")});
+      keys.finish();
     } else if (item.IsSequence() && item.size() == 2) {
       points.push_back({point(file, item[0], what + ": left"), point(file, item[1], what + ": right")});
     } else {
