@@ -216,8 +216,9 @@ void add_upload(CLI::App& app, Outcome& outcome) {
   command->footer(
       "The table goes beside the one in use, which stays in use until the new one is there, complete, by its CRC. Where\n"
       "a setting changes, or the machine was taught with another table, it is stopped for the change: it says not safe,\n"
-      "and forgets what it was taught. All is read back. After an error the table that was in use still is, or the machine\n"
-      "is stopped: the message says which. See docs/boards.md.\n\n"
+      "and forgets what it was taught. All is read back. A machine for fields that holds more than one table is stopped\n"
+      "first, and they are taken out of it: only who gives the fields knows which two he selects in turn. After an error\n"
+      "the table that was in use still is, or the machine is stopped: the message says which. See docs/boards.md.\n\n"
       "Example: horopter upload --engine serial:/dev/ttyUSB0 --map skin.hmap");
   command->callback([options, &outcome] { outcome.status = upload(*options); });
 }

@@ -184,7 +184,7 @@ TEST_CASE("From photographs to a board, and the board's runs are those of the na
   }
   CHECK(equal == 1);
 
-  // Such frames teach nothing, and the board says what is wrong with them. An upload that changes nothing leaves it so.
+  // Such frames teach nothing, and the board says what is wrong with them. An upload leaves it so.
   const auto blocks = [&] {
     const std::string text = must({"status", "--engine", terminal.engine()});
     return std::tuple(text.find("watch 1") != text.npos, text.find("teach 1") != text.npos,

@@ -1011,6 +1011,37 @@ TEST_CASE("A table without room beside the one in use is refused, or takes its p
   CHECK(reg::status::kRunning.get(device.read(reg::status::kAddress)) == 1);
 }
 
+TEST_CASE("A machine for fields is stopped for an upload, and keeps no table that somebody may select in turn") {
+  const MachineProfile& profile = find_profile("field");
+  const auto device = make_native_device(profile);
+  const Build build = find_build(*device);
+  Settings settings = Settings{}.without_proof();
+  settings.interlock.by_itself = true;
+  const auto load_shifted = [&](double dx) {
+    SkinFile skin;
+    skin.path = "skin";
+    skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, dx, 0, 1, 4, 0, 0, 1});
+    const MapSet maps = compile_maps(skin, profile, 160, 96);
+    LoadReport report = load(*device, build, maps, settings, false, std::chrono::milliseconds(1));
+    std::uint32_t slots = 0;
+    for (const auto& table : report.tables) slots |= 1U << static_cast<unsigned>(table.slot);
+    CHECK(device->read(reg::map_valid::kAddress) == slots);
+    return report;
+  };
+  const LoadReport first = load_shifted(-8);
+  CHECK_FALSE(first.stopped);  // it was not running
+  // The even field in progress, its table selected: nothing says that the other table is in use, too.
+  device->send(textured(80, 48, 1), textured(80, 48, 2));
+  device->receive();
+  const auto active = reg::map_status::kActiveSlot.get(device->read(reg::map_status::kAddress));
+  REQUIRE(active == device->read(reg::table_select::kAddress));
+  REQUIRE(static_cast<int>(active) == first.tables[0].slot);
+  CHECK(load_shifted(-6).stopped);
+  CHECK(load_shifted(-6).stopped);
+  CHECK(reg::status::kRunning.get(device->read(reg::status::kAddress)) == 1);
+  CHECK_FALSE(read_status(*device).faults().has(Fault::map_busy));
+}
+
 TEST_CASE("An upload says whether the cameras can wait; without a word they can, whatever was set before") {
   const auto device = make_native_device(find_profile("vga"));
   const Build build = find_build(*device);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <chrono>
 #include <optional>
 #include <thread>
@@ -95,6 +96,21 @@ void upload_all(Device& device, const Build& build, const MapSet& maps, const st
                   bytes, build.pool_bytes));
 }
 
+/// Who gives fields selects two slots in turn, and nobody else knows which: while one is in use, so is the other.
+bool may_switch_tables(Device& device, const Build& build) {
+  return build.profile->takes_fields() && std::popcount(device.read(reg::map_valid::kAddress)) > 1;
+}
+
+/// Of a machine that is stopped. A field that still selects one of the slots has no table then, which is a fault.
+void clear_slots(Device& device) {
+  const auto valid = device.read(reg::map_valid::kAddress);
+  for (std::uint32_t slot = 0; slot < reg::kNoSlot; ++slot) {
+    if ((valid >> slot & 1U) == 0) continue;
+    write_checked(device, {reg::map_slot::kAddress, slot});
+    device.write(reg::map_control::kAddress, reg::map_control::kStart.put(1));  // the begin of an upload clears it
+  }
+}
+
 /// Where nothing could be decided on one skin says nothing of another; and who stood before one may stand behind another,
 /// where nobody looks. A machine that stops forgets what it was taught, and waits for a restart.
 bool must_stop_for(Device& device, const std::vector<LoadReport::Table>& tables) {
@@ -165,6 +181,10 @@ LoadReport load(Device& device, const Build& build, const MapSet& maps, const Se
     // Before the tables: where a setting has no such value, none is touched.
     auto words = configuration(device, *build.profile, settings_for(settings, *build.profile, maps),
                                {geometry.width, geometry.height, maps.lookahead()});
+    if (may_switch_tables(device, build)) {
+      stop();
+      clear_slots(device);
+    }
     limit_before = device.read(reg::map_undecidable_limit::kAddress);
     upload_all(device, build, maps, slots, settings);
     for (std::size_t i = 0; i < maps.maps.size(); ++i) {

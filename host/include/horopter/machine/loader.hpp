@@ -31,6 +31,9 @@ struct LoadReport {
 /// not safe): no frame is made by old settings and a new table, or the other way round. All is read back.
 /// The limit on undecidable pixels belongs to its table: it is a setting where frames are made with the same one.
 ///
+/// A machine for fields that holds more than one table is stopped before the tables, and they are taken out of it: who
+/// gives the fields selects two of them in turn.
+///
 /// `stop_first`: the machine is stopped before the tables, which may then take the place of the one in use.
 /// `frame_timeout`: so long it waits for a frame with the new table (LoadReport::active).
 ///
