@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "board_terminal.hpp"
+#include "eventually.hpp"
 #include "horopter/machine/loader.hpp"
 #include "horopter/machine/monitor.hpp"
 #include "horopter/machine/native_device.hpp"
@@ -106,6 +107,11 @@ void wait_for_crc(const Sandbox& box, const std::string& engine, const std::stri
   }
   CAPTURE(status.dump());
   FAIL("the table is not active");
+}
+
+/// Before its first frame a machine does not say by which table frames are made.
+void wait_for_frame(const Sandbox& box, const std::string& engine) {
+  REQUIRE(eventually([&] { return status_of(box, engine)["frame"]["sequence"].get<int>() > 0; }));
 }
 
 void check_fault(const Sandbox& box, const std::vector<std::string>& arguments, const std::string& message) {
@@ -223,6 +229,7 @@ TEST_CASE("What happens in the middle of an upload leaves the table in use in us
   check_fault(box, upload, "the board was reset");
   board->drain();
   CHECK(status_of(box, terminal->engine())["table"]["crc"] == before);
+  wait_for_frame(box, terminal->engine());
 
   const auto is_in_use = [&](const std::string& engine) {
     const auto status = status_of(box, engine);
@@ -263,6 +270,7 @@ TEST_CASE("A program that is killed in the middle of an upload leaves a board th
   Terminal terminal;
   BoardBehind board(terminal);
   const std::string before = status_of(box, terminal.engine())["table"]["crc"];
+  wait_for_frame(box, terminal.engine());
   const std::string command = "horopter upload --engine " + terminal.engine() + " --map skin.hmap --unproven";
   board.at_byte(500, BoardBehind::Event::pause);
   CHECK(box.run_shell(command + " & sleep 2; kill -KILL $!; wait $!").status == 128 + SIGKILL);

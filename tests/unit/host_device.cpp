@@ -1169,7 +1169,7 @@ TEST_CASE("An upload finds a place beside the table in use without a fault, and 
   }
 }
 
-TEST_CASE("Another limit on undecidable pixels stops the machine as any setting, also after an upload that failed") {
+TEST_CASE("Another limit on undecidable pixels stops the machine before the upload, which may fail or be killed") {
   Deaf device;
   const Build build = find_build(device);
   Settings settings = Settings{}.without_proof();
@@ -1193,10 +1193,12 @@ TEST_CASE("Another limit on undecidable pixels stops the machine as any setting,
   CHECK(is_changed(100));
   CHECK_FALSE(is_changed(100));
   const auto limit = device.read(reg::map_undecidable_limit::kAddress);
-  device.fail_at(reg::map_control::kAddress, false);
+  const bool killed = GENERATE(false, true);  // as after a reset nothing is put back
+  device.fail_at(reg::map_control::kAddress, killed);
   CHECK_THROWS_AS(load_at(80), DeviceError);
-  CHECK(device.read(reg::map_undecidable_limit::kAddress) == limit);
-  CHECK(is_changed(80));
+  CHECK((device.read(reg::map_undecidable_limit::kAddress) == limit) != killed);
+  CHECK_FALSE(read_status(device).running());
+  CHECK_FALSE(load_at(80).stopped);  // it was not running
   CHECK_FALSE(is_changed(80));
 }
 

@@ -186,19 +186,21 @@ LoadReport load(Device& device, const Build& build, const MapSet& maps, const Se
       clear_slots(device);
     }
     limit_before = device.read(reg::map_undecidable_limit::kAddress);
-    upload_all(device, build, maps, slots, settings);
     for (std::size_t i = 0; i < maps.maps.size(); ++i) {
       const MapTable& table = maps.maps[i].table;
       report.tables.push_back({slots[i], table.crc(), table.pool_bytes()});
     }
+    const bool other_limit =
+        is_other_limit(device, report.tables, *limit_before, undecidable_limit(maps.maps.back().table, settings));
+    // Before the tables: if we are killed among them, the limit is in its register, and the next upload sees no change.
+    if (other_limit) stop();
+    upload_all(device, build, maps, slots, settings);
 
     // Whether the machine watches for what goes blind is decided by who teaches it.
     std::erase_if(words, [&](const RegisterWord& word) {
       return word.address == reg::blocks::kAddress || device.read(word.address) == word.value;
     });
-    const bool other_limit =
-        is_other_limit(device, report.tables, *limit_before, undecidable_limit(maps.maps.back().table, settings));
-    if (!words.empty() || other_limit || must_stop_for(device, report.tables)) stop();
+    if (!words.empty() || must_stop_for(device, report.tables)) stop();
     if (other_limit) report.changed.push_back(register_name(reg::map_undecidable_limit::kAddress));
     for (const RegisterWord& word : words) {
       write_checked(device, word);

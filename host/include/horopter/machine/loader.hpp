@@ -29,7 +29,8 @@ struct LoadReport {
 /// First the tables, beside the one in use, which stays in use. Only when they are there, complete, by their CRCs, the
 /// settings, and the selection of the first table. Where a setting changes, the machine is stopped in between (it says
 /// not safe): no frame is made by old settings and a new table, or the other way round. All is read back.
-/// The limit on undecidable pixels belongs to its table: it is a setting where frames are made with the same one.
+/// The limit on undecidable pixels belongs to its table: it is a setting where frames are made with the same one. Where it
+/// changes, the machine is stopped before the tables.
 ///
 /// A machine for fields that holds more than one table is stopped before the tables, and they are taken out of it: who
 /// gives the fields selects two of them in turn.
