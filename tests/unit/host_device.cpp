@@ -1031,7 +1031,7 @@ TEST_CASE("A machine for fields is stopped for an upload, and keeps no table tha
   const LoadReport first = load_shifted(-8);
   CHECK_FALSE(first.stopped);  // it was not running
   // The even field in progress, its table selected: nothing says that the other table is in use, too.
-  device->send(textured(80, 48, 1), textured(80, 48, 2));
+  device->send(textured(160, 48, 1), textured(160, 48, 2));
   device->receive();
   const auto active = reg::map_status::kActiveSlot.get(device->read(reg::map_status::kAddress));
   REQUIRE(active == device->read(reg::table_select::kAddress));
