@@ -39,7 +39,7 @@ TEST_CASE("places that lie on the skin are said of each round in which no frame 
   config.alarm_before = 0;
   config.on_skin_limit = on_skin_limit_never;
   CHECK(frames_until(true, on) == kLong);
-  config.on_skin_limit = 24;  // of 32: half of the image is less
+  config.on_skin_limit = 24;                    // of 32: half of the image is less
   for (int i = 0; i < kRound; ++i) says(half);  // the round that was begun before
   CHECK(frames_until(false, half) < kLong);
   CHECK(frames_until(true, half) == kLong);
