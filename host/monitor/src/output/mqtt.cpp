@@ -74,9 +74,13 @@ class MqttPart : public Part {
     ticker_->stop();
     say_state(false, "the monitor has ended");
     const auto until = Clock::now() + kLastWait;
-    while (connected_ && waiting_ > 0 && Clock::now() < until)
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const auto wait_while = [&](auto condition) {
+      while (connected_ && condition() && Clock::now() < until)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    };
+    wait_while([&] { return waiting_ > 0; });
     mosquitto_disconnect(client_.get());
+    wait_while([] { return true; });  // its thread sends it: who stopped it at once would leave the last will instead
     mosquitto_loop_stop(client_.get(), true);
   }
   MqttPart(const MqttPart&) = delete;
