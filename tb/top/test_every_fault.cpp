@@ -422,16 +422,32 @@ void check_tables_in_turn(SceneBench<Build>& bench) {
   machine.upload(1, 500, bench.table);
   CHECK(machine.upload_error() == 0);
   unsigned slot = 1;
+  const auto* words = &bench.table;
   const auto is_out_of_step = [&](int right) {
     slot ^= 1U;
     machine.select(slot);
     machine.send({bench.view(0, 0), bench.view(right, 0)});
     const Published p = machine.receive();
-    CHECK(p.table_crc == bench.table.back());
+    CHECK(p.table_crc == words->back());
     return p.fault_names().contains("out_of_step");
   };
   for (int frame = 0; frame < 4; ++frame) CHECK_FALSE(is_out_of_step(2));
   for (int frame = 0; frame < 3; ++frame) CHECK(is_out_of_step(4) == fields);
+
+  // Each slot is written anew while the other one is in use: a skin that moves.
+  bench.restart();
+  for (int frame = 0; frame < 4; ++frame) CHECK_FALSE(is_out_of_step(2));
+  const auto [width, height, cell] = std::tuple{machine.options().width, machine.options().height, bench.cell_px()};
+  const auto moved = make_table(width, height, 4, 4, [=](double x, double y) { return std::pair{x + 2 * cell, y}; });
+  words = &moved;
+  for (int frame = 0; frame < 2; ++frame) {
+    const unsigned other = slot ^ 1U;
+    machine.upload(other, 500 * other, moved);
+    CHECK(machine.upload_error() == 0);
+    CHECK_FALSE(is_out_of_step(2));
+  }
+  machine.write(reg::control::kAddress, 0);
+  machine.upload(0, 0, bench.table);
 }
 
 /// What only a scene tells: whether both cameras see it, and from where.

@@ -301,7 +301,10 @@ TEST_CASE("tables: none, of a wrong CRC, of another size, into one in use", "[fa
     CHECK_FALSE(p.safe_pin);
     watch.machine.select(4);
     watch.machine.send(watch.scene());
-    CHECK(watch.receive().fault_names() == Faults{"no_table"});
+    const Published without = watch.receive();
+    CHECK(without.fault_names() == Faults{"no_table"});
+    CHECK(reg::frame_status::kSlot.get(without.status) == reg::kNoSlot);
+    CHECK(reg::map_status::kActiveSlot.get(watch.machine.read(reg::map_status::kAddress)) == 4);
   }
   SECTION("of another size") {
     watch.machine.upload(4, 600, plane_table(kWidth, kHeight + 16, -2));

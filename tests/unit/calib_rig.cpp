@@ -138,7 +138,7 @@ TEST_CASE("a rig survives export to OpenCV and ROS") {
 
 TEST_CASE("a camera's name that leads out of the directory is not exported to ROS") {
   Rig rig = example();
-  for (const char* const name : {"../../evil", "/tmp/evil", "a/b", ".", "..", ".hidden", "a\nb"}) {
+  for (const char* const name : {"../../evil", "/evil", "a/b", ".", "..", ".hidden", "a\nb"}) {
     CAPTURE(name);
     rig.cameras[1].name = name;
     CHECK_THROWS_WITH(to_ros(rig), Contains("expected one without '/'"));

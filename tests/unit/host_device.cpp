@@ -261,7 +261,11 @@ TEST_CASE("Without a table everything is unsupervised, and that is a fault") {
   CHECK(none.faults.names() == std::vector<std::string>{"no_table", "too_unsupervised"});
   CHECK(!none.safe);
   small.monitor.select(7);  // never uploaded
-  CHECK(small.frame(2).faults.names().front() == "no_table");
+  const auto empty = small.frame(2);
+  CHECK(empty.faults.names().front() == "no_table");
+  CHECK(empty.table == 15);
+  // As the hardware says it (tb/top/test_faults.cpp).
+  CHECK(reg::map_status::kActiveSlot.get(small.monitor.device().read(reg::map_status::kAddress)) == 7);
 }
 
 TEST_CASE("Limits on what cannot be judged are faults") {

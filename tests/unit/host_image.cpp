@@ -643,7 +643,7 @@ TEST_CASE("Results are complete or not there") {
   CHECK(std::distance(std::filesystem::directory_iterator(directory / "deep"), {}) == 1);
   CHECK_THROWS_AS(OutputDirectory(directory.write("file", "x")), FileError);
   OutputDirectory output(results);
-  for (const char* const name : {"", ".", "..", "../up.txt", "sub/file.txt", "/tmp/file.txt", "file/"}) {
+  for (const char* const name : {"", ".", "..", "../up.txt", "sub/file.txt", "/file.txt", "file/"}) {
     CAPTURE(name);
     CHECK_THROWS_AS(output.write(name, "x"), FileError);
   }

@@ -79,10 +79,10 @@ class NativeDevice : public Device {
   std::uint32_t irq_status_ = 0;
 
   std::array<std::optional<Table>, 15> tables_;
-  int active_slot_ =
-      registers::kNoSlot;  ///< selected for the first of `pending_`, from its arrival on, or the frame before
-  std::optional<std::uint32_t> crc_before_, crc_two_before_;  ///< of the tables with which the last frames began
+  /// Selected for the first of `pending_`, from its arrival on, or for the frame before.
+  int active_slot_ = registers::kNoSlot;
   bool has_table_ = false;                                    ///< the active slot
+  std::optional<std::uint32_t> crc_before_, crc_two_before_;  ///< of the tables with which the last frames began
   bool same_table_ = false;                                   ///< as the frame before of this field
   Faults frame_faults_pending_;                               ///< of the control side since the last frame
   bool uploading_ = false;
