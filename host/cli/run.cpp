@@ -243,25 +243,155 @@ void check_pairs_follow(const RunOptions& options, std::size_t pairs) {
                   fmt::format("more than the {} pairs of --teach", options.teach));
 }
 
-/// What a run made that did not get to its end.
-void keep_incomplete(OutputDirectory& output, nlohmann::ordered_json summary, const std::string& reason) noexcept {
-  try {
-    const std::size_t frames = summary["frames"].size();
-    if (frames == 0) return;
-    summary["incomplete"] = true;
-    summary["reason"] = reason;
-    std::string unmarked;
-    try {
-      output.write("summary.json", json_text(summary) + "\n");
-    } catch (const FileError& error) {
-      unmarked = fmt::format(", without summary.json: {}", error.what());
-    }
-    const auto place = output.keep_incomplete();
-    fmt::print(stderr, "horopter: the run is incomplete; its first {} frames are in {}{}\n", frames, place.string(),
-               unmarked);
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "horopter: %s\n", error.what());
+/// The summary of what holds for every frame, which is also printed.
+nlohmann::ordered_json begin_summary(Session& session, const RunOptions& options) {
+  const bool print = !options.json;
+  auto summary = summary_json(session.device().engine(), session.profile->name);
+  summary["restart"] = "by itself";
+  summary["clear_is_earned"] = session.settings.proof.needed;
+  if (print) fmt::print("restart: by itself; after an alarm or a fault nobody has to say that all is well\n");
+  if (!session.settings.proof.needed && print) {
+    fmt::print(
+        "unproven: clear means only that the images do not agree; both cameras are not shown to see the place\n");
   }
+  summary["object"] = {{"px", std::round(10 * session.settings.object_px) / 10},
+                       {"pixels", object_limit(session.settings, *session.profile)},
+                       {"judgeable_pixels", session.judgeable_pixels},
+                       {"in_mm", session.follower->in_mm()}};
+  const double area_limit_mm2 = object_area_limit_mm2(session.settings);
+  summary["object"]["limit"] = area_limit_mm2 > 0 ? "area" : "pixels";
+  if (area_limit_mm2 > 0) {
+    summary["object"]["mm"] = session.settings.object_mm;
+    summary["object"]["area_mm2"] = area_limit_mm2;
+  }
+  if (session.results_per_s) summary["frame_rate_per_s"] = *session.results_per_s;
+  if (print) {
+    fmt::print("object: {}{}\n",
+               object_text(session.object, session.settings, *session.profile, session.judgeable_pixels),
+               session.follower->in_mm() ? "" : "; this skin knows no rig: nothing is known in mm");
+  }
+  if (session.thickness) {
+    summary.update(session.thickness->json());
+    if (print) fmt::print("{}\n", session.thickness->text(session.settings));
+  }
+  report_rows(session.settings.decision, session.has_rig, summary, options.json);
+  if (session.moving) {
+    const MovingMaps& maps = session.moving->maps();
+    summary["motion"] = {{"tables", maps.steps.size()}, {"inserted", maps.inserted}, {"d95_px", session.d95_px}};
+    if (print) {
+      fmt::print(
+          "the skin moves in {} tables, planned for a tolerance of {:.2f} px (D95); {} of them are intermediate skins, "
+          "by which it comes later\n",
+          maps.steps.size(), session.d95_px, maps.inserted);
+    }
+  }
+  add_warnings(summary);
+  return summary;
+}
+
+/// The pictures and the summary of a run: whole at its end. If that does not come, what there is of them is kept, marked
+/// as incomplete; also where a signal ends the program.
+class Recording {
+ public:
+  Recording(OutputDirectory& output, nlohmann::ordered_json summary) : output_(output), summary_(std::move(summary)) {}
+
+  void add_taught(const Session& session, const BlindWatch& watch, std::size_t pairs, bool json) {
+    const std::lock_guard lock(mutex_);
+    report_taught(watch, pairs, session.settings.blind, summary_, json);
+  }
+  [[nodiscard]] bool has_taught() const { return summary_.contains("taught"); }
+
+  void add_frame(int frame, const NamedImage& left, const NamedImage& right, const FrameResult& result,
+                 const std::vector<TrackedObject>& objects, const RunOptions& options, bool counts_cycles) {
+    const std::lock_guard lock(mutex_);
+    write_frame(output_, frame, left.image, result, objects, options.overlay);
+    summary_["frames"].push_back(frame_json(frame, left.name, right.name, result, objects, counts_cycles));
+  }
+
+  void complete() {
+    const std::lock_guard lock(mutex_);
+    output_.write("summary.json", json_text(summary_) + "\n");
+    output_.commit();
+    ended_ = true;
+  }
+  void keep_incomplete(const std::string& reason) noexcept {
+    const std::lock_guard lock(mutex_);
+    if (!ended_) keep(reason);
+    ended_ = true;
+  }
+
+  /// Of a run that is complete.
+  [[nodiscard]] const nlohmann::ordered_json& summary() const { return summary_; }
+
+ private:
+  void keep(const std::string& reason) noexcept {
+    try {
+      const std::size_t frames = summary_["frames"].size();
+      if (frames == 0) return;
+      summary_["incomplete"] = true;
+      summary_["reason"] = reason;
+      std::string unmarked;
+      try {
+        output_.write("summary.json", json_text(summary_) + "\n");
+      } catch (const FileError& error) {
+        unmarked = fmt::format(", without summary.json: {}", error.what());
+      }
+      const auto place = output_.keep_incomplete();
+      fmt::print(stderr, "horopter: the run is incomplete; its first {} frames are in {}{}\n", frames, place.string(),
+                 unmarked);
+    } catch (const std::exception& error) {
+      std::fprintf(stderr, "horopter: %s\n", error.what());
+    }
+  }
+
+  std::mutex mutex_;  // what a signal must find in order: the directory, the summary and whether they have ended
+  OutputDirectory& output_;
+  nlohmann::ordered_json summary_;
+  bool ended_ = false;
+  const BeforeEnding before_ending_{[this] {
+    mutex_.lock();
+    if (!ended_) keep("stopped by a signal");
+  }};
+};
+
+struct Supervised {
+  int frames = 0;
+  bool fault = false;  ///< in any of them
+};
+
+/// From `pair` to the last one that `options` ask for.
+Supervised supervise(const RunOptions& options, Session& session, PairSource& pairs, std::optional<FramePair> pair,
+                     Recording& recording) {
+  Progress progress("supervising pair");
+  Supervised done;
+  std::size_t shown = 0;
+  for (; pair; pair = pairs.next()) {
+    if (options.teach != 0 && shown == options.teach) {
+      progress.clear();
+      recording.add_taught(session, session.monitor().blind_watch(), shown, options.json);
+      session.monitor().teach(false);
+    }
+    for (const FrameResult& result : session.process(pair->left, pair->right)) {
+      const std::vector<TrackedObject> objects = session.follow(done.frames, result);
+      recording.add_frame(done.frames, pair->left, pair->right, result, objects, options,
+                          session.device().counts_cycles());
+      done.fault = done.fault || result.faults.without(Fault::teaching).any();
+      if (!options.json) {
+        progress.clear();
+        print_frame(done.frames, result);
+      }
+      ++done.frames;
+    }
+    progress.show(++shown, pairs.count());
+    if (options.frames != 0 && shown == options.frames) break;
+    if (pairs.is_live() && asked_to_stop()) break;  // that is how it ends
+  }
+  progress.clear();
+  if (options.teach != 0 && !recording.has_taught()) {
+    recording.add_taught(session, session.monitor().blind_watch(), shown, options.json);
+    check_pairs_follow(options, shown);
+  }
+  return done;
 }
 
 ExitStatus run(const RunOptions& options) {
@@ -277,123 +407,39 @@ ExitStatus run(const RunOptions& options) {
   check_skin_file(options.skin);
   PairSource pairs(options.left, options.right, options.pair_by_order ? PairNumbers::ignored : PairNumbers::must_agree);
   for (const std::string& text : pairs.warnings()) warn(text);
-  const auto count = pairs.count();
-  if (count) check_pairs_follow(options, *count);
+  if (const auto count = pairs.count()) check_pairs_follow(options, *count);
   auto pair = pairs.next();
   if (!pair) throw FileError(options.left.front(), "", "there is no image", "at least one");
 
   Session session(options, rig, pair->left);
-  const Device& device = session.device();
-  auto summary = summary_json(device.engine(), session.profile->name);
-  summary["restart"] = "by itself";
-  summary["clear_is_earned"] = session.settings.proof.needed;
-  if (!options.json) fmt::print("restart: by itself; after an alarm or a fault nobody has to say that all is well\n");
-  if (!session.settings.proof.needed && !options.json) {
-    fmt::print(
-        "unproven: clear means only that the images do not agree; both cameras are not shown to see the place\n");
-  }
-  summary["object"] = {{"px", std::round(10 * session.settings.object_px) / 10},
-                       {"pixels", object_limit(session.settings, *session.profile)},
-                       {"judgeable_pixels", session.judgeable_pixels},
-                       {"in_mm", session.follower->in_mm()}};
-  const double area_limit_mm2 = object_area_limit_mm2(session.settings);
-  summary["object"]["limit"] = area_limit_mm2 > 0 ? "area" : "pixels";
-  if (area_limit_mm2 > 0) {
-    summary["object"]["mm"] = session.settings.object_mm;
-    summary["object"]["area_mm2"] = area_limit_mm2;
-  }
-  if (session.results_per_s) summary["frame_rate_per_s"] = *session.results_per_s;
-  if (!options.json) {
-    fmt::print("object: {}{}\n",
-               object_text(session.object, session.settings, *session.profile, session.judgeable_pixels),
-               session.follower->in_mm() ? "" : "; this skin knows no rig: nothing is known in mm");
-  }
-  if (session.thickness) {
-    summary.update(session.thickness->json());
-    if (!options.json) fmt::print("{}\n", session.thickness->text(session.settings));
-  }
-  report_rows(session.settings.decision, session.has_rig, summary, options.json);
-  if (session.moving) {
-    const MovingMaps& maps = session.moving->maps();
-    summary["motion"] = {{"tables", maps.steps.size()}, {"inserted", maps.inserted}, {"d95_px", session.d95_px}};
-    if (!options.json) {
-      fmt::print(
-          "the skin moves in {} tables, planned for a tolerance of {:.2f} px (D95); {} of them are intermediate skins, "
-          "by which it comes later\n",
-          maps.steps.size(), session.d95_px, maps.inserted);
-    }
-  }
-  add_warnings(summary);
+  auto summary = begin_summary(session, options);
   if (options.teach != 0) {
     session.monitor().teach(true);
-    if (!options.json)
+    if (!options.json) {
       fmt::print("teaching: the zone must be empty for {} pairs; none of them is safe\n", options.teach);
+    }
   }
-  Progress progress("supervising pair");
-  ExitStatus status = ExitStatus::done;
-  int frame = 0;
-  std::mutex results;  // what a signal must find in order: `output`, `summary` and this
-  bool complete = false;
-  const BeforeEnding before_ending([&] {
-    results.lock();
-    if (!complete) keep_incomplete(output, summary, "stopped by a signal");
-  });
+  Recording recording(output, std::move(summary));
+  Supervised done;
   try {
-    std::size_t shown = 0;
-    while (pair) {
-      if (options.teach != 0 && shown == options.teach) {
-        progress.clear();
-        const std::lock_guard lock(results);
-        report_taught(session.monitor().blind_watch(), shown, session.settings.blind, summary, options.json);
-        session.monitor().teach(false);
-      }
-      for (const FrameResult& result : session.process(pair->left, pair->right)) {
-        const std::vector<TrackedObject> objects = session.follow(frame, result);
-        {
-          const std::lock_guard lock(results);
-          write_frame(output, frame, pair->left.image, result, objects, options.overlay);
-          summary["frames"].push_back(
-              frame_json(frame, pair->left.name, pair->right.name, result, objects, device.counts_cycles()));
-        }
-        if (result.faults.without(Fault::teaching).any()) status = ExitStatus::fault;
-        if (!options.json) {
-          progress.clear();
-          print_frame(frame, result);
-        }
-        ++frame;
-      }
-      progress.show(++shown, count);
-      if (options.frames != 0 && shown == options.frames) break;
-      if (pairs.is_live() && asked_to_stop()) break;  // that is how it ends
-      pair = pairs.next();
-    }
-    progress.clear();
-    const std::lock_guard lock(results);
-    if (options.teach != 0 && !summary.contains("taught")) {
-      report_taught(session.monitor().blind_watch(), shown, session.settings.blind, summary, options.json);
-      check_pairs_follow(options, shown);
-    }
-    output.write("summary.json", json_text(summary) + "\n");
-    output.commit();
-    complete = true;
+    done = supervise(options, session, pairs, std::move(pair), recording);
+    recording.complete();
   } catch (const std::exception& error) {
-    progress.clear();
-    const std::lock_guard lock(results);
-    keep_incomplete(output, std::move(summary), error.what());
+    recording.keep_incomplete(error.what());
     throw;
   }
   if (options.json) {
-    std::puts(json_text(summary).c_str());
+    std::puts(json_text(recording.summary()).c_str());
   } else {
-    const auto& frames = summary["frames"];
+    const auto& frames = recording.summary()["frames"];
     const auto alarms = std::ranges::count_if(frames, [](const auto& f) { return f["alarm"].template get<bool>(); });
-    std::printf("%d frames, %td with alarm; pictures and summary.json are in %s\n", frame, alarms, options.out.c_str());
+    std::printf("%d frames, %td with alarm; pictures and summary.json are in %s\n", done.frames, alarms,
+                options.out.c_str());
   }
-  if (status == ExitStatus::fault) {
-    std::fprintf(stderr, "horopter: at least one frame has a fault; see `faults` in %s/summary.json\n",
-                 options.out.c_str());
-  }
-  return status;
+  if (!done.fault) return ExitStatus::done;
+  std::fprintf(stderr, "horopter: at least one frame has a fault; see `faults` in %s/summary.json\n",
+               options.out.c_str());
+  return ExitStatus::fault;
 }
 
 }  // namespace
