@@ -117,7 +117,7 @@ class Agreement {
     u<8> unproven_limit;       // largest share of the textured cells that may not be seen, in 1/256
     u<8> unproven_skin_limit;  // the same of the textured cells of the skin alone
     u<8> hidden_limit;         // largest share of the cells that may be nearer, in 1/256
-    u<8> hidden_frames;        // for so many frames in a row, 1 to 128; 0 = never
+    u<8> hidden_frames;        // for so many frames in a row, 1 to 255; 0 = never by this
     // 1/32 cell: a median of the displacement across the rows that is too large, of the image or, in opposite
     // directions (one that is rolled or enlarged), of two halves of it.
     u<6> moved_limit;

@@ -75,8 +75,7 @@ double skew_ms(const monitor::Cell& cell, const SkinInSpace* place, const Machin
   }
   const ThicknessPlan plan =
       plan_thickness(place->skin->cameras(), *place->skin->surface(), profile, geometry, tolerance_px);
-  const calib::CameraModel& left = place->skin->cameras().left().model;
-  const double mm_per_px = plan.distance.smallest / (std::max(left.fx_px(), left.fy_px()) / profile.subsample);
+  const double mm_per_px = plan.least_way_mm * profile.subsample;
   const double most_ms = monitor::largest_skew_ms(tolerance_px, mm_per_px, cell.object_speed_m_s);
   if (!std::isfinite(most_ms)) fail("nothing of the skin is supervised");
   return std::min(most_ms, cell.period_ms() / 2);

@@ -88,8 +88,10 @@ void add_settings(CLI::App& command, Settings& settings) {
       "Do not ask that both cameras are shown to see the same world: a covered, wrong or moved camera then reads clear. "
       "For images that are no scene");
   command
-      .add_option("--hidden-frames", settings.proof.hidden_frames,
-                  "Fault when something has stood between cameras and skin for this many frames, 0 = never")
+      .add_option(
+          "--hidden-frames", settings.proof.hidden_frames,
+          "Fault when something has stood between cameras and skin for this many frames; with 0 only where most of "
+          "another table's skin is hidden in its first frame")
       ->check(within(0, 128, "frames"))
       ->type_name("N")
       ->capture_default_str();

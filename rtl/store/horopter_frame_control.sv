@@ -75,7 +75,7 @@ module horopter_frame_control (
     input  logic              verdict_valid_i,  // what both cameras see, together
     input  horopter_csr_pkg::verdict_t verdict_i,
     output logic              publish_o,
-    output logic              forget_o,  // the last published frame taught, but not what is true
+    output logic              forget_o,  // the last published frame taught, but perhaps not what is true
     // the last published frame
     output logic [      31:0] frame_sequence_o,
     output logic              frame_seen_o,  // what would be an alarm without alarm_frames_i
@@ -379,15 +379,25 @@ module horopter_frame_control (
     end
   end
 
-  // With a fault of its own, or an alarm, what a frame has taught says nothing of an empty zone.
+  // With a fault of its own, or an alarm, what a frame has taught says nothing of an empty zone. What both cameras see of a
+  // frame is known of the one before it, and in part of the one before that: neither may have had any, whether it taught
+  // or not.
   horopter_csr_pkg::faults_t beside_teaching;
   always_comb begin
     beside_teaching = total_q;
     beside_teaching.machine.teaching = 1'b0;
   end
+  logic spoiled;
+  logic [1:0] spoiled_before_q;
+  assign spoiled = beside_teaching != '0 || seen;
   always_ff @(posedge clk_i) begin
-    if (!rst_ni) forget_o <= 1'b0;
-    else if (publish_q) forget_o <= teaching_i && (beside_teaching != '0 || seen);
+    if (!rst_ni) begin
+      forget_o <= 1'b0;
+      spoiled_before_q <= 2'b00;
+    end else if (publish_q) begin
+      forget_o <= teaching_i && (spoiled || spoiled_before_q != 2'b00);
+      spoiled_before_q <= {spoiled_before_q[0], spoiled};
+    end
   end
 
   logic no_table_q;  // the frame's table does not change before it is published

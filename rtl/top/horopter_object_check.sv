@@ -26,6 +26,7 @@ module horopter_object_check #(
     input  horopter_csr_pkg::blocks_t             blocks_i,
     input  logic                                  begin_i,  // a frame; of the one before it nothing is an alarm any more
     input  logic                                  forget_i,  // what was taught; before a frame begins
+    input  logic                                  compete_i,  // the frame's rule: what another has taught is forgotten
     output logic                                  pixel_valid_o,
     output logic                                  pixel_first_o,
     output logic                                  pixel_last_o,
@@ -52,6 +53,12 @@ module horopter_object_check #(
     input  logic                                  m_axis_objects_tready
 );
   // Pixels leave it some rows after they came: the idle beats of `objects` begin when it is done.
+  logic forget, compete_before_q;
+  assign forget = forget_i || compete_i != compete_before_q;
+  always_ff @(posedge clk_i) begin
+    if (!rst_ni) compete_before_q <= 1'b0;
+    else if (BLIND && state_valid_i && state_first_i) compete_before_q <= compete_i;
+  end
   logic blind_idle_q, blind_valid, there, blind, pixel_first, pixel_last, blind_done, taught;
   logic [1:0] pixel_state;
   if (BLIND) begin : g_blind
@@ -68,7 +75,7 @@ module horopter_object_check #(
         .cfg_height_i(height_i),
         .cfg_watch_i(blocks_i.watch),
         .cfg_teach_i(blocks_i.teach),
-        .cfg_forget_i(forget_i),
+        .cfg_forget_i(forget),
         .cfg_blind_margin_i(blocks_i.margin),
         .valid_o(blind_valid),
         .there_o(there),
@@ -84,7 +91,7 @@ module horopter_object_check #(
   end else begin : g_no_blind
     assign {blind_valid, there, pixel_state, blind, pixel_first, pixel_last, blind_done, taught} = '0;
     logic unused_blind;
-    assign unused_blind = ^{width_i, height_i, blocks_i, forget_i, blind_idle_q};
+    assign unused_blind = ^{width_i, height_i, blocks_i, forget, blind_idle_q};
   end
   logic looks_q, pixel_valid;
   always_ff @(posedge clk_i) looks_q <= BLIND && (blocks_i.watch || blocks_i.teach);  // all through the frame
@@ -107,7 +114,7 @@ module horopter_object_check #(
       taught_frames_o <= 16'd0;
     end else if (BLIND && state_valid_i && state_first_i) begin
       taught_before_q <= blocks_i.teach;
-      if (forget_i || (blocks_i.teach && !taught_before_q)) taught_frames_o <= 16'd0;
+      if (forget || (blocks_i.teach && !taught_before_q)) taught_frames_o <= 16'd0;
       else if (taught_before_q && taught_frames_o != 16'hFFFF) taught_frames_o <= taught_frames_o + 16'd1;
     end
   end

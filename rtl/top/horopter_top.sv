@@ -1151,6 +1151,7 @@ module horopter_top #(
       .height_i(result_height),
       .blocks_i(sampled_blocks),
       .forget_i(forget),
+      .compete_i(sampled_compete),
       .pixel_valid_o(pixel_valid),
       .pixel_first_o(pixel_first),
       .pixel_last_o(pixel_last),

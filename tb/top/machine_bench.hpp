@@ -243,6 +243,8 @@ class Machine : public Endpoint {
   void configure() {
     write(reg::control::kAddress, 0);
     dim_before_ = false;
+    spoiled_before_ = 0;
+    compete_before_ = 0;
     write(reg::mode::kAddress, options_.live ? reg::mode::kLive.put(1) : 0);
     write(reg::interlock::kAddress, options_.interlock);
     write(reg::alarm_frames::kAddress, alarm_frames);
@@ -357,6 +359,7 @@ class Machine : public Endpoint {
   native::Settings frame_settings() const {
     native::Settings settings = settings_;
     settings.dim = settings_.dim != 0 && settings_.teach != 0 && !dim_before_ ? 1 : 0;
+    settings.forget = settings_.forget != 0 || settings_.compete != compete_before_ ? 1 : 0;
     if (settings.dim != 0)
       settings.undecidable_limit = static_cast<int>(options_.width * options_.height) / profile().subsample;
     return settings;
@@ -379,7 +382,10 @@ class Machine : public Endpoint {
   void check_frame(const Published& p, const FramePair& pair, const std::vector<std::uint32_t>& table) {
     const native::FrameResult e = expected(pair, table);
     dim_before_ = frame_settings().dim != 0;
-    settings_.forget = settings_.teach != 0 && (e.alarm || e.object_overflow) ? 1 : 0;
+    compete_before_ = settings_.compete;
+    const bool spoiled = e.alarm || e.object_overflow;
+    settings_.forget = settings_.teach != 0 && (spoiled || spoiled_before_ != 0) ? 1 : 0;
+    spoiled_before_ = (spoiled_before_ << 1U | static_cast<unsigned>(spoiled)) & 3U;
     std::set<std::string> faults;
     if (e.object_overflow) faults.insert("objects");
     if (settings_.teach != 0) faults.insert("teaching");
@@ -491,6 +497,8 @@ class Machine : public Endpoint {
   std::unique_ptr<native::Engine> engine_;
   native::Settings settings_;
   bool dim_before_ = false;
+  unsigned spoiled_before_ = 0;
+  int compete_before_ = 0;
   unsigned frames_done_ = 0, frames_taken_ = 0;
   bool last_good_ = false, safe_was_low_ = false, both_equal_ = false;
 };

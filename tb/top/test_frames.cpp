@@ -742,10 +742,10 @@ TEST_CASE("objects leave as a stream; a reader that is too slow loses some, and 
   slow_reader_of_objects<Vhoropter_machine_hd>("hd", false, 320, 200);
 }
 
-/// Taught, not watched and watched in turn, every frame as the native engine has it.
+/// Taught, not watched and watched in turn, by one rule or by both, every frame as the native engine has it.
 template <class Model>
-void went_blind(const std::string& profile, bool compete, unsigned width, unsigned height) {
-  CAPTURE(profile, compete);
+void went_blind(const std::string& profile, bool compete, unsigned width, unsigned height, bool both = false) {
+  CAPTURE(profile, compete, both);
   Rng rng{"blind"};
   MachineOptions options{width, height, 16, false};
   options.gaps_percent = options.stalls_percent = 20;
@@ -757,7 +757,7 @@ void went_blind(const std::string& profile, bool compete, unsigned width, unsign
   settings.compete = compete ? 1 : 0;
   settings.object_limit = 400;
   unsigned blind = 0, seeing = 0, teaching = 0, dim = 0, forgotten = 0, frames_taught = 0;
-  bool taught_before = false, forgets = false;
+  bool taught_before = false;
   for (unsigned frame = 0; frame < 24; ++frame) {
     CAPTURE(frame);
     settings.teach = frame < 3 || rng.chance(3) ? 1 : 0;
@@ -765,6 +765,8 @@ void went_blind(const std::string& profile, bool compete, unsigned width, unsign
     settings.watch = frame < 6 || !rng.chance(3) ? 1 : 0;
     settings.blind_margin = static_cast<int>(rng.below(24));
     settings.dim = rng.chance(3) ? 0 : 1;
+    if (both && rng.chance(6)) settings.compete = 1 - settings.compete;
+    const bool forgets = machine.frame_settings().forget != 0;
     dim += machine.frame_settings().dim != 0 ? 1 : 0;
     machine.write_limits();
     const FramePair pair = random_pair(width, height, -6, rng);
@@ -780,7 +782,6 @@ void went_blind(const std::string& profile, bool compete, unsigned width, unsign
     CHECK(taught == (forgets || (settings.teach != 0 && !taught_before) ? 0 : frames_taught + (taught_before ? 1 : 0)));
     frames_taught = taught;
     taught_before = settings.teach != 0;
-    forgets = settings.forget != 0;
     forgotten += forgets ? 1 : 0;
   }
   CHECK(blind >= 3);
@@ -809,6 +810,7 @@ TEST_CASE("what went blind counts as an object, as natively", "[top]") {
   went_blind<Vmachine_vga_thesis>("vga", false, 150, 90);
   went_blind<Vmachine_vga_compete>("vga", true, 150, 90);
   went_blind<Vhoropter_machine_field>("field", false, 300, 83);
+  went_blind<Vhoropter_machine_vga>("vga", false, 150, 90, true);
 }
 
 }  // namespace

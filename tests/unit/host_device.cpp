@@ -525,11 +525,93 @@ TEST_CASE("So it does in its own frame") {
   FrameResult result;
   for (int i = 0; i < 40 && !result.safe; ++i) result = supervisor.process(left, moved(left, -22, 0)).front();
   REQUIRE(result.safe);
-  for (const int shift_px : {-22, -22, -6}) result = supervisor.process(left, moved(left, shift_px, 0)).front();
+  const bool teaches = GENERATE(false, true);  // then each alarm counts
+  CAPTURE(teaches);
+  for (const int shift_px : {-22, -22, -6}) {
+    supervisor.monitor().teach(teaches && shift_px == -6);
+    result = supervisor.process(left, moved(left, shift_px, 0)).front();
+  }
   CAPTURE(result.faults.names());
   CHECK(result.seen);
   CHECK(!result.safe);
-  CHECK(result.faults.has(Fault::overlooked) == (needed == 2));
+  CHECK(result.faults.has(Fault::overlooked) == (needed == 2 && !teaches));
+}
+
+TEST_CASE("What follows a frame with a fault teaches nothing: what both cameras see is known of the frames before") {
+  const MachineProfile& profile = find_profile("vga");
+  constexpr int kW = 320, kH = 240, kCoarse_px = 5;
+  const auto moved_behind = [](const Image& left) { return moved(left, -22, 0); };
+  const Image empty = enlarged(textured(kW / kCoarse_px, kH / kCoarse_px, 1), kCoarse_px);
+  const auto with_plain = [&](int from_x, int to_x) {
+    Image image = empty;
+    for (int y = 60; y < 180; ++y) {
+      std::fill(image.pixels.begin() + y * kW + from_x, image.pixels.begin() + y * kW + to_x, std::uint8_t{120});
+    }
+    return image;
+  };
+  Image covered = moved_behind(empty);
+  for (int y = 0; y < kH; ++y) {
+    std::fill(covered.pixels.begin() + y * kW + kW / 3, covered.pixels.begin() + (y + 1) * kW, std::uint8_t{0});
+  }
+  SkinFile skin;
+  skin.path = "skin";
+  skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -6, 0, 1, 0, 0, 0, 1});
+  Settings settings;
+  settings.blind.watch = true;
+  settings.undecidable_percent = 100;
+  settings.still_limit = settings.frozen_limit = 0;
+  Supervisor supervisor(make_native_device(profile), profile, compile_maps(skin, profile, kW, kH), settings);
+  Monitor& monitor = supervisor.monitor();
+  const auto process = [&](const Image& left, const Image& right) { return supervisor.process(left, right).front(); };
+  FrameResult result;
+  for (int i = 0; i < 40 && !result.safe; ++i) {
+    monitor.teach(i < 2);
+    result = process(empty, moved_behind(empty));
+  }
+  CAPTURE(result.faults.names());
+  REQUIRE(result.safe);
+  const bool before = GENERATE(false, true);  // the fault comes before the teaching
+  CAPTURE(before);
+  if (before) process(empty, covered);
+  monitor.teach(true);
+  if (!before) {
+    CHECK(process(empty, moved_behind(empty)).faults.names() == std::vector<std::string>{"teaching"});
+    CHECK(monitor.blind_watch().taught() == 1);
+    CHECK(process(empty, covered).faults.without(Fault::teaching).any());
+    CHECK(monitor.blind_watch().taught() == 0);
+  }
+  for (int after = 1; after <= 4; ++after) {
+    CAPTURE(after);
+    result = process(empty, moved_behind(empty));
+    CHECK(monitor.blind_watch().taught() == std::max(0, after - 2));
+  }
+  monitor.teach(false);
+  CHECK_FALSE(process(empty, moved_behind(empty)).alarm);
+  CHECK(monitor.device().read(reg::taught::kAddress) == 2);
+  const Image body = with_plain(200, 300);
+  CHECK(process(body, moved_behind(body)).alarm);
+}
+
+TEST_CASE("What one rule has taught is nothing that the other one knows") {
+  const auto device = make_native_device(find_profile("vga"));
+  const Build build = find_build(*device);
+  load(*device, build, small_maps(1), Settings{}.without_proof(), false, std::chrono::milliseconds(1));
+  write_checked(*device, blocks_word({.watch = true, .teach = true}));
+  // Frames before the one that has ended: each is one more, but for the first.
+  const auto taught = [&] {
+    device->send(textured(kWidth, kHeight, 1), moved(textured(kWidth, kHeight, 1), -6, 2));
+    device->receive();
+    return device->read(reg::taught::kAddress);
+  };
+  CHECK(taught() == 0);
+  CHECK(taught() == 1);
+  CHECK(taught() == 2);
+  for (const int compete : {1, 0}) {
+    CAPTURE(compete);
+    device->write(reg::decision::kAddress, reg::decision::kCompete.put(compete));
+    CHECK(taught() == 0);
+    CHECK(taught() == 1);
+  }
 }
 
 TEST_CASE("What changes in one image alone is out of step; with another table the right image is another one") {

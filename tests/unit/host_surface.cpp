@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
+#include <numbers>
 #include <optional>
 #include <random>
 
@@ -676,9 +677,41 @@ TEST_CASE("The thickness of a plane between parallel cameras is that of 11.1") {
     return c;
   };
   const CameraPair cameras(camera(0), camera(150));
-  const RigSkin skin(cameras, make_plane({0, 0, 800}, {0, 0, -1}), "plane");
-  const Point left{319.5, 239.5};
-  CHECK(cameras.thickness_mm(left, *skin.source(left), 0.7) == Approx(2 * 0.7 * 800 * 800 / (150 * 600.0)));
+  CHECK(cameras.thickness_mm({0, 0, 800}, {0, 0, -1}, 0.7) == Approx(2 * 0.7 * 800 * 800 / (150 * 600.0)));
+  // Within the plane a px is z / f; more is seen of what also moves towards the cameras.
+  CHECK(cameras.least_way_mm({0, 0, 800}, {0, 0, -1}) == Approx(800 / 600.0 / std::hypot(1, 150 / 800.0)));
+  CHECK(std::isnan(cameras.thickness_mm({0, 0, -800}, {0, 0, -1}, 0.7)));
+}
+
+TEST_CASE("Half a thickness off a skin, a thing is shown the tolerance beside itself, however aslant it is seen") {
+  const auto camera = [](double x, double turn) {
+    calib::Camera c{
+        "", 640, 480, calib::CameraModel(calib::BrownConradyIntrinsics{800, 800, 319.5, 239.5, {-0.1}}), {}};
+    c.world_to_camera.rotation = Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitY()).toRotationMatrix();
+    c.world_to_camera.translation_mm = -(c.world_to_camera.rotation * Eigen::Vector3d(x, 0, 0));
+    return c;
+  };
+  const CameraPair cameras(camera(-100, 0.1), camera(100, -0.05));
+  for (const double slope_deg : {-58.0, -30.0, 0.0, 40.0, 58.0}) {
+    const double slope = slope_deg * std::numbers::pi / 180;
+    const Eigen::Vector3d normal(std::sin(slope), 0.1, -std::cos(slope));
+    const RigSkin skin(cameras, make_plane({0, 0, 600}, normal), "plane");
+    for (const Point left : {Point{300, 200}, Point{360, 260}}) {
+      INFO(slope_deg << " degrees, at " << left.x << ", " << left.y);
+      const auto place = cameras.place_mm(left, skin.source(left).value()).value();
+      constexpr double kTolerance_px = 0.02;  // small, as the thickness is of first order
+      const double thickness_mm = cameras.thickness_mm(place, normal.normalized(), kTolerance_px);
+      const Eigen::Vector3d sight = (place - cameras.left().world_to_camera.centre()).normalized();
+      const Eigen::Vector2d seen = cameras.right().project(place + thickness_mm / 2 * sight).value();
+      // The left pixel whose source that is.
+      Point shown = left;
+      for (int step = 0; step < 20; ++step) {
+        const Point source = skin.source(shown).value();
+        shown = {shown.x + 0.5 * (seen.x() - source.x), shown.y + 0.5 * (seen.y() - source.y)};
+      }
+      CHECK(std::hypot(shown.x - left.x, shown.y - left.y) == Approx(kTolerance_px).epsilon(0.02));
+    }
+  }
 }
 
 }  // namespace horopter

@@ -17,7 +17,8 @@ BlindWatch::BlindWatch(int width, int height, int side) : side_(side) {
   }
 }
 
-std::vector<std::uint8_t> BlindWatch::frame(const Image& states, const BlindSettings& settings, bool true_of_empty) {
+std::vector<std::uint8_t> BlindWatch::frame(const Image& states, const BlindSettings& settings, bool spoiled) {
+  spoiled_ = (spoiled_ << 1U | static_cast<unsigned>(spoiled)) & 7U;
   if (settings.teach && !teaching_) taught_ = 0;
   teaching_ = settings.teach;
   if (!settings.teach && !settings.watch) return {};
@@ -43,7 +44,7 @@ std::vector<std::uint8_t> BlindWatch::frame(const Image& states, const BlindSett
       });
     }
   }
-  if (settings.teach) taught_ = true_of_empty ? taught_ + 1 : 0;
+  if (settings.teach) taught_ = spoiled_ == 0 ? taught_ + 1 : 0;
   return blind;
 }
 

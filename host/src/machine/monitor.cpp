@@ -338,8 +338,8 @@ FrameResult Monitor::finish() {
   result.states = std::move(streams.states);
   BlindSettings blind = settings_.blind;
   blind.teach = result.faults.has(Fault::teaching);
-  const bool alone = !result.faults.without(Fault::teaching).any() && !result.seen;
-  result.blind = blind_watch_->frame(result.states, blind, alone);
+  const bool spoiled = result.faults.without(Fault::teaching).any() || result.seen;
+  result.blind = blind_watch_->frame(result.states, blind, spoiled);
   if (const auto pixels = std::ranges::count(result.blind, 1); pixels != result.blind_pixels) {
     throw DeviceError(
         fmt::format("the machine has {} blind pixels; by its states, and those that it was taught, there are {}",

@@ -342,7 +342,8 @@ void NativeDevice::reset_stream() {
   frame_ = {};
   hold();
   alarms_seen_ = kAllSeen;
-  taught_ = taught_before_ = forget_ = alarm_discounted_ = dim_ = false;
+  taught_ = taught_before_ = forget_ = alarm_discounted_ = dim_ = compete_before_ = false;
+  spoiled_before_ = 0;
   taught_frames_ = 0;
   active_slot_ = kNoTable;
   crc_before_ = crc_two_before_ = std::nullopt;
@@ -427,7 +428,7 @@ native::Settings NativeDevice::settings() const {
   native::Settings s;
   static_cast<hls::StageSettings&>(s) = stage_settings(word);
   s.lookahead = static_cast<int>(word(reg::lookahead::kAddress));
-  s.forget = forget_ ? 1 : 0;
+  s.forget = forget_ || (s.compete != 0) != compete_before_ ? 1 : 0;
   s.alarm_discounted = alarm_discounted_ ? 1 : 0;
   s.same_table = same_table_ ? 1 : 0;
   s.dim = s.dim != 0 && s.teach != 0 && !dim_ ? 1 : 0;
@@ -491,6 +492,7 @@ FrameStreams NativeDevice::receive() {
       table == nullptr ? empty_table(left.width, left.height) : std::vector<std::uint32_t>();
   const native::Settings settings = this->settings();
   dim_ = settings.dim != 0;
+  compete_before_ = settings.compete != 0;
   const auto result =
       engine_->process(view(left), view(right), native::TableView(table != nullptr ? table->words : none), settings);
 
@@ -523,7 +525,8 @@ FrameStreams NativeDevice::receive() {
   add(result.agreement.disagree, Fault::disagree);
   add(result.agreement.unproven, Fault::unproven);
   add(result.agreement.moved, Fault::moved);
-  const bool alarm = result.alarm && alarm_counts();
+  const bool teaches = faults.has(Fault::teaching);
+  const bool alarm = result.alarm && (teaches || alarm_counts());
   add(result.agreement.overlooked && !alarm, Fault::overlooked);
   add(result.agreement.out_of_step, Fault::out_of_step);
   add(result.agreement.hidden, Fault::hidden);
@@ -531,14 +534,15 @@ FrameStreams NativeDevice::receive() {
   add(result.agreement.unsharp_right, Fault::right_unsharp);
 
   taught_ = result.taught;
-  const bool teaches = faults.has(Fault::teaching);
-  if (forget_ || (teaches && !taught_before_)) {
+  if (settings.forget != 0 || (teaches && !taught_before_)) {
     taught_frames_ = 0;
   } else if (taught_before_) {
     taught_frames_ = std::min(taught_frames_ + 1, 0xFFFFU);
   }
   taught_before_ = teaches;
-  forget_ = faults.has(Fault::teaching) && (result.alarm || faults.without(Fault::teaching).any());
+  const bool spoiled = result.alarm || faults.without(Fault::teaching).any();
+  forget_ = teaches && (spoiled || spoiled_before_ != 0);
+  spoiled_before_ = (spoiled_before_ << 1U | static_cast<unsigned>(spoiled)) & 3U;
   const bool good = !faults.any() && !alarm;
   alarm_discounted_ = result.alarm && good;
   alarms_seen_ = faults.any() ? kAllSeen : alarms_seen_ << 1U | static_cast<std::uint32_t>(result.alarm);

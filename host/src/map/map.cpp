@@ -272,7 +272,9 @@ std::uint32_t MapSet::rig_crc() const {
 std::vector<double> thickness_mm(const MapTable& table, int weight_bits, const CameraPair& cameras,
                                  double tolerance_px) {
   const ScanGeometry& scan = table.geometry();
-  std::vector<double> thickness(static_cast<std::size_t>(scan.width) * scan.height, std::nan(""));
+  const auto at = [&](int x, int y) { return static_cast<std::size_t>(y) * scan.width + x; };
+  std::vector<Eigen::Vector3d> places(static_cast<std::size_t>(scan.width) * scan.height,
+                                      Eigen::Vector3d::Constant(std::nan("")));
   for (int y = 0; y < scan.height; ++y) {
     for (int x = 0; x < scan.width; ++x) {
       // Without the rounding to the weights, which would hide the shape.
@@ -280,8 +282,28 @@ std::vector<double> thickness_mm(const MapTable& table, int weight_bits, const C
       const auto source = *table.expand(x, y);
       const Point right{std::ldexp(static_cast<double>(source.x), -MapTable::kFractionBits),
                         std::ldexp(static_cast<double>(source.y), -MapTable::kFractionBits)};
-      thickness[static_cast<std::size_t>(y) * scan.width + x] = cameras.thickness_mm(
-          scan.to_frame({static_cast<double>(x), static_cast<double>(y)}), scan.to_frame(right), tolerance_px);
+      if (const auto place =
+              cameras.place_mm(scan.to_frame({static_cast<double>(x), static_cast<double>(y)}), scan.to_frame(right))) {
+        places[at(x, y)] = *place;
+      }
+    }
+  }
+  // From one neighbour to the other, or from the place itself to the only one.
+  const auto step = [&](int x, int y, int dx, int dy) -> Eigen::Vector3d {
+    const auto place = [&](int sign) {
+      const int to_x = x + sign * dx;
+      const int to_y = y + sign * dy;
+      const bool inside = to_x >= 0 && to_x < scan.width && to_y >= 0 && to_y < scan.height;
+      return inside && places[at(to_x, to_y)].allFinite() ? places[at(to_x, to_y)] : places[at(x, y)];
+    };
+    return place(1) - place(-1);
+  };
+  std::vector<double> thickness(places.size(), std::nan(""));
+  for (int y = 0; y < scan.height; ++y) {
+    for (int x = 0; x < scan.width; ++x) {
+      if (!places[at(x, y)].allFinite()) continue;
+      const Eigen::Vector3d normal = step(x, y, 1, 0).cross(step(x, y, 0, 1));
+      thickness[at(x, y)] = cameras.thickness_mm(places[at(x, y)], normal, tolerance_px);
     }
   }
   return thickness;

@@ -69,7 +69,7 @@ class Watcher {
       place.cosine = std::abs(hits[i].normal.dot(direction)) / direction.norm();
       place.at_mm = eye + hits[i].distance * direction;
       if (looks[i].reason != Reason::none || !frame_.holds(source)) continue;
-      place.across_mm = cameras_.thickness_mm(points_[i], source, tolerance_px_) * place.cosine;
+      place.across_mm = cameras_.thickness_mm(place.at_mm, hits[i].normal, tolerance_px_) * place.cosine;
       place.supervised = std::isfinite(place.across_mm);
     }
     return places;

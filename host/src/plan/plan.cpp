@@ -153,7 +153,7 @@ ThicknessPlan plan_thickness(const CameraPair& cameras, const Surface& surface, 
   plan.across_mm.assign(static_cast<std::size_t>(plan.pixels), std::nan(""));
   plan.mm_per_px = plan.across_mm;
   const Eigen::Matrix3d to_right = cameras.right().world_to_camera.rotation;
-  plan.face_width = std::numeric_limits<double>::infinity();
+  plan.face_width = plan.least_way_mm = std::numeric_limits<double>::infinity();
   Statistics distance;
   Statistics slope;
   Statistics sight;
@@ -176,11 +176,12 @@ ThicknessPlan plan_thickness(const CameraPair& cameras, const Surface& surface, 
       if (!geometry.holds(geometry.from_frame(look.source)) || look.reason == Reason::hidden) continue;
       ++plan.shared;
       plan.rows.add(look.reason);
-      const double along = cameras.thickness_mm(points[x], look.source, tolerance_frame_px);
-      if (look.reason != Reason::none || !std::isfinite(along)) continue;
-      ++plan.supervised;
       const Vector3d& direction = rays.directions[x];
       const Vector3d point = left_mm + hits[x].distance * direction;
+      const double along = cameras.thickness_mm(point, hits[x].normal, tolerance_frame_px);
+      if (look.reason != Reason::none || !std::isfinite(along)) continue;
+      ++plan.supervised;
+      plan.least_way_mm = std::min(plan.least_way_mm, cameras.least_way_mm(point, hits[x].normal));
       const double angle = slope_deg(hits[x].normal, axis.direction);
       const double thickness = along * std::abs(hits[x].normal.dot(direction)) / direction.norm();
       distance.add((point - axis.middle_mm).dot(axis.direction));
@@ -194,7 +195,7 @@ ThicknessPlan plan_thickness(const CameraPair& cameras, const Surface& surface, 
       plan.mm_per_px[static_cast<std::size_t>(y) * width + x] = largest_step_mm(rays, x, hits[x], to_right);
     }
   }
-  if (plan.supervised == 0) plan.face_width = std::nan("");
+  if (plan.supervised == 0) plan.face_width = plan.least_way_mm = std::nan("");
   plan.distance = distance.summary();
   plan.slope_deg = slope.summary();
   plan.sight = sight.summary();
@@ -206,10 +207,8 @@ ThicknessPlan plan_thickness(const CameraPair& cameras, const Surface& surface, 
   surface.intersect(axis.middle_mm, std::span(&axis.direction, 1), std::span(&hit, 1));
   if (!std::isfinite(hit.distance)) return plan;
   const Vector3d point = axis.middle_mm + hit.distance * axis.direction;
-  const auto left = cameras.left().project(point);
-  const auto right = cameras.right().project(point);
-  if (!left || !right) return plan;
-  const double along = cameras.thickness_mm({left->x(), left->y()}, {right->x(), right->y()}, tolerance_frame_px);
+  if (!cameras.left().project(point) || !cameras.right().project(point)) return plan;
+  const double along = cameras.thickness_mm(point, hit.normal, tolerance_frame_px);
   plan.on_axis = along * std::abs(hit.normal.dot((point - left_mm).normalized()));
   plan.on_axis_formula = formula_mm(point, slope_deg(hit.normal, axis.direction));
   return plan;

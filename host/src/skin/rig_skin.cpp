@@ -323,20 +323,37 @@ void CameraPair::look_around(const Surface& surface, const Rays& rays, std::span
   distort();
 }
 
-double CameraPair::thickness_mm(Point left, Point right, double tolerance_px) const {
-  const auto from_left = left_.model.undistort({left.x, left.y});
-  const auto from_right = right_.model.undistort({right.x, right.y});
-  if (!from_left || !from_right) return std::nan("");
-  const calib::Pose left_to_right = right_.world_to_camera * left_.world_to_camera.inverse();
-  const Vector3d sight = left_to_right.rotation * from_left->homogeneous();
-  const double distance = distance_along(sight, between_, from_right->homogeneous());
-  const Vector3d point = between_ + distance * sight;
+Eigen::Matrix<double, 2, 3> CameraPair::left_px_per_mm(const Vector3d& point_mm) const {
+  const Vector3d seen = left_.world_to_camera * point_mm;
+  const Vector2d normalised = seen.head<2>() / seen.z();
   Matrix2d lens;
-  if (!(distance > 0) || !(point.z() > 0)) return std::nan("");
-  const Vector2d normalised = point.head<2>() / point.z();
-  if (!right_.model.distort(normalised, &lens)) return std::nan("");
-  const Vector2d pixels_per_distance = lens * (sight.head<2>() - normalised * sight.z()) / point.z();
-  return 2 * tolerance_px / pixels_per_distance.norm() * sight.norm();
+  if (!(seen.z() > 0) || !((right_.world_to_camera * point_mm).z() > 0) || !left_.model.distort(normalised, &lens)) {
+    return Eigen::Matrix<double, 2, 3>::Constant(std::nan(""));
+  }
+  Eigen::Matrix<double, 2, 3> by_place;
+  by_place << Matrix2d::Identity(), -normalised;
+  return lens * (by_place / seen.z()) * left_.world_to_camera.rotation;
+}
+
+// The transformed right image shows a thing that is w beside a point of the skin where the right line of sight to it meets
+// the skin: at w - r (n w) / (n r), with r from the right camera to the point, n normal to the skin.
+double CameraPair::thickness_mm(const Vector3d& point_mm, const Vector3d& normal, double tolerance_px) const {
+  const Vector3d sight = point_mm - left_centre_;
+  const Vector3d right_sight = point_mm - right_centre_;
+  // Along the left line of sight w itself is no disparity.
+  const double px_per_length =
+      (left_px_per_mm(point_mm) * right_sight).norm() * std::abs(normal.dot(sight)) / std::abs(normal.dot(right_sight));
+  return 2 * tolerance_px / px_per_length * sight.norm();
+}
+
+double CameraPair::least_way_mm(const Vector3d& point_mm, const Vector3d& normal) const {
+  const Eigen::Matrix<double, 2, 3> left_px = left_px_per_mm(point_mm);
+  const Vector3d right_sight = point_mm - right_centre_;
+  const Eigen::Matrix<double, 2, 3> shown_px =
+      left_px - left_px * right_sight * normal.transpose() / normal.dot(right_sight);
+  const Matrix2d square = shown_px * shown_px.transpose();
+  const double half_trace = square.trace() / 2;
+  return 1 / std::sqrt(half_trace + std::sqrt(std::max(0.0, half_trace * half_trace - square.determinant())));
 }
 
 std::optional<Vector3d> CameraPair::place_mm(Point left, Point right) const {

@@ -34,9 +34,9 @@ class BlindWatch {
   BlindWatch(int width, int height, int side);
 
   /// The next frame's states, in the order in which the machine had them. Of each pixel: 1 = it is blind. Empty where
-  /// none can be. A frame that teaches is `true_of_empty` if it has no other fault and no alarm; else all that was taught is
-  /// forgotten.
-  std::vector<std::uint8_t> frame(const Image& states, const BlindSettings& settings, bool true_of_empty = true);
+  /// none can be. A frame is `spoiled` by a fault other than `teaching`, and by an alarm. If it teaches, or one of the two
+  /// after it does, whose pixels are judged by what both cameras saw of it, all that was taught is forgotten.
+  std::vector<std::uint8_t> frame(const Image& states, const BlindSettings& settings, bool spoiled = false);
 
   int side() const { return side_; }  ///< of a block
   /// Frames that were taught, since it was begun anew or forgotten.
@@ -49,6 +49,7 @@ class BlindWatch {
   std::vector<Block> blocks_;
   int taught_ = 0;
   bool teaching_ = false;
+  unsigned spoiled_ = 0;  // bit n: n frames before this one
 };
 
 }  // namespace horopter

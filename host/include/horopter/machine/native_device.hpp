@@ -114,7 +114,9 @@ class NativeDevice : public Device {
   bool taught_ = false;       // register STATUS
   bool taught_before_ = false;
   unsigned taught_frames_ = 0;     // register TAUGHT
-  bool forget_ = false;            // the last frame taught, but not what is true
+  bool forget_ = false;            // the last frame taught, but perhaps not what is true
+  unsigned spoiled_before_ = 0;    // bit n: n + 1 frames before this one there was a fault or an alarm
+  bool compete_before_ = false;    // the last frame's rule
   bool alarm_discounted_ = false;  // it showed an alarm, and is safe
   bool dim_ = false;               // it was looked at as half of the light would show it
   // The interlock, as rtl/store/horopter_interlock.sv; without a pin.

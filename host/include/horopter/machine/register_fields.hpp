@@ -274,7 +274,7 @@ inline constexpr std::array<RegisterField, 261> kRegisterFields = {{
     {0x1AC, "top", {0, 12}, "First row."},
     {0x1AC, "bottom", {16, 12}, "Last row."},
     {0x1B0, "watch", {0, 1}, "1 = a block is blind that has more undecidable pixels than were taught, and a margin; they count as pixels of an object. Before anything was taught since enable: than the margin."},
-    {0x1B0, "teach", {1, 1}, "1 = the largest number is kept of each block, and every frame has the fault `teaching`. The first frame forgets what was taught before, and so does a frame with another fault or an alarm."},
+    {0x1B0, "teach", {1, 1}, "1 = the largest number is kept of each block, and every frame has the fault `teaching`. The first frame forgets what was taught before, and so does a frame with another fault or an alarm, each of the two frames after one, and a frame of another rule."},
     {0x1B0, "margin", {2, 8}, "1/64 of a block's pixels."},
     {0x1B0, "dim", {10, 1}, "1 = every second frame that teaches, from the first on, is looked at as half of the light would show it (hls/stages/dim.hpp): what could not be decided then is taught, too. Such a frame is never `too_undecidable`."},
     {0x1B4, "pixels", {0, 24}, "Pixels of the result."},

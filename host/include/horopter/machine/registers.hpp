@@ -1173,7 +1173,8 @@ inline constexpr std::uint32_t kReset = 0x20;
 /// object. Before anything was taught since enable: than the margin.
 inline constexpr Field kWatch{0, 1};
 /// 1 = the largest number is kept of each block, and every frame has the fault `teaching`. The first frame forgets what
-/// was taught before, and so does a frame with another fault or an alarm.
+/// was taught before, and so does a frame with another fault or an alarm, each of the two frames after one, and a frame
+/// of another rule.
 inline constexpr Field kTeach{1, 1};
 /// 1/64 of a block's pixels.
 inline constexpr Field kMargin{2, 8};

@@ -173,7 +173,7 @@ MapSet load_maps(const std::filesystem::path& path);
 bool is_table(std::span<const std::uint8_t> file);
 
 /// Thickness of the skin along the left line of sight, of each pixel of the table's scan, row by row; NaN where it is
-/// not supervised. `tolerance_px`: disparity tolerance D of 11.1, in pixels of the right image.
+/// not supervised, or no neighbour is. `tolerance_px`: disparity tolerance D of 11.1, in pixels of the frame.
 std::vector<double> thickness_mm(const MapTable& table, int weight_bits, const CameraPair& cameras,
                                  double tolerance_px);
 

@@ -115,6 +115,7 @@ struct ThicknessPlan {
   double on_axis = 0;           ///< `across` where the axis of symmetry meets the skin; NaN where it does not
   double on_axis_formula = 0;
   double face_width = 0;          ///< smallest width of 11.3
+  double least_way_mm = 0;        ///< smallest of CameraPair::least_way_mm
   std::vector<double> across_mm;  ///< of each pixel, row by row; NaN where it is not supervised
   /// Of each of these pixels: mm of the skin for a pixel of the left image, in the direction in which they are most.
   std::vector<double> mm_per_px;

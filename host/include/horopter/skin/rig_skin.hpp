@@ -51,15 +51,22 @@ class CameraPair {
   /// and no further than the surface itself. Only where the source is `wanted`, if that is given; elsewhere it is NaN.
   void look_around(const Surface& surface, const Rays& rays, std::span<Point> sources,
                    std::span<const std::uint8_t> wanted = {}) const;
-  /// Thickness of the skin along its own line of sight at a left pixel, mm: from where the source is `tolerance_px`
-  /// nearer along the epipolar line to where it is as much further (2·D in 11.1, without its approximations).
-  /// NaN where the two lines of sight do not determine a distance.
-  double thickness_mm(Point left, Point right, double tolerance_px) const;
+  /// Thickness of the skin along the left line of sight, mm, at a point with this normal (world coordinates): from where
+  /// the transformed right image shows a thing `tolerance_px` beside the left one to where it does so on the other side
+  /// (2·D in 11.1, without its approximations). Of the frame's pixels, left: what the right camera sees aslant is drawn
+  /// out by the transformation, and with it the disparity. NaN where a camera does not see the point.
+  double thickness_mm(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& normal, double tolerance_px) const;
+  /// How far a thing at such a point moves for the transformed right image to show it a pixel of the frame further on, in
+  /// the direction in which that takes the least way. NaN where a camera does not see the point.
+  double least_way_mm(const Eigen::Vector3d& point_mm, const Eigen::Vector3d& normal) const;
   /// World coordinates of what both pixels see: on the left line of sight, where the right one comes nearest. Nothing
   /// where the two do not determine a place before both cameras.
   std::optional<Eigen::Vector3d> place_mm(Point left, Point right) const;
 
  private:
+  /// Derivative of the left pixel by the place that it sees; NaN where it does not.
+  Eigen::Matrix<double, 2, 3> left_px_per_mm(const Eigen::Vector3d& point_mm) const;
+
   template <bool kRuns>
   void look_at(const Surface& surface, const Rays& rays, int row_step, const ViewLimits& limits, std::span<Look> looks,
                std::size_t first) const;

@@ -125,9 +125,9 @@ Cell load_cell(const std::filesystem::path& path);
 /// CRC-32 of the cell's file, the rig's and the skin's, as they are now.
 std::uint32_t checksum(const Cell& cell);
 
-/// The longest time between the two images of a pair in which an object that moves across the line of sight goes no
-/// further than the tolerance by which the skin is thick: tolerance · (distance / f) / speed. On the thesis's rig,
-/// 1.37 mm/px where the skin is, 0.7 px at 1.6 m/s are 0.6 ms.
+/// The longest time between the two images of a pair in which an object goes no further than the tolerance by which the
+/// skin is thick: tolerance · way for a px / speed. On the thesis's rig, 1.37 mm/px where the skin is, 0.7 px at 1.6 m/s
+/// are 0.6 ms.
 double largest_skew_ms(double tolerance_px, double mm_per_px, double object_speed_m_s);
 
 /// A source without what is secret in it: user and password of an address.
