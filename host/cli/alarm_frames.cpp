@@ -71,16 +71,24 @@ void check_alarm_frames(const std::string& skin, const std::optional<calib::Rig>
                                  frames.needed, frames.of));
   }
   const double mm = thinnest_mm(skin, rig, profile, image_width, image_height, settings);
-  const double mm_per_s = kHandSpeed_m_s * 1e3 * longest_periods;
-  const double way_mm = mm_per_s / *results_per_s;  // from frame to frame
-  if (const double seen = std::floor(mm / way_mm); seen < frames.needed) {
+  const Timing timing{.profile = profile,
+                      .images_per_s = *results_per_s,
+                      .exposure_s = {},
+                      .monitor_s = {},
+                      .longest_periods = longest_periods};
+  const auto way_mm = [&](int seen) { return kHandSpeed_m_s * 1e3 * timing.longest_s(seen); };
+  int seen = 0;
+  while (seen < frames.needed && way_mm(seen + 1) <= mm) ++seen;
+  if (seen < frames.needed) {
     throw UsageError(fmt::format(
         "an alarm by {} of {} frames: the skin is {:.1f} mm thick where it is thinnest (D95), and a hand at {} m/s moves "
-        "{:.1f} mm from one frame to the next{}: it may be seen in {:g} frames only; expected a skin of {:.1f} mm, or {:.0f} "
+        "{:.1f} mm from one frame to the next{}: it may be seen in {} frames only; expected a skin of {:.1f} mm, or {:.0f} "
         "frames a second, or 1/1",
-        frames.needed, frames.of, mm, kHandSpeed_m_s, way_mm,
-        longest_periods > 1 ? fmt::format(", which may take {:g} periods without a fault", longest_periods) : "", seen,
-        frames.needed * way_mm, std::ceil(frames.needed * mm_per_s / mm)));
+        frames.needed, frames.of, mm, kHandSpeed_m_s, way_mm(1),
+        longest_periods > 1
+            ? fmt::format(", which may take {:g} periods without a fault", timing.longest_s() * *results_per_s)
+            : "",
+        seen, way_mm(frames.needed), std::ceil(*results_per_s * way_mm(frames.needed) / mm)));
   }
 }
 

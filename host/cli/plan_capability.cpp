@@ -101,16 +101,19 @@ PlannedCapability plan(const CapabilityOptions& options) {
   } catch (const std::invalid_argument& error) {
     throw FileError(options.skin, "", error.what(), "a skin in front of both cameras");
   }
+  // Within the way of so many steps there are so many frames: two fields of an image are closer together than two images.
+  const int frames = settings.alarm_frames.needed;
+  const double step_s = timing.longest_s(frames) / frames;
   const Crossing crossing{.decision = settings.decision,
                           .body = options.body,
                           .object_limit_px = static_cast<double>(object_limit(settings, profile)),
-                          .step_mm = options.speed_mm_s * timing.longest_s(),
-                          .images = settings.alarm_frames.needed,
+                          .step_mm = options.speed_mm_s * step_s,
+                          .images = frames,
                           .object_limit_mm2 = half_disc_mm2(settings)};
   CapabilityPlan capability = plan_capability(thickness, profile, crossing);
   const auto worst_mm = [&](double speed_m_s) {
     Crossing faster = crossing;
-    faster.step_mm = speed_m_s * 1e3 * timing.longest_s();
+    faster.step_mm = speed_m_s * 1e3 * step_s;
     if (faster.step_mm <= crossing.step_mm) return capability.largest_mm;
     return plan_capability(thickness, profile, faster).largest_mm;
   };
@@ -141,7 +144,7 @@ void print_found(const CapabilityOptions& options, const PlannedCapability& plan
   const std::string shape =
       options.body == Body::ball ? "a ball" : fmt::format("a rod of which {:g} mm lie in the skin", kRodLength_mm);
   fmt::print("body       {}, textured, at {:g} mm/s: it moves {:.1f} mm from image to image\n", shape,
-             options.speed_mm_s, plan.crossing.step_mm);
+             options.speed_mm_s, options.speed_mm_s * plan.timing.longest_s());
   fmt::print("smallest   {} at the best place, {} at the median, {} at the worst\n", size_text(found.smallest_mm),
              size_text(found.median_mm), size_text(found.largest_mm));
   for (const double mm : kAsked_mm) {

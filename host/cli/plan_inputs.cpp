@@ -59,7 +59,7 @@ void add_timing(CLI::App& command, TimingOptions& options) {
   command
       .add_option("--monitor-ms", options.monitor_ms,
                   "Of a live monitor in place of the hardware: from an image's arrival until its client knows, ms\n"
-                  "(docs/monitor.md, How long it takes)")
+                  "(docs/monitor.md, How long it takes). In profile field an image comes with its second field")
       ->check(within(0, 60'000, "ms"))
       ->type_name("MS");
   command.add_option("--stopping-ms", options.stopping_ms, "Time that the robot takes to stop after the alarm, ms")

@@ -176,6 +176,27 @@ TEST_CASE("plan capability: the smallest body, the response time and the distanc
   CHECK_THAT(fast.err, Catch::Contains("not found at 100.0 % of this skin"));
 }
 
+TEST_CASE("plan capability: a live monitor in profile field gets images, of two fields each") {
+  Sandbox box;
+  box.write("skin.yaml", "surface: {type: plane, point_mm: [0, 0, 800], normal: [0, 0, -1]}\n");
+  const auto of = [&](const std::vector<std::string>& more) {
+    return box.run(std::vector<std::string>{"plan", "capability", "--rig", kTable, "--skin", "skin.yaml", "--profile",
+                                            "field", "--object", "40mm"} +
+                   more);
+  };
+  const std::vector<std::string> monitor{"--monitor-ms", "60"};
+  CHECK_THAT(of(monitor).out, Catch::Contains("it moves 64.0 mm from image to image") &&
+                                  Catch::Contains("response   160.0 ms") &&
+                                  Catch::Contains("images of 2 fields may be 1.5 periods apart"));
+  // Three fields: of an image that is late, and the first of the next one, which is late, too.
+  const std::vector<std::string> three{"--alarm-frames", "3/3"};
+  CHECK_THAT(of(three).err, Catch::Contains("expected a skin of 96.0 mm"));
+  const auto late = of(monitor + three);
+  CHECK(late.status == 2);
+  CHECK_THAT(late.err, Catch::Contains("moves 64.0 mm from one frame to the next, which may take 2 periods") &&
+                           Catch::Contains("expected a skin of 160.0 mm"));
+}
+
 TEST_CASE("plan capability: a skin of which little is supervised is said to be one") {
   Sandbox box;
   const auto of = [&](const std::string& skin) {

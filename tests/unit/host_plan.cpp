@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
+#include <string>
 
 #include "horopter/plan/capability.hpp"
 #include "horopter/plan/plan.hpp"
@@ -64,6 +65,32 @@ TEST_CASE("The response time is the sum of its items, each with its source") {
   CHECK(detection_time_s(live) == Approx(0.04 + 0.004 + 0.04 + 2 * 0.04 + 0.06));
   live.longest_periods = 1.5;
   CHECK(detection_time_s(live) == Approx(0.06 + 0.004 + 0.04 + 2 * 0.06 + 0.06));
+}
+
+TEST_CASE("Of a live monitor in profile field an image may be late, and brings both fields") {
+  Timing live{find_profile("field"), Decision::thesis, 286, 50, {}, 0.060};
+  live.longest_periods = 1.5;
+  // After the second field of an image: the next image 60 ms after the first one, each second field 20 ms later.
+  const std::array<double, 7> longest_s{0.04, 0.06, 0.10, 0.12, 0.16, 0.18, 0.22};
+  for (int frames = 1; frames <= 7; ++frames) {
+    CAPTURE(frames);
+    CHECK(live.longest_s(frames) == Approx(longest_s.at(static_cast<std::size_t>(frames - 1))));
+  }
+  const auto seconds_of = [&](const std::string& name) {
+    double found_s = std::nan("");
+    for (const ResponseItem& item : detection_items(live)) {
+      if (item.name.starts_with(name)) found_s = item.seconds;
+    }
+    return found_s;
+  };
+  CHECK(seconds_of("wait for the next image") == Approx(0.04));
+  CHECK(seconds_of("transfer") == Approx(0.04));
+  CHECK(detection_time_s(live) == Approx(0.16));
+  live.alarm_frames = 3;
+  CHECK(detection_time_s(live) == Approx(0.16 + 0.06));
+  // Without a monitor fields come one by one, and one period apart.
+  const Timing hardware{find_profile("field"), Decision::thesis, 286, 50, {}, {}};
+  for (int frames = 1; frames <= 7; ++frames) CHECK(hardware.longest_s(frames) == Approx(0.02 * frames));
 }
 
 TEST_CASE("ISO 13855 has a distance for fingers, hands and arms, and none beyond") {

@@ -53,24 +53,38 @@ double face_width_mm(double thickness_mm, double slope_deg) {
 
 double face_share(double tilt_deg) { return tilt_deg <= 45 ? 1 : std::max(0.0, 1 / std::tan(tilt_deg * kDegree)); }
 
+double Timing::longest_s(int frames) const {
+  const int fields = profile.fields_per_image();
+  const int images = (frames + fields - 1) / fields;
+  // The longest begins at the last field of an image.
+  const int fields_of_last = frames - (images - 1) * fields;
+  return (images * fields * longest_periods - fields + fields_of_last) / images_per_s;
+}
+
 std::vector<ResponseItem> detection_items(const Timing& timing) {
   const MachineProfile& profile = timing.profile;
+  const int fields = profile.fields_per_image();
   const double image_s = 1 / timing.images_per_s;
   // Lines without blanking are the longest that there can be.
   const auto lines_s = [&](int lines) { return lines * image_s / timing.rows; };
   const std::string hardware = "docs/hardware.md, How long it takes; tb/top/test_frames.cpp";
   const std::string apart =
       timing.longest_periods > 1
-          ? fmt::format("; images may be {:g} periods apart without a fault (docs/monitor.md)", timing.longest_periods)
+          ? fmt::format("; images{} may be {:g} periods apart without a fault (docs/monitor.md)",
+                        fields > 1 ? fmt::format(" of {} fields", fields) : "", timing.longest_periods)
           : "";
+  // A monitor gets all fields of an image at once.
+  const bool waits_for_fields = timing.monitor_s && fields > 1;
   std::vector<ResponseItem> items{
       {"wait for the next image to begin", timing.longest_s(),
        "image rate: the object came when an image had just begun" + apart},
       {"exposure", timing.exposure_s.value_or(image_s),
        timing.exposure_s ? "--exposure-ms" : "no --exposure-ms: the longest that there is, from image to image"},
-      {"transfer of the image", image_s, "image rate: the longest that there is, without blanking"}};
+      {"transfer of the image", waits_for_fields ? fields * image_s : image_s,
+       fmt::format("image rate: the longest that there is, without blanking{}",
+                   waits_for_fields ? "; a monitor's image comes with its last field" : "")}};
   if (timing.alarm_frames > 1) {
-    items.push_back({"further frames that must show it", (timing.alarm_frames - 1) * timing.longest_s(),
+    items.push_back({"further frames that must show it", timing.longest_s(timing.alarm_frames) - timing.longest_s(),
                      "--alarm-frames; rtl/store/horopter_alarm_filter.sv"});
   }
   if (timing.monitor_s) {

@@ -37,7 +37,7 @@ struct Crossing {
   Decision decision = Decision::thesis;
   Body body = Body::ball;
   double object_limit_px = 0;   ///< pixels of the result that are an alarm: object_limit()
-  double step_mm = 0;           ///< that a body goes from image to image; 0: it stands still
+  double step_mm = 0;           ///< that a body goes from image to image, in the mean of `images`; 0: it stands still
   int images = 1;               ///< that must show it
   double object_limit_mm2 = 0;  ///< where it is not 0: the area that is one, instead, whatever a table's codes are off
 };

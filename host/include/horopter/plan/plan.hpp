@@ -38,14 +38,15 @@ double face_share(double tilt_deg);
 struct Timing {
   const MachineProfile& profile;
   Decision decision = Decision::thesis;
-  int rows = 0;  ///< of an image, or field
-  double images_per_s = 0;
+  int rows = 0;                      ///< of an image, or field
+  double images_per_s = 0;           ///< frames: images, or fields
   std::optional<double> exposure_s;  ///< nothing: the longest that there is, from image to image
   std::optional<double> monitor_s;   ///< from an image's arrival to the client of a live monitor; nothing: hardware
   int alarm_frames = 1;              ///< over so many a body may be seen until it is an alarm
-  double longest_periods = 1;        ///< that two images may be apart without a fault
+  double longest_periods = 1;        ///< that two images may be apart without a fault, in periods from image to image
 
-  double longest_s() const { return longest_periods / images_per_s; }  ///< from image to image
+  /// From a frame until so many more have been taken, at most. The fields of an image are always one period apart.
+  double longest_s(int frames = 1) const;
 };
 /// A part of the response time.
 struct ResponseItem {
