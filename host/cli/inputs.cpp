@@ -19,6 +19,7 @@
 #include "horopter/map/map_json.hpp"
 #include "horopter/map/row_check.hpp"
 #include "horopter/map/support.hpp"
+#include "horopter/plan/plan_rig.hpp"
 #include "horopter/skin/skin_file.hpp"
 #include "numbers.hpp"
 #include "warnings.hpp"
@@ -442,6 +443,14 @@ void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& 
         "what is behind the skin lies too much higher or lower in the right image for a fine comparison",
         skin));
   }
+}
+
+void warn_of_designed_rig(const std::string& skin, const std::string& rig) {
+  if (rig.empty() || calib::rig_from_yaml(rig, skin).world != kDesignedWorld) return;
+  warn(fmt::format(
+      "{}: the rig of this skin was designed by `plan rig`, not measured: real cameras stand otherwise, and have other "
+      "lenses. So the skin lies elsewhere than it is meant to, and no fault may tell; expected a rig that `calibrate` wrote",
+      skin));
 }
 
 void report_rows(Decision decision, bool has_rig, nlohmann::ordered_json& summary, bool json) {

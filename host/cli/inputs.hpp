@@ -68,6 +68,10 @@ void check_alarm_limit(const std::string& skin, const std::vector<const MapTable
 void warn_of_proof(const std::string& skin, const std::vector<const MapTable*>& tables, const MachineProfile& profile,
                    int lookahead, const Settings& settings, const std::string& rig);
 
+/// Says on standard error that the cameras of `rig` (its text, or empty) were designed and not measured. For commands that
+/// judge the images of real ones.
+void warn_of_designed_rig(const std::string& skin, const std::string& rig);
+
 /// Whether epipolar lines were followed, for programs (`rows_checked`) and, where they could not be, for people.
 /// Nothing for a rule that does not need it.
 void report_rows(Decision decision, bool has_rig, nlohmann::ordered_json& summary, bool json);

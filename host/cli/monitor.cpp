@@ -100,6 +100,7 @@ monitor::Machine make_machine(const monitor::Cell& cell, const std::optional<cal
   const auto tables = maps.tables();
   check_alarm_limit(skin, tables, profile, settings.decision, settings.alarm_percent);
   check_object_limit(object, skin, tables, profile, settings);
+  warn_of_designed_rig(skin, maps.rig);
   warn_of_proof(skin, tables, profile, maps.lookahead(), settings, maps.rig);
   const auto place = in_space(cell, rig, width, height);
   const ScanGeometry geometry = scans_of(profile, width, height).front();

@@ -529,7 +529,8 @@ void add_plan_rig(CLI::App& plan, Outcome& outcome) {
   rig->add_flag("--json", options->json, "Print the report as JSON on standard output, and nothing else");
   rig->footer(
       "World of a designed rig: mm, origin between the cameras, x from left to right, y down, z along the axis of\n"
-      "symmetry. Common field: the part of a skin that both cameras see; exploitation is its share of what the left one\n"
+      "symmetry. `run`, `upload` and `monitor` warn of it: calibrate the cameras once there are some.\n"
+      "Common field: the part of a skin that both cameras see; exploitation is its share of what the left one\n"
       "sees (Fig. 11.2). Viewing angle: between line of sight and the skin's normal; beyond 70 degrees it is not\n"
       "supervised. A place counts as seen when the machine decides about it: in both images, within the limits, not\n"
       "hidden, and with all of its windows (Fig. 11.4 shows an entry that is not). The way into the zone is searched on a\n"

@@ -87,6 +87,7 @@ struct Session {
     follower = std::make_unique<ObjectFollower>(*profile, tables, maps.rig);
     results_per_s = options.results_per_s;
     check_rate(first);
+    warn_of_designed_rig(options.skin, maps.rig);
     warn_of_proof(options.skin, tables, *profile, maps.lookahead(), settings, maps.rig);
     supervisor = std::make_unique<Supervisor>(make_picture_device(options.engine, *profile), *profile, maps, settings);
   }
@@ -147,6 +148,7 @@ struct Session {
     const auto tables = compiled.tables();
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
     judgeable_pixels = check_object_limit(object, options.skin, tables, *profile, settings);
+    warn_of_designed_rig(options.skin, compiled.rig);
     warn_of_proof(options.skin, tables, *profile, compiled.lookahead, settings, compiled.rig);
     moving = std::make_unique<MovingSupervisor>(make_picture_device(options.engine, *profile), *profile,
                                                 std::move(compiled), settings);

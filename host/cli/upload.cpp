@@ -87,6 +87,7 @@ MapSet maps_for(const UploadOptions& options, const Wanted& wanted, const Build&
   MapSet maps = load_or_compile_maps(options.file(), wanted.rig, profile, width, height, options.settings.decision);
   const auto tables = maps.tables();
   check_alarm_limit(options.file(), tables, profile, options.settings.decision, options.settings.alarm_percent);
+  warn_of_designed_rig(options.file(), maps.rig);
   warn_of_proof(options.file(), tables, profile, maps.lookahead(), options.settings, maps.rig);
   return maps;
 }

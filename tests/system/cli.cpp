@@ -523,6 +523,42 @@ TEST_CASE("A video that comes at another rate than it is told is refused where t
   refused(run("wall.yaml", two), "left.mkv#3: images are missing before it: 1");
 }
 
+TEST_CASE("A rig that was designed and not measured is a warning wherever real images are judged") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("measured.yaml", rig_text());
+  box.write("wall.yaml", "surface: {type: plane, point_mm: [0, 0, 1000], normal: [0, 0, -1]}\n");
+  box.write("moving.yaml", kMoving);
+  REQUIRE(box.run({"plan", "rig", "--focal", "4", "--pixel", "20", "--image-size", "200x120", "--baseline", "50",
+                   "--distance", "1000", "--out", "plan"})
+              .status == 0);
+  REQUIRE(
+      box.run({"map", "--rig", "plan/rig.yaml", "--skin", "wall.yaml", "--profile", "vga", "-o", "wall.hmap"}).status ==
+      0);
+  const auto warns = [&](const std::vector<std::string>& arguments) {
+    const auto result = box.run(arguments + std::vector<std::string>{"--object", "40px", "--json"});
+    CAPTURE(result.err);
+    REQUIRE((result.status == 0 || result.status == 4));
+    return nlohmann::json::parse(result.out).value("warnings", nlohmann::json()).dump().find("was designed") !=
+           std::string::npos;
+  };
+  const auto run = [&](const std::string& skin, const std::vector<std::string>& more) {
+    return warns(run_arguments("left0.png", "right0.png", skin) + more);
+  };
+  CHECK(run("wall.yaml", {"--rig", "plan/rig.yaml"}));
+  CHECK(run("moving.yaml", {"--rig", "plan/rig.yaml"}));
+  CHECK(run("wall.hmap", {}));
+  CHECK_FALSE(run("wall.yaml", {"--rig", "measured.yaml"}));
+  CHECK(warns({"upload", "--engine", "native", "--map", "wall.hmap"}));
+  box.write("cell.yaml",
+            "name: designed\ncameras:\n  left: {source: \"files:left0.png\", repeat: true}\n"
+            "  right: {source: \"files:right0.png\", repeat: true}\n  frames_per_s: 5\n  largest_skew_ms: 5\n"
+            "rig: plan/rig.yaml\nskin: wall.yaml\nrestart: by_itself\nlimits: {decision_ms: 2000, object: 40px}\n");
+  const auto monitor = box.run({"monitor", "cell.yaml", "--frames", "1"});
+  CHECK(monitor.status == 0);
+  CHECK_THAT(monitor.err, Catch::Contains("wall.yaml: the rig of this skin was designed"));
+}
+
 TEST_CASE("--teach with no pair behind those that teach supervises nothing, and is an error") {
   Sandbox box;
   with_pairs(box, kRecorded);
