@@ -348,6 +348,10 @@ TEST_CASE("files of points and sensors: errors name the line") {
   CHECK(read_sensor(file).sx == 1.01);
   write("width_px: 756\nheight_px: 581\ndx_mm: 0\ndy_mm: 0.011\ncx_px: 378\ncy_px: 290\n");
   CHECK_THROWS_WITH(read_sensor(file), Contains("dx_mm"));
+  for (const std::string blank : {"cy_px:", "cy_px: 290\nsx:"}) {
+    write("width_px: 756\nheight_px: 581\ndx_mm: 0.0113\ndy_mm: 0.011\ncx_px: 378\n" + blank + "\n");
+    CHECK_THROWS_WITH(read_sensor(file), Contains("nothing") && Contains("expected a number"));
+  }
   write("width_px: 756\n");
   CHECK_THROWS_WITH(read_sensor(file), Contains("height_px") && Contains("missing"));
 }

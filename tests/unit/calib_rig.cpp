@@ -184,6 +184,11 @@ TEST_CASE("damaged files are refused by name and place") {
   CHECK_THROWS_WITH(load_rig(replaced("fx_px: 533.5631560014582", "fx_px: -1")), Contains("positive"));
   CHECK_THROWS_WITH(load_rig(replaced("fx_px: 533.5631560014582", "fx_px: .nan")), Contains("finite"));
   CHECK_THROWS_WITH(load_rig(replaced("k2:", "k9:")), Contains("'k9' is not known"));
+  // What is blank is no 0.
+  for (const std::string term : {"k1", "k2"}) {
+    CHECK_THROWS_WITH(load_rig(replaced(term + ": ", term + ": , k6: ")),
+                      Contains(term) && Contains("nothing") && Contains("expected a finite number"));
+  }
   CHECK_THROWS_WITH(load_rig(replaced("    fy_px", "    fyy_px")), Contains("fy_px") && Contains("missing"));
   CHECK_THROWS_WITH(load_rig(replaced("rotation: [[1", "rotation: [[2")), Contains("rotation matrix"));
   CHECK_THROWS_WITH(load_rig(replaced("rotation: [[1", "rotation: [[-1")), Contains("mirror"));

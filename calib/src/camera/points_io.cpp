@@ -81,7 +81,7 @@ std::vector<double> sensor_of_map(const std::string& file, const YAML::Node& map
   std::vector<double> values;
   for (const SensorNumber& number : kSensorNumbers) {
     const YAML::Node value = map[number.name];
-    if (value.IsDefined() && !value.IsNull()) {
+    if (value.IsDefined()) {
       values.push_back(sensor_number(file, value, number));
     } else if (values.size() < kRequiredNumbers) {
       throw FileError(file, number.name, "missing", kSensorExpected);

@@ -59,7 +59,7 @@ void read_terms(const std::string& file, const YAML::Node& distortion, const std
   yaml::check_keys(file, distortion, names, what + ": distortion");
   for (const auto& term : terms) {
     const YAML::Node value = distortion[term.name];
-    if (!value.IsDefined() || value.IsNull()) continue;
+    if (!value.IsDefined()) continue;
     values.*term.member = yaml::number(file, value, what + ": " + term.name);
   }
 }
