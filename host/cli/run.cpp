@@ -75,7 +75,12 @@ struct Session {
     object = set_object(options.object, options.skin, rig, *profile, width, height, settings);
     check_alarm_frames(options.skin, rig, *profile, width, height, options.results_per_s, settings,
                        first.time ? monitor::kLongestPeriods : 1);
-    if (is_moving_skin(options.skin)) {
+    const bool moves = is_moving_skin(options.skin);
+    if (moves || settings.alarm_frames.needed > 1) {
+      check_consecutive(options.left);
+      check_consecutive(options.right);
+    }
+    if (moves) {
       begin_moving(options, rig, first);
       return;
     }
@@ -126,8 +131,6 @@ struct Session {
   void begin_moving(const RunOptions& options, const std::optional<calib::Rig>& rig, const NamedImage& first) {
     const int width = first.image.width;
     const int height = first.image.height;
-    check_consecutive(options.left);
-    check_consecutive(options.right);
     SkinFile skin = load_skin_for(options.skin, rig, width, height);
     results_per_s = skin.motion_limits.images_per_s;
     if (options.results_per_s.value_or(*results_per_s) != *results_per_s) {

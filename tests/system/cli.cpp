@@ -239,6 +239,28 @@ TEST_CASE("An alarm by two of three frames: where a hand is seen so often, and w
                  "wall.hmap", "how thick its skin is");
 }
 
+TEST_CASE("An alarm by two of three frames takes no images with a hole in their numbers") {
+  Sandbox box;
+  with_pairs(box, 4);
+  box.write("rig.yaml", rig_text());
+  box.write("wall.yaml", "surface: {type: plane, point_mm: [0, 0, 1000], normal: [0, 0, -1]}\n");
+  const auto run = [](const std::string& left, const std::string& right, const std::string& frames) {
+    return run_arguments(left, right, "wall.yaml") +
+           std::vector<std::string>{"--rig", "rig.yaml", "--alarm-frames", frames, "--frame-rate", "1000"};
+  };
+  const auto done = [&](const std::vector<std::string>& arguments) {
+    const auto result = box.run(arguments);
+    CAPTURE(arguments, result.err);
+    CHECK((result.status == 0 || result.status == 4));
+    fs::remove_all(box / "out");
+  };
+  done(run("left*.png", "right*.png", "2/3"));
+  for (const char* lost : {"left2.png", "right2.png"}) fs::remove(box / lost);
+  check_bad_file(box, run("left*.png", "right*.png", "2/3"), "left3.png", "expected number 2");
+  done(run("left*.png", "right*.png", "1/3"));
+  done(run("left[01].png", "right[01].png", "2/3"));
+}
+
 TEST_CASE("--object in mm is that of the skin's file by its table alone; a table without a rig is refused") {
   Sandbox box;
   with_pairs(box);

@@ -509,9 +509,9 @@ void check_consecutive(const std::vector<std::string>& arguments) {
     if (as_many && differ.empty() && (last != now || count < 2)) continue;  // nothing is known
     if (as_many && differ.size() == 1 && now[differ[0]] == number_after(last[differ[0]])) continue;
     throw FileError(inputs[i].name, "", fmt::format("it is not the image after {}", inputs[i - 1].name),
-                    as_many ? fmt::format("number {}: each image is a step of the skin's time",
+                    as_many ? fmt::format("number {}: each image is a step in time",
                                           number_after(last[differ.empty() ? count / 2 * 2 - 1 : differ.back()]))
-                            : "a number in each name, or in none: each image is a step of the skin's time");
+                            : "a number in each name, or in none: each image is a step in time");
   }
 }
 
