@@ -188,26 +188,15 @@ void check_distance(const std::string& file, const RigSkin& skin, int image_widt
                   fmt::format("{:g} to {:g} mm: a skin in mm of the rig's world", kNearest_mm, kFarthest_mm));
 }
 
-/// Says where most of what the left camera sees of a skin is not supervised.
-void check_supervised(const std::string& skin, const MapSet& maps) {
-  for (const CompiledMap& map : maps.maps) {
-    const MapReport& report = map.report;
-    const std::int64_t sees = report.pixels - report.count(Reason::no_source);
-    const double share =
-        static_cast<double>(report.supervised()) / static_cast<double>(std::max<std::int64_t>(1, sees));
-    if (sees == 0 || share >= kLittleSupervised) continue;
-    const auto reason = std::max_element(report.by_reason.begin() + 1, report.by_reason.end(), [&](auto& a, auto& b) {
-      const auto count = [&](auto& n) { return &n == &report.by_reason[static_cast<int>(Reason::no_source)] ? 0 : n; };
-      return count(a) < count(b);
-    });
-    const auto why = static_cast<Reason>(reason - report.by_reason.begin());
-    const char* question = why == Reason::row ? ": `compete` needs rectified images"
-                           : maps.rig.empty() ? ""
-                                              : ". Is its unit millimetres, and are these the cameras of the images?";
-    warn(fmt::format("{}: of what the left camera sees of this skin {:.0f} % is supervised; most of the rest is {}{}",
-                     skin, 100 * share, reason_text(why), question));
-    return;
-  }
+/// Of several that a skin or its motion has.
+std::string table_place(std::size_t table, std::size_t tables) {
+  return tables == 1 ? "" : fmt::format("table {} of {}", table + 1, tables);
+}
+
+std::vector<const MapReport*> reports_of(const MapSet& maps) {
+  std::vector<const MapReport*> reports;
+  for (const CompiledMap& map : maps.maps) reports.push_back(&map.report);
+  return reports;
 }
 
 }  // namespace
@@ -337,7 +326,7 @@ MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::
                       "a skin without motion (horopter run takes both)");
     }
     MapSet maps = compile_maps(file, profile, image_width, image_height, view);
-    check_supervised(skin, maps);
+    check_supervised(skin, reports_of(maps), !maps.rig.empty());
     return maps;
   }
   MapSet maps = load_maps(skin);
@@ -379,8 +368,39 @@ MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::
                       fmt::format("a table made with `horopter map --decision {}`", name_of(decision)));
     }
   }
-  check_supervised(skin, maps);
+  check_supervised(skin, reports_of(maps), !maps.rig.empty());
   return maps;
+}
+
+double check_supervised(const std::string& skin, const std::vector<const MapReport*>& reports, bool has_rig) {
+  double least = 1;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < reports.size(); ++i) {
+    const std::int64_t sees = reports[i]->pixels - reports[i]->count(Reason::no_source);
+    if (sees == 0) continue;
+    const double share = static_cast<double>(reports[i]->supervised()) / static_cast<double>(sees);
+    if (share >= least) continue;
+    least = share;
+    worst = i;
+  }
+  if (least >= kLittleSupervised) return least;
+  const auto& by_reason = reports[worst]->by_reason;
+  const auto reason = std::max_element(by_reason.begin() + 1, by_reason.end(), [&](auto& a, auto& b) {
+    const auto count = [&](auto& n) { return &n == &by_reason[static_cast<int>(Reason::no_source)] ? 0 : n; };
+    return count(a) < count(b);
+  });
+  const auto why = static_cast<Reason>(reason - by_reason.begin());
+  const char* question = why == Reason::row ? ": `compete` needs rectified images"
+                         : has_rig          ? ". Is its unit millimetres, and are these the cameras of the images?"
+                                            : "";
+  warn(fmt::format("{}: {}of what the left camera sees of this skin {:.0f} % is supervised; most of the rest is {}{}",
+                   skin, table_prefix(worst, reports.size()), 100 * least, reason_text(why), question));
+  return least;
+}
+
+std::string table_prefix(std::size_t table, std::size_t tables) {
+  const std::string place = table_place(table, tables);
+  return place.empty() ? "" : place + ": ";
 }
 
 void check_alarm_limit(const std::string& skin, const std::vector<const MapTable*>& tables,
@@ -398,7 +418,7 @@ void check_alarm_limit(const std::string& skin, const std::vector<const MapTable
   const double pixels = static_cast<double>(columns) * geometry.height;
   const double share = supported / pixels;
   const double needed = limit_of(alarm_percent, pixels) + 1;
-  const std::string place = tables.size() == 1 ? "" : fmt::format("table {} of {}", least + 1, tables.size());
+  const std::string place = table_place(least, tables.size());
   if (needed > supported) {
     throw FileError(
         skin, place,
@@ -412,7 +432,7 @@ void check_alarm_limit(const std::string& skin, const std::vector<const MapTable
     warn(fmt::format(
         "{}: {}an alarm takes {:.0f} % of this skin, that is {:g} % of the whole image; about half of the skin would be "
         "--alarm-limit {:.2g}",
-        skin, place.empty() ? "" : place + ": ", 100 * needed / supported, alarm_percent, kAboutHalf * share));
+        skin, table_prefix(least, tables.size()), 100 * needed / supported, alarm_percent, kAboutHalf * share));
   }
 }
 

@@ -58,6 +58,13 @@ std::unique_ptr<RigSkin> load_rig_skin(const std::string& skin, const calib::Rig
 MapSet load_or_compile_maps(const std::string& skin, const std::optional<calib::Rig>& rig,
                             const MachineProfile& profile, int image_width, int image_height, Decision decision);
 
+/// "table 3 of 6: ", counted from 0; nothing where there is one.
+std::string table_prefix(std::size_t table, std::size_t tables);
+
+/// The share, 0 to 1, that is supervised of what the left camera sees of a skin, in the table with the least; 1 where it
+/// sees nothing. Less than kLittleSupervised is said on standard error. `reports`: of the tables of a skin, or of its motion.
+double check_supervised(const std::string& skin, const std::vector<const MapReport*>& reports, bool has_rig);
+
 /// An alarm must be possible. Throws FileError for a table in which the rule can judge no more pixels than it takes,
 /// and says on standard error when it takes more than half of them. The tables of a skin, or of its motion.
 void check_alarm_limit(const std::string& skin, const std::vector<const MapTable*>& tables,

@@ -35,7 +35,8 @@ void add_object(CLI::App& command, ObjectOption& option);
 
 /// The pixels of the result that the rule can judge, in the table with the fewest. Throws FileError where an object was
 /// asked for that takes more: none would be an alarm. Where a table knows no areas, settings.object_mm becomes 0: pixels
-/// are the limit.
+/// are the limit. Says on standard error where over half of the skin no object shows enough, in the worst table; of a
+/// motion of more than 32 tables so many are looked at, evenly from the first to the last.
 std::int64_t check_object_limit(const ObjectOption& option, const std::string& skin,
                                 const std::vector<const MapTable*>& tables, const MachineProfile& profile,
                                 Settings& settings);

@@ -141,6 +141,9 @@ struct Session {
     d95_px = std::min(skin.motion_limits.tolerance_px, horopter::d95_px(settings));
     skin.motion_limits.tolerance_px = d95_px;
     MovingMaps compiled = compile_motion(skin, *profile, width, height, view_limits(*profile, settings.decision));
+    std::vector<const MapReport*> reports;
+    for (const MovingStep& step : compiled.steps) reports.push_back(&step.map.report);
+    supervised_share = check_supervised(options.skin, reports, !compiled.rig.empty());
     if (const std::size_t images = compiled.steps.size() / static_cast<std::size_t>(profile->fields_per_image()) + 1;
         options.teach != 0 && options.teach < images) {
       throw UsageError(fmt::format(
@@ -165,6 +168,7 @@ struct Session {
   bool has_rig = true;
   std::int64_t judgeable_pixels = 0;  ///< on the skin
   double d95_px = 0;                  ///< of a skin that moves: what its steps are planned for
+  double supervised_share = 1;        ///< the same, of what the left camera sees of it: the least of all steps
   MapSet maps;                        ///< of a skin that does not move
   std::unique_ptr<Supervisor> supervisor;
   std::unique_ptr<MovingSupervisor> moving;  ///< instead, for a skin that moves
@@ -282,7 +286,10 @@ nlohmann::ordered_json begin_summary(Session& session, const RunOptions& options
   report_rows(session.settings.decision, session.has_rig, summary, options.json);
   if (session.moving) {
     const MovingMaps& maps = session.moving->maps();
-    summary["motion"] = {{"tables", maps.steps.size()}, {"inserted", maps.inserted}, {"d95_px", session.d95_px}};
+    summary["motion"] = {{"tables", maps.steps.size()},
+                         {"inserted", maps.inserted},
+                         {"d95_px", session.d95_px},
+                         {"supervised_percent", std::round(1000 * session.supervised_share) / 10}};
     if (print) {
       fmt::print(
           "the skin moves in {} tables, planned for a tolerance of {:.2f} px (D95); {} of them are intermediate skins, "

@@ -404,6 +404,30 @@ TEST_CASE("A skin that is parted by gaps, or too narrow for the usual object, is
   CHECK(warns(14, 0, 1));
 }
 
+TEST_CASE("A skin that moves is said to be too narrow for an object where it is narrowest") {
+  const Sandbox box;
+  box.write("rig.yaml", two_cameras(320, 240, 535, "-50, 0, 0"));
+  save((box / "left0.png").string(), textured(320, 240, 1));
+  save((box / "right0.png").string(), textured(320, 240, 2));
+  // A strip that is 50 px wide at 400 mm, and 38 px at 526 mm; the windows take 18 px of it.
+  const auto warned = [&](int from_mm, int to_mm) {
+    const std::string z = std::to_string(from_mm);
+    box.write("skin.yaml", "surface: {type: planes, polygons_mm: [[[-18.7, -200, " + z + "], [18.7, -200, " + z +
+                               "], [18.7, 200, " + z + "], [-18.7, 200, " + z +
+                               "]]]}\nmotion: {frame_rate_per_s: 50, object_speed_m_s: 0.01, poses: [{time_s: 0.1, "
+                               "shift_mm: [0, 0, " +
+                               std::to_string(to_mm - from_mm) + "]}]}\n");
+    const auto result = box.run(run_arguments() + std::vector<std::string>{"--rig", "rig.yaml", "--object", "60px",
+                                                                           "--alarm-limit", "1", "--json"});
+    CAPTURE(from_mm, to_mm, result.err);
+    REQUIRE((result.status == 0 || result.status == 4));
+    return nlohmann::json::parse(result.out).value("warnings", nlohmann::json()).dump();
+  };
+  CHECK_THAT(warned(400, 402), !Catch::Contains("parted by gaps"));
+  CHECK_THAT(warned(526, 400), Catch::Contains("table 1 of ") && Catch::Contains("parted by gaps"));
+  CHECK_THAT(warned(400, 526), Catch::Contains("parted by gaps"));
+}
+
 TEST_CASE("A machine's commands answer in JSON, and upload writes the mode that it is given") {
   Sandbox box;
   box.write("skin.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -3], [0, 1, 0], [0, 0, 1]]\n");

@@ -100,6 +100,32 @@ TEST_CASE("A skin in metres is refused, one in centimetres is said to be hardly 
   for (const Arguments& arguments : {run(), kMap}) check_warned(box, arguments, "% is supervised; most of the rest is");
 }
 
+TEST_CASE("A skin of which little is supervised is said to be so, whether it stands still or moves") {
+  Sandbox box;
+  with_pairs(box);
+  box.write("rig.yaml", rig_text());
+  // At 100 mm the right image shows the half of it.
+  box.write("skin.yaml", replaced(kPlane, "800", "90"));
+  for (const Arguments& arguments : {run(), kMap}) check_warned(box, arguments, "% is supervised; most of the rest is");
+  const auto moving = [&](int from_mm, int by_mm) {
+    box.write("skin.yaml", replaced(kPlane, "800", std::to_string(from_mm)) +
+                               "motion: {frame_rate_per_s: 50, object_speed_m_s: 0.01, poses: [{time_s: 0.1, shift_mm: "
+                               "[0, 0, " +
+                               std::to_string(by_mm) + "]}]}\n");
+    fs::remove_all(box / "out");
+  };
+  moving(90, 1);
+  check_warned(box, run(), "% is supervised; most of the rest is");
+  // The worst step counts, wherever it is.
+  moving(110, -20);
+  check_warned(box, run(), "% is supervised; most of the rest is");
+  const double percent = json::parse(box.read("out/summary.json"))["motion"]["supervised_percent"];
+  CHECK(percent > 30);
+  CHECK(percent < 50);
+  moving(110, 1);
+  CHECK_THAT(box.run(run()).err, !Catch::Contains("is supervised"));
+}
+
 TEST_CASE("A surface of a union that others hide, or that is not in view, is said to be watched by nothing") {
   Sandbox box;
   with_pairs(box);
