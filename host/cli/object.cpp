@@ -125,6 +125,17 @@ std::vector<std::size_t> spread_tables(std::size_t tables) {
   return chosen;
 }
 
+/// What the machine compares an object with.
+ShownLimit shown_limit(const Settings& settings, const MachineProfile& profile) {
+  const double area_mm2 = object_area_limit_mm2(settings);
+  if (area_mm2 > 0) return {area_mm2, true};
+  return {static_cast<double>(object_limit(settings, profile)), false};
+}
+
+double judged(const Judgeable& judgeable, const ShownLimit& limit) {
+  return limit.in_mm2 ? judgeable.mm2 : static_cast<double>(judgeable.pixels);
+}
+
 /// What windows and majority leave something certain of, in whole mm.
 double smallest_mm(const PxPerMm& px, const MachineProfile& profile) {
   return std::ceil(smallest_object_px(profile) / px.farthest);
@@ -190,22 +201,29 @@ ObjectOption set_object(const ObjectOption& asked, const std::string& skin, cons
   return option;
 }
 
-std::int64_t check_object_limit(const ObjectOption& option, const std::string& skin,
-                                const std::vector<const MapTable*>& tables, const MachineProfile& profile,
-                                Settings& settings) {
+Judgeable check_object_limit(const ObjectOption& option, const std::string& skin,
+                             const std::vector<const MapTable*>& tables, const MachineProfile& profile,
+                             Settings& settings) {
   const auto knows_areas = [](const MapTable* table) { return !table->facts().areas.empty(); };
   if (!std::ranges::all_of(tables, knows_areas)) settings.object_mm = 0;
-  std::int64_t judgeable = std::numeric_limits<std::int64_t>::max();
-  for (const MapTable* table : tables) judgeable = std::min(judgeable, supported_pixels(*table, settings.decision));
-  const std::int64_t limit = object_limit(settings, profile);
-  if (option.given && settings.object_px > 0 && limit > judgeable) {
-    throw FileError(skin, "",
-                    fmt::format("no object can be an alarm: one of {:.0f} px across takes {} pixels of the result, and "
-                                "{} can judge {} of this skin",
-                                settings.object_px, limit, name_of(settings.decision), judgeable),
-                    "a larger skin, or a smaller --object; 0 for none");
+  const ShownLimit limit = shown_limit(settings, profile);
+  Judgeable judgeable;
+  for (const MapTable* table : tables) {
+    judgeable.pixels = std::min(judgeable.pixels, supported_pixels(*table, settings.decision));
+    if (limit.in_mm2) judgeable.mm2 = std::min(judgeable.mm2, supported_mm2(*table, profile, settings.decision));
   }
-  if (settings.object_px > 0 && limit <= judgeable) {
+  const std::string size =
+      limit.in_mm2 ? fmt::format("{:g} mm", settings.object_mm) : fmt::format("{:.0f} px", settings.object_px);
+  const bool fits = limit.least <= judged(judgeable, limit);
+  if (option.given && settings.object_px > 0 && !fits) {
+    throw FileError(
+        skin, "",
+        fmt::format("no object can be an alarm: one of {} across takes {:.0f} {}, and {} can judge {:.0f} of this skin",
+                    size, limit.least, limit.in_mm2 ? "mm2" : "pixels of the result", name_of(settings.decision),
+                    judged(judgeable, limit)),
+        "a larger skin, or a smaller --object; 0 for none");
+  }
+  if (settings.object_px > 0 && fits) {
     double beyond = 0;
     std::size_t worst = 0;
     for (const std::size_t i : spread_tables(tables.size())) {
@@ -216,31 +234,32 @@ std::int64_t check_object_limit(const ObjectOption& option, const std::string& s
     }
     if (beyond > kMostBeyondLimit) {
       warn(fmt::format(
-          "{}: {}over {:.0f} % of this skin an object of {:.0f} px shows less than it takes for an alarm, "
+          "{}: {}over {:.0f} % of this skin an object of {} shows less than it takes for an alarm, "
           "because the skin is narrow there, or parted by gaps; join its pieces, or take a smaller --object",
-          skin, table_prefix(worst, tables.size()), 100 * beyond, settings.object_px));
+          skin, table_prefix(worst, tables.size()), 100 * beyond, size));
     }
   }
   return judgeable;
 }
 
 std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile,
-                        std::int64_t judgeable_pixels) {
+                        const Judgeable& judgeable) {
   if (settings.object_px <= 0) return "none is an alarm by itself";
   std::string mm = option.mm ? fmt::format("{:g} mm, ", *option.mm) : "";
   if (option.mm && !option.given && *option.mm > kUsual_mm) {
     mm = fmt::format("{:g} mm, for {:g} mm are too few px, ", *option.mm, kUsual_mm);
   }
-  const std::int64_t limit = object_limit(settings, profile);
-  std::string text = fmt::format("{}{:.0f} px across, {} pixels of the result", mm, settings.object_px, limit);
-  if (const double area_mm2 = object_area_limit_mm2(settings); area_mm2 > 0) {
+  const std::int64_t pixels = object_limit(settings, profile);
+  const ShownLimit limit = shown_limit(settings, profile);
+  std::string text = fmt::format("{}{:.0f} px across, {} pixels of the result", mm, settings.object_px, pixels);
+  if (limit.in_mm2) {
     text = fmt::format(
         "{}an area of {:.0f} mm2; where the skin is farthest {:.0f} px across, about {} pixels of the result", mm,
-        area_mm2, settings.object_px, limit);
+        limit.least, settings.object_px, pixels);
   }
-  if (limit > judgeable_pixels) {
-    text += fmt::format("; {} can judge {} of this skin, so only --alarm-limit counts", name_of(settings.decision),
-                        judgeable_pixels);
+  if (const double most = judged(judgeable, limit); limit.least > most) {
+    text += fmt::format("; {} can judge {:.0f}{} of this skin, so only --alarm-limit counts",
+                        name_of(settings.decision), most, limit.in_mm2 ? " mm2" : "");
   }
   return text;
 }

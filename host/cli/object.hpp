@@ -33,17 +33,23 @@ void add_object(CLI::App& command, ObjectOption& option);
                                       const std::optional<calib::Rig>& rig, const MachineProfile& profile,
                                       int image_width, int image_height, Settings& settings);
 
-/// The pixels of the result that the rule can judge, in the table with the fewest. Throws FileError where an object was
-/// asked for that takes more: none would be an alarm. Where a table knows no areas, settings.object_mm becomes 0: pixels
-/// are the limit. Says on standard error where over half of the skin no object shows enough, in the worst table; of a
-/// motion of more than 32 tables so many are looked at, evenly from the first to the last.
-std::int64_t check_object_limit(const ObjectOption& option, const std::string& skin,
-                                const std::vector<const MapTable*>& tables, const MachineProfile& profile,
-                                Settings& settings);
+/// What the rule can judge of a skin, in the table of which it can judge the least.
+struct Judgeable {
+  std::int64_t pixels = std::numeric_limits<std::int64_t>::max();  ///< of the result
+  double mm2 = std::numeric_limits<double>::infinity();            ///< known where the limit is an area
+};
+
+/// Throws FileError where an object was asked for that takes more than the rule can judge: none would be an alarm. Where a
+/// table knows no areas, settings.object_mm becomes 0: pixels are the limit. Says on standard error where over half of the
+/// skin no object shows enough, in the worst table; of a motion of more than 32 tables so many are looked at, evenly from
+/// the first to the last.
+Judgeable check_object_limit(const ObjectOption& option, const std::string& skin,
+                             const std::vector<const MapTable*>& tables, const MachineProfile& profile,
+                             Settings& settings);
 
 /// "72 px across, 2036 pixels of the result", with mm where they were asked for; and whether so many can be judged,
 /// where a table says it.
 std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile,
-                        std::int64_t judgeable_pixels = std::numeric_limits<std::int64_t>::max());
+                        const Judgeable& judgeable = {});
 
 }  // namespace horopter::cli

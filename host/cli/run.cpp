@@ -87,7 +87,7 @@ struct Session {
     maps = load_or_compile_maps(options.skin, rig, *profile, width, height, settings.decision);
     const auto tables = maps.tables();
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
-    judgeable_pixels = check_object_limit(object, options.skin, tables, *profile, settings);
+    judgeable = check_object_limit(object, options.skin, tables, *profile, settings);
     has_rig = !maps.rig.empty();
     follower = std::make_unique<ObjectFollower>(*profile, tables, maps.rig);
     results_per_s = options.results_per_s;
@@ -153,7 +153,7 @@ struct Session {
     }
     const auto tables = compiled.tables();
     check_alarm_limit(options.skin, tables, *profile, settings.decision, settings.alarm_percent);
-    judgeable_pixels = check_object_limit(object, options.skin, tables, *profile, settings);
+    judgeable = check_object_limit(object, options.skin, tables, *profile, settings);
     warn_of_designed_rig(options.skin, compiled.rig);
     warn_of_proof(options.skin, tables, *profile, compiled.lookahead, settings, compiled.rig);
     moving = std::make_unique<MovingSupervisor>(make_picture_device(options.engine, *profile), *profile,
@@ -166,10 +166,10 @@ struct Session {
   Settings settings;
   std::optional<ChosenThickness> thickness;
   bool has_rig = true;
-  std::int64_t judgeable_pixels = 0;  ///< on the skin
-  double d95_px = 0;                  ///< of a skin that moves: what its steps are planned for
-  double supervised_share = 1;        ///< the same, of what the left camera sees of it: the least of all steps
-  MapSet maps;                        ///< of a skin that does not move
+  Judgeable judgeable;
+  double d95_px = 0;            ///< of a skin that moves: what its steps are planned for
+  double supervised_share = 1;  ///< the same, of what the left camera sees of it: the least of all steps
+  MapSet maps;                  ///< of a skin that does not move
   std::unique_ptr<Supervisor> supervisor;
   std::unique_ptr<MovingSupervisor> moving;  ///< instead, for a skin that moves
   std::unique_ptr<ObjectFollower> follower;
@@ -265,18 +265,18 @@ nlohmann::ordered_json begin_summary(Session& session, const RunOptions& options
   }
   summary["object"] = {{"px", std::round(10 * session.settings.object_px) / 10},
                        {"pixels", object_limit(session.settings, *session.profile)},
-                       {"judgeable_pixels", session.judgeable_pixels},
+                       {"judgeable_pixels", session.judgeable.pixels},
                        {"in_mm", session.follower->in_mm()}};
   const double area_limit_mm2 = object_area_limit_mm2(session.settings);
   summary["object"]["limit"] = area_limit_mm2 > 0 ? "area" : "pixels";
   if (area_limit_mm2 > 0) {
     summary["object"]["mm"] = session.settings.object_mm;
     summary["object"]["area_mm2"] = area_limit_mm2;
+    summary["object"]["judgeable_mm2"] = std::round(session.judgeable.mm2);
   }
   if (session.results_per_s) summary["frame_rate_per_s"] = *session.results_per_s;
   if (print) {
-    fmt::print("object: {}{}\n",
-               object_text(session.object, session.settings, *session.profile, session.judgeable_pixels),
+    fmt::print("object: {}{}\n", object_text(session.object, session.settings, *session.profile, session.judgeable),
                session.follower->in_mm() ? "" : "; this skin knows no rig: nothing is known in mm");
   }
   if (session.thickness) {

@@ -404,6 +404,47 @@ TEST_CASE("A skin that is parted by gaps, or too narrow for the usual object, is
   CHECK(warns(14, 0, 1));
 }
 
+TEST_CASE("What a skin can show of an object is its area, also where another part of the skin is far away") {
+  const Sandbox box;
+  box.write("rig.yaml", two_cameras(640, 480, 800, "-200, 0, 0"));
+  const auto patch = [](int left_mm, int top_mm, int width_mm, int height_mm, int z_mm) {
+    const auto corner = [&](int x, int y) {
+      return "[" + std::to_string(x) + ", " + std::to_string(y) + ", " + std::to_string(z_mm) + "]";
+    };
+    const int right_mm = left_mm + width_mm, bottom_mm = top_mm + height_mm;
+    return "[" + corner(left_mm, top_mm) + ", " + corner(right_mm, top_mm) + ", " + corner(right_mm, bottom_mm) + ", " +
+           corner(left_mm, bottom_mm) + "]";
+  };
+  const auto upload = [&](const std::string& patches) {
+    box.write("skin.yaml", "surface: {type: planes, polygons_mm: [" + patches + "]}\n");
+    return std::vector<std::string>{"upload", "--engine",      "native", "--profile", "vga",
+                                    "--skin", "skin.yaml",     "--rig",  "rig.yaml",  "--object",
+                                    "40mm",   "--alarm-limit", "0.1"};
+  };
+  const auto warned = [&](const std::string& patches) {
+    const auto result = box.run(upload(patches));
+    CAPTURE(patches, result.err);
+    REQUIRE(result.status == 0);
+    return result.err;
+  };
+  const auto strips = [&](int width_mm, int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+      text += (i == 0 ? "" : ", ") + patch(-40 + i * (width_mm + 10), -150, width_mm, 250, 600);
+    return text;
+  };
+  // At 1800 mm 40 mm have 1/9 of the pixels that they have at 600 mm.
+  const std::string far = ", " + patch(0, 350, 200, 100, 1800);
+  const auto says = Catch::Contains("of this skin an object of 40 mm shows less") && Catch::Contains("parted by gaps");
+  CHECK_THAT(warned(strips(30, 7)), says);
+  CHECK_THAT(warned(strips(30, 7) + far), says);
+  CHECK_THAT(warned(strips(90, 2)), !Catch::Contains("parted by gaps"));
+  CHECK_THAT(warned(strips(90, 2) + far), !Catch::Contains("parted by gaps"));
+  // 40 × 40 px, of which about 500 are judged, and a strip that is narrower than the windows.
+  check_bad_file(box, upload(patch(60, -15, 30, 30, 600) + ", " + patch(0, 350, 200, 30, 1800)), "skin.yaml",
+                 "one of 40 mm across takes 628 mm2");
+}
+
 TEST_CASE("A skin that moves is said to be too narrow for an object where it is narrowest") {
   const Sandbox box;
   box.write("rig.yaml", two_cameras(320, 240, 535, "-50, 0, 0"));
