@@ -40,7 +40,7 @@ class Demo:
         self.log = folder / "demo.log"
         self.running = subprocess.Popen(
             [script], stdin=subprocess.PIPE, stdout=self.log.open("w"), stderr=subprocess.STDOUT, text=True,
-            env={**os.environ, "BIN": str(programs), "OUT": str(folder / "out")}, start_new_session=True)
+            env={**os.environ, "BIN": str(programs), "OUT": str(folder / "out"), "TEACH": "true"}, start_new_session=True)
         self.password = self.find(r"password (\w+)")
         self.find(r"begins with")
 
@@ -136,7 +136,6 @@ def stop_by_alarm(page, demo):
 def check(page, demo, tell_shoot):
     demo.tell("show 1")  # nothing is in the skin
     log_in(page, demo, "engineer")
-    wait_for_restart(page)
     page.wait("a picture", lambda: page.at("picture").get_property("naturalWidth") >= 640)
     page.wait("numbers of the cameras", lambda: "5.0" in page.at("cameras").text)
     teach(page)

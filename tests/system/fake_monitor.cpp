@@ -91,6 +91,7 @@ int main(int argc, char** argv) {
   configuration.users = argv[2];
   configuration.look_without_login = true;
   configuration.restart_allowed = true;
+  configuration.teach_allowed = true;
   const monitor::Web web(configuration,
                          {.control = &control, .log = &log, .metrics = [] { return "horopter_up 1\n"; }});
   control.add(log);

@@ -272,6 +272,8 @@ TEST_CASE("Each role may do what it may, and no more") {
   CHECK(plant_operator.json("/api/status")["state"] == "safe");
 
   Browser engineer(cell, "emma");
+  CHECK(engineer.json("/api/session")["may_teach"] == true);
+  CHECK(engineer.json("/api/session")["teach_allowed"] == false);  // what the page says; the monitor refuses
   CHECK(engineer.post("/api/teach", {{"frames", 10}}) == 200);
   CHECK(cell.control.asked().back().what == "teach 10");
   CHECK(engineer.post("/api/teach", {{"frames", 0}}) == 409);

@@ -141,13 +141,15 @@ Image textured(std::uint64_t seed) {
 
 /// A running service, and two cameras in step.
 struct Bench {
-  explicit Bench(std::chrono::milliseconds limit = 120s, bool by_itself = false) {
+  explicit Bench(std::chrono::milliseconds limit = 120s, bool by_itself = false, bool teach_needed = false) {
     directory.write("skin.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -10], [0, 1, 0], [0, 0, 1]]\n");
     cell.frames_per_s = 1;
     cell.decision_limit_ms = static_cast<double>(limit.count());
     cell.settings.live = true;
     cell.settings.proof.needed = false;
     cell.settings.still_limit = 0;
+    // With this margin the images are good before it was taught, too.
+    cell.settings.blind = {.watch = teach_needed, .margin = horopter::BlindSettings::kLargestMargin};
     cell.settings.interlock.by_itself = by_itself;
     cell.settings.interlock.by_register = !by_itself;
     cell.settings.interlock.by_pin = false;
@@ -504,8 +506,19 @@ TEST_CASE("standard output that nobody reads holds nobody up: lines are lost, an
   }
 }
 
-TEST_CASE("teaching: not safe meanwhile, and said when it has ended") {
+TEST_CASE("a cell that need not be taught is not: begun anew it would not watch") {
   Bench bench;
+  bench.judge();
+  std::string why;
+  CHECK_FALSE(bench.service->teach(3, {"egon", ""}, why));
+  CHECK_THAT(why, Catch::Contains("teach: {needed: true}"));
+  const Status status = bench.judge();
+  CHECK_FALSE(status.teaching);
+  CHECK_FALSE(status.taught);
+}
+
+TEST_CASE("teaching: not safe meanwhile, and said when it has ended") {
+  Bench bench(120s, false, true);
   std::string why;
   CHECK_FALSE(bench.service->teach(3, {"egon", ""}, why));
   REQUIRE(bench.release().safe);

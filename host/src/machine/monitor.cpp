@@ -217,14 +217,8 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
 }
 
 void Monitor::teach(bool on) {
-  BlindSettings blind = settings_.blind;
-  blind.teach = on;
-  set_blind(blind);
-}
-
-void Monitor::set_blind(const BlindSettings& blind) {
-  settings_.blind = blind;
-  write_checked(*device_, blocks_word(blind));
+  settings_.blind.teach = on;
+  write_checked(*device_, blocks_word(settings_.blind));
 }
 
 void Monitor::trip() {

@@ -185,7 +185,6 @@ class Monitor {
   FrameResult finish();
   /// From the next frame on: learn what cannot be decided, or watch for it (BlindSettings). The zone is empty.
   void teach(bool on);
-  void set_blind(const BlindSettings& blind);
   /// Takes safe away as a fault does, for who knows more than the machine: by an upload into the table in use, which it
   /// refuses. The next frame has the fault `map_busy`. Nothing before the first frame, when it is not safe. Throws
   /// DeviceError where it is safe all the same.

@@ -325,23 +325,16 @@ void Service::begin_request(MonitorFaults own) {
   } else if (teach) {
     teacher_ = teach->actor;
     to_teach_ = teach->frames;
-    learn(true);
+    monitor.teach(true);
     note(teacher_, fmt::format("teaching: the zone must be empty for {} pairs", to_teach_));
   }
 }
 
-/// Taught from the page it watches, also where the cell does not need it.
-void Service::learn(bool on) {
-  BlindSettings blind = cell_.settings.blind;
-  blind.watch = true;
-  blind.teach = on;
-  machine_->supervisor->monitor().set_blind(blind);
-}
-
 void Service::count_taught() {
   if (--to_teach_ != 0) return;
-  learn(false);
-  const int taught = machine_->supervisor->monitor().blind_watch().taught();
+  horopter::Monitor& monitor = machine_->supervisor->monitor();
+  monitor.teach(false);
+  const int taught = monitor.blind_watch().taught();
   note(teacher_, taught != 0 ? fmt::format("taught by {} frames", taught)
                              : "taught nothing: the last frame had a fault or an alarm; everything that cannot be "
                                "decided counts as an object now");
@@ -496,6 +489,8 @@ bool Service::teach(int frames, const Actor& actor, std::string& why) {
   const std::lock_guard lock(status_mutex_);
   if (frames < 1 || frames > kMost) {
     why = fmt::format("{} frames; expected 1 to {}", frames, kMost);
+  } else if (!cell_.settings.blind.watch) {
+    why = "it would not watch any more once it is begun anew; set `teach: {needed: true}` in cell.yaml";
   } else if (status_.teaching || teach_request_) {
     why = "it is teaching already";
   } else if (status_.frame == 0) {

@@ -36,6 +36,7 @@ WebConfiguration web_configuration(const Cell& cell) {
     web.key = cell.web->tls->key_file;
   }
   web.host_names = cell.web->names;
+  web.teach_allowed = cell.teach.needed;
   web.teach_frames = cell.teach.frames;
   web.restart_allowed = cell.web->restart;
   web.decision_limit_ms = cell.decision_limit_ms;

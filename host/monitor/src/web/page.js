@@ -138,7 +138,7 @@ function showActions() {
   at("restart").hidden = !(session.may_restart && stopped && wants);
   at("restart").disabled = last.restart !== "possible";
   at("teach").hidden = !session.may_teach;
-  at("teach").disabled = last.teaching;
+  at("teach").disabled = last.teaching || !session.teach_allowed;
   at("teach").textContent = last.teaching ? "It is being taught…" : "Teach the empty zone…";
   let hint = "";
   if (stopped && wants && last.restart === "needed") hint = "A restart is possible once the last pictures were good.";
@@ -147,7 +147,10 @@ function showActions() {
     else if (!session.user) hint = "Log in as operator to restart, or use the button at the cell.";
     else if (!session.may_restart) hint = `The role ${session.role} may not restart. Ask an operator.`;
   }
-  at("hint").textContent = hint;
+  if (session.may_teach && !session.teach_allowed) {
+    hint += " Nobody can teach this cell: its cell.yaml does not say `teach: {needed: true}`.";
+  }
+  at("hint").textContent = hint.trim();
   at("do").hidden = at("restart").hidden && at("teach").hidden && !hint;
 }
 

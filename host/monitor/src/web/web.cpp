@@ -347,6 +347,7 @@ class Web::Site {
               {"may_restart", visitor.has(Role::plant_operator) && configuration_.restart_allowed},
               {"may_teach", visitor.has(Role::engineer)},
               {"restart_allowed", configuration_.restart_allowed},
+              {"teach_allowed", configuration_.teach_allowed},
               {"teach_frames", configuration_.teach_frames}};
     if (visitor.user) {
       json["user"] = visitor.user->name;

@@ -80,7 +80,7 @@ struct WebCell {
 };
 
 struct TeachCell {
-  bool needed = false;  ///< until it was taught, everything that cannot be decided counts as an object
+  bool needed = false;  ///< until it was taught, all that is undecidable counts as an object; false: nobody teaches it
   int frames = 500;     ///< that a person's command to teach takes, unless it says another number
   int margin = BlindSettings{}.margin;
   bool less_light = false;  ///< taught also as half of the light would show the images

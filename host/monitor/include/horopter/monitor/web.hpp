@@ -22,6 +22,7 @@ struct WebConfiguration {
   std::filesystem::path key;
   bool without_tls = false;             ///< listen elsewhere than on this computer, passwords readable on the way
   bool look_without_login = false;      ///< whoever reaches the page may look, though there are users
+  bool teach_allowed = false;           ///< an engineer may teach from the page
   int teach_frames = 500;               ///< pairs that a command to teach takes
   bool restart_allowed = false;         ///< an operator may restart from the page
   std::vector<std::string> host_names;  ///< by which it may be called, beside addresses and `localhost`
