@@ -202,6 +202,40 @@ TEST_CASE("What half of the light would leave undecidable is taught, too, and le
   CHECK((frame_of(small, kContrast).undecidable_pixels > kPixels * 85 / 100) == dim);
 }
 
+TEST_CASE("A teaching that is broken off leaves nothing taught, of neither field") {
+  const std::string name = GENERATE("vga", "field");
+  CAPTURE(name);
+  const MachineProfile& profile = find_profile(name);
+  SkinFile skin;
+  skin.path = "skin";
+  skin.skin = std::make_unique<HomographySkin>(Matrix3{1, 0, -8, 0, 1, 4, 0, 0, 1});
+  Settings settings = Settings{}.without_proof();
+  settings.blind = {.watch = true, .teach = true};
+  Supervisor supervisor(make_native_device(profile), profile, compile_maps(skin, profile, 160, 96), settings);
+  Monitor& monitor = supervisor.monitor();
+  unsigned seed = 200;
+  const auto judge = [&] {
+    const Image left = textured(160, 96, ++seed);
+    return supervisor.process(left, moved(left, 6, 4));  // beside the skin
+  };
+  for (int i = 0; i < 3; ++i) {
+    for (const auto& result : judge()) CHECK(result.faults.names() == std::vector<std::string>{"teaching"});
+  }
+  CHECK(monitor.blind_watch().taught() == (name == "vga" ? 3 : 6));
+  monitor.break_off_teaching();
+  const auto last = judge();
+  CHECK(last.front().faults.has(Fault::teaching));
+  CHECK(last.front().faults.has(Fault::map_busy));
+  CHECK(last.back().faults.has(Fault::teaching) == (name == "vga"));
+  for (const auto& result : judge()) CHECK_FALSE(result.faults.any());
+  CHECK(monitor.blind_watch().taught() == 0);
+  CHECK(reg::status::kTaught.get(monitor.device().read(reg::status::kAddress)) == 0);
+  // With nothing to forget it ends at once.
+  monitor.teach(true);
+  monitor.break_off_teaching();
+  for (const auto& result : judge()) CHECK_FALSE(result.faults.any());
+}
+
 TEST_CASE("Images that cannot be images are faults, each its own, and the next good frame is good") {
   Small small;
   small.monitor.select(1);

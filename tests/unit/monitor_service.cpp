@@ -544,6 +544,42 @@ TEST_CASE("teaching: not safe meanwhile, and said when it has ended") {
   CHECK(noted[2] == "taught by 3 frames");
 }
 
+TEST_CASE("a teaching is broken off by a fault of the monitor's own: nothing counts as taught") {
+  Bench bench(120s, false, true);
+  const auto has_noted = [&](const std::string& what) {
+    return std::ranges::any_of(bench.recorder.events(),
+                               [&](const Event& event) { return event.what.find(what) != std::string::npos; });
+  };
+  std::string why;
+  REQUIRE(bench.release().safe);
+  REQUIRE(bench.service->teach(20, {"egon", ""}, why));
+  for (int i = 0; i < 5; ++i) CHECK(bench.judge().teaching);
+  SECTION("a camera that is gone for a while") {
+    bench.service->lost(Side::left, "the cable is out");
+    CHECK(eventually([&] { return has_noted("teaching was broken off: left_camera_lost; teach again"); }));
+    CHECK_FALSE(bench.service->status().teaching);
+    bench.service->connected(Side::left);
+  }
+  SECTION("a time without images") {
+    ++bench.number;
+    CHECK_FALSE(bench.judge().teaching);
+    CHECK(has_noted("teaching was broken off: left_gap"));
+  }
+  Status status;
+  for (int i = 0; i < 20; ++i) {
+    status = bench.judge();
+    CHECK_FALSE(status.teaching);
+  }
+  CHECK_FALSE(status.taught);
+  CHECK(status.causes.empty());
+  CHECK_FALSE(has_noted("taught by"));
+  // Taught anew it counts from the beginning.
+  REQUIRE(bench.service->teach(3, {"egon", ""}, why));
+  for (int i = 0; i < 3; ++i) CHECK(bench.judge().teaching);
+  CHECK(bench.judge().taught);
+  CHECK(has_noted("taught by 3 frames"));
+}
+
 TEST_CASE("by itself only where the cell says so; then a restart by hand is refused") {
   Bench bench(120s, true);
   Status status;

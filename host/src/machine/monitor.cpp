@@ -217,8 +217,15 @@ void Monitor::upload(int slot, const MapTable& table, std::optional<std::size_t>
 }
 
 void Monitor::teach(bool on) {
+  breaks_off_ = false;
   settings_.blind.teach = on;
   write_checked(*device_, blocks_word(settings_.blind));
+}
+
+void Monitor::break_off_teaching() {
+  if (blind_watch_->taught() == 0) return teach(false);
+  trip();
+  breaks_off_ = true;
 }
 
 void Monitor::trip() {
@@ -334,6 +341,7 @@ FrameResult Monitor::finish() {
   blind.teach = result.faults.has(Fault::teaching);
   const bool spoiled = result.faults.without(Fault::teaching).any() || result.seen;
   result.blind = blind_watch_->frame(result.states, blind, spoiled);
+  if (breaks_off_ && blind.teach && spoiled) teach(false);
   if (const auto pixels = std::ranges::count(result.blind, 1); pixels != result.blind_pixels) {
     throw DeviceError(
         fmt::format("the machine has {} blind pixels; by its states, and those that it was taught, there are {}",

@@ -185,6 +185,9 @@ class Monitor {
   FrameResult finish();
   /// From the next frame on: learn what cannot be decided, or watch for it (BlindSettings). The zone is empty.
   void teach(bool on);
+  /// No more of it, and nothing counts as taught: the next frame still teaches, with the fault of trip(), and so the machine
+  /// forgets all. Where it knows nothing it ends at once.
+  void break_off_teaching();
   /// Takes safe away as a fault does, for who knows more than the machine: by an upload into the table in use, which it
   /// refuses. The next frame has the fault `map_busy`. Nothing before the first frame, when it is not safe. Throws
   /// DeviceError where it is safe all the same.
@@ -236,6 +239,7 @@ class Monitor {
   std::vector<Slot> slots_;
   std::uint32_t sequence_ = 0;
   std::optional<BlindWatch> blind_watch_;
+  bool breaks_off_ = false;  ///< a teaching, with the next frame that has a fault
 };
 
 /// A monitor for image pairs of one skin: every image makes one result, or two for profiles that take fields.

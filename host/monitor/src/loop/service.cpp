@@ -185,11 +185,13 @@ MonitorFaults Service::faults_of_parts() {
 
 MonitorFaults Service::missed() const { return state_.missed() ? MonitorFault::decision_late : MonitorFaults(); }
 
-/// The machine does not know of what the monitor finds: its interlock falls, and the next pair is no good one.
+/// The machine does not know of what the monitor finds: its interlock falls, the next pair is no good one, and nobody knows
+/// whether what it is shown from now on is as empty as what it was shown before.
 void Service::take_safe_away(MonitorFaults own) {
   state_.not_safe(words_of(own, {}));
   if (machine_) machine_->supervisor->monitor().trip();
   if (own.has(MonitorFault::decision_late)) state_.catch_up();
+  if (to_teach_ != 0) break_off_teaching(own);
 }
 
 /// Without a pair: what is wrong now.
@@ -287,7 +289,7 @@ void Service::judge(ImagePair pair) {
     moment = std::move(made);
   }
   publish(std::move(status), moment);
-  if (to_teach_ != 0) count_taught();
+  if (to_teach_ != 0 && !pending_.any()) count_taught();
 }
 
 /// Of the result that is shown; those of the other field are followed, too.
@@ -328,6 +330,16 @@ void Service::begin_request(MonitorFaults own) {
     monitor.teach(true);
     note(teacher_, fmt::format("teaching: the zone must be empty for {} pairs", to_teach_));
   }
+}
+
+void Service::break_off_teaching(MonitorFaults own) {
+  to_teach_ = 0;
+  machine_->supervisor->monitor().break_off_teaching();
+  {
+    const std::lock_guard lock(status_mutex_);
+    status_.teaching = false;
+  }
+  note(teacher_, fmt::format("teaching was broken off: {}; teach again", fmt::join(own.names(), ", ")));
 }
 
 void Service::count_taught() {
