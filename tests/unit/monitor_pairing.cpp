@@ -376,6 +376,7 @@ TEST_CASE("the names are in the order of the bits, which other programs know") {
   CHECK(MonitorFaults(MonitorFault::right_camera_lost).word() == 1U << 11);
   CHECK(MonitorFaults(MonitorFault::skew).word() == 1U << 22);
   CHECK(MonitorFaults(MonitorFault::starting).names().front() == "starting");
+  CHECK(MonitorFaults(MonitorFault::ending).word() == 1U << 29);
   CHECK(of(Side::right, MonitorFault::left_wrong_camera) == MonitorFault::right_wrong_camera);
   const std::set<std::string_view> names(kMonitorFaultNames.begin(), kMonitorFaultNames.end());
   CHECK(names.size() == kMonitorFaultNames.size());

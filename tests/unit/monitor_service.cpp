@@ -594,11 +594,23 @@ TEST_CASE("by itself only where the cell says so; then a restart by hand is refu
   CHECK(status.safe);
 }
 
-TEST_CASE("at its end it is not safe") {
+TEST_CASE("at its end it is not safe, and says that it has stopped") {
   Bench bench;
   REQUIRE(bench.release().safe);
   bench.stop = true;
   while (!bench.ended) std::this_thread::sleep_for(1ms);
   CHECK(bench.failure.empty());
   CHECK_FALSE(bench.service->safe_state().at(Clock::now()).safe);
+  const Status status = bench.service->status();
+  CHECK_FALSE(status.safe);
+  CHECK(names_of(status.causes) == std::vector<std::string>{"ending"});
+  CHECK(bench.recorder.names() == std::vector<std::string>{"noted", "released", "stopped"});
+}
+
+TEST_CASE("at an end while it is not safe nothing is told") {
+  Bench bench;
+  bench.judge();
+  bench.stop = true;
+  while (!bench.ended) std::this_thread::sleep_for(1ms);
+  CHECK(bench.recorder.names() == std::vector<std::string>{"noted"});
 }

@@ -111,6 +111,7 @@ constexpr auto kRows = std::to_array<Row>({
     {"output", false, "An output or a part of the monitor has failed.",
      "Look at the line, the broker or the disk that the message names."},
     {"starting", false, "The monitor has just started, and has not judged an image yet.", "Wait for the cameras."},
+    {"ending", false, "The monitor ends: nobody watches any more.", "Start the monitor again."},
 });
 
 std::string filled(std::string_view text, std::string_view camera) {

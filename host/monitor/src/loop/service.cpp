@@ -148,6 +148,7 @@ void Service::run(const std::function<bool()>& asked_to_stop, std::uint64_t pair
   try {
     loop(asked_to_stop, pairs);
     state_.end();
+    if (is_told_safe()) stop_by(causes_of(false, MonitorFault::ending, {}), words_of(MonitorFault::ending, {}));
   } catch (const std::exception& error) {
     Cause cause = cause_of("engine");
     cause.text += fmt::format(" ({})", error.what());
@@ -155,6 +156,11 @@ void Service::run(const std::function<bool()>& asked_to_stop, std::uint64_t pair
     state_.end();
     throw;
   }
+}
+
+bool Service::is_told_safe() const {
+  const std::lock_guard lock(status_mutex_);
+  return status_.safe || untold_stop_;
 }
 
 void Service::loop(const std::function<bool()>& asked_to_stop, std::uint64_t pairs) {

@@ -43,8 +43,9 @@ enum class MonitorFault {
   engine,
   output,
   starting,
+  ending,
 };
-inline constexpr int kMonitorFaults = 29;
+inline constexpr int kMonitorFaults = 30;
 
 /// The names, in the order of their bits.
 inline constexpr auto kMonitorFaultNames = std::to_array<std::string_view>({"left_camera_lost",
@@ -75,7 +76,8 @@ inline constexpr auto kMonitorFaultNames = std::to_array<std::string_view>({"lef
                                                                             "decision_late",
                                                                             "engine",
                                                                             "output",
-                                                                            "starting"});
+                                                                            "starting",
+                                                                            "ending"});
 static_assert(kMonitorFaultNames.size() == kMonitorFaults);
 
 /// A fault of the left camera, or the same of the right one.

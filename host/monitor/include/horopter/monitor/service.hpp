@@ -86,6 +86,7 @@ class Service final : public Control, public CameraSink {
   void loop(const std::function<bool()>& asked_to_stop, std::uint64_t pairs);
   std::optional<ImagePair> wait_for_pair();
   bool images_ended();
+  [[nodiscard]] bool is_told_safe() const;
   /// `taken`: pairs that were taken before, and are not judged.
   void start_machine(int width, int height, std::uint64_t taken);
   void idle();
