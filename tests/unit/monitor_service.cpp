@@ -303,6 +303,23 @@ TEST_CASE("an alarm while it is not safe: told once, kept, and nobody restarts i
   CHECK(bench.release().safe);
 }
 
+TEST_CASE("an alarm that begins soon after another, while it is not safe, is told as soon as a second is over") {
+  Bench bench;
+  bench.judge();
+  const auto told = [&] {
+    return std::ranges::count(bench.recorder.events(), "an alarm while it was not safe", &Event::what);
+  };
+  bench.judge(true);
+  CHECK(told() == 1);
+  bench.judge();
+  const auto begun = Clock::now();
+  while (Clock::now() - begun < kBetweenCauses + 500ms) {
+    bench.judge(true);
+    std::this_thread::sleep_for(50ms);
+  }
+  CHECK(told() == 2);
+}
+
 TEST_CASE("a fault that only the monitor sees takes safe from the machine: nothing but a restart gives it back") {
   Bench bench;
   REQUIRE(bench.release().safe);

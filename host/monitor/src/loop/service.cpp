@@ -412,7 +412,14 @@ void Service::tell(const Status& before, const Status& status, const MomentPtr& 
   const bool tell_others = others && Clock::now() - causes_told_ >= kBetweenCauses;
   if (tell_others || moment || before.safe != status.safe) told_causes_ = status.causes;
   if (tell_others) causes_told_ = Clock::now();
-  const bool tell_alarm = !before.safe && !before.alarm && status.alarm && Clock::now() - alarm_told_ >= kBetweenCauses;
+  // One that begins too soon after another is told later, if it lasts.
+  if (!status.alarm || before.safe) {
+    untold_alarm_ = false;
+  } else if (!before.alarm) {
+    untold_alarm_ = true;
+  }
+  const bool tell_alarm = untold_alarm_ && Clock::now() - alarm_told_ >= kBetweenCauses;
+  if (tell_alarm) untold_alarm_ = false;
   if (tell_alarm || (before.safe && status.alarm)) alarm_told_ = Clock::now();
   for (Part* part : parts_) {
     if (before.safe && !status.safe) part->stopped(status, moment);

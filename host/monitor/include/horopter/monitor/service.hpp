@@ -135,6 +135,7 @@ class Service final : public Control, public CameraSink {
   std::vector<Cause> told_causes_;
   Clock::time_point causes_told_{};
   Clock::time_point alarm_told_{};
+  bool untold_alarm_ = false;        ///< one that is there, while it is not safe anyway
   std::optional<Actor> restarting_;  ///< the key was given; the next pair shows what came of it
   Actor released_by_{"configuration", ""};
   Actor teacher_;
