@@ -181,6 +181,9 @@ def check(page, tell, shoot):
     tell("good")
     page.wait("waiting", lambda: "waits for a restart" in page.at("reason").text)
     page.log_out()
+    page.wait("who may restart", lambda: page.at("hint").text == "Log in as operator to restart.")
+    page.driver.execute_script("session.restart_allowed = false;")  # until the next log-in
+    page.wait("that nobody may", lambda: "Nobody can restart this cell" in page.at("hint").text)
     page.log_in("vera")
     page.wait("no restart for a viewer", lambda: not page.at("restart").is_displayed() and "may not restart" in page.at("hint").text)
     assert page.post("/api/restart", '{"stop": 1}', page.token()) == 403

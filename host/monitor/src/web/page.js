@@ -143,8 +143,9 @@ function showActions() {
   let hint = "";
   if (stopped && wants && last.restart === "needed") hint = "A restart is possible once the last pictures were good.";
   if (stopped && wants && last.restart === "possible") {
-    if (!session.restart_allowed) hint = "Restart with the button at the cell.";
-    else if (!session.user) hint = "Log in as operator to restart, or use the button at the cell.";
+    if (!session.restart_allowed || !session.login_possible) {
+      hint = "Nobody can restart this cell: cell.yaml needs `web: {users_file: …, restart: true}`.";
+    } else if (!session.user) hint = "Log in as operator to restart.";
     else if (!session.may_restart) hint = `The role ${session.role} may not restart. Ask an operator.`;
   }
   if (session.may_teach && !session.teach_allowed) {
