@@ -66,7 +66,7 @@ TEST_CASE("all that a cell can say") {
   const Cell cell = files.load(
       "name: press 3\n"
       "cameras: {left: {source: 'gst:videotestsrc', name: a, exposure_may_change: true}, right: {source: 'files:x', "
-      "repeat: true}, frames_per_s: 50, largest_skew_ms: 0.6, stamps: camera}\n"
+      "repeat: true}, frames_per_s: 50, largest_skew_ms: 0.6}\n"
       "rig: rig.yaml\nskin: skin.yaml\nprofile: vga\nengine: native\ndecision: compete\n"
       "limits: {tolerance_px: 1.5, object: 40mm, alarm_percent: 2, undecidable_percent: 70, unsupervised_percent: 60, "
       "frozen_frames: 3, hidden_frames: 10, still_scene: true, unproven: true, object_speed_m_s: 2, decision_ms: 45, "
@@ -81,7 +81,7 @@ TEST_CASE("all that a cell can say") {
   CHECK(cell.cameras[0].exposure_may_change);
   CHECK(cell.cameras[1].repeat);
   CHECK(cell.largest_skew_ms == 0.6);
-  CHECK(cell.stamps == Stamps::camera);
+  CHECK(cell.stamps == Stamps::arrival);
   CHECK(cell.settings.decision == horopter::Decision::compete);
   CHECK(cell.tolerance_px == 1.5);
   CHECK(cell.object_mm == 40);
@@ -169,6 +169,10 @@ TEST_CASE("what a cell must not say is refused: the file, the place, and what wa
       {"cameras: {left: {source: 'files:a'}, right: {source: 'files:b'}, frames_per_s: 25, largest_skew_ms: 30}\n" +
            kSkin,
        "at most half of the time between images"},
+      {"cameras: {left: {source: 'files:a'}, right: {source: 'files:b'}, frames_per_s: 25, stamps: camera}\n" + kSkin,
+       "cameras.stamps: these sources have no clock of a camera"},
+      {"cameras: {left: {source: 'gev:a'}, right: {source: 'files:b'}, frames_per_s: 25, stamps: camera}\n" + kSkin,
+       "it with gev: only"},
       {"cameras: {both: {source: 'files:a'}, left: {source: 'files:b'}, frames_per_s: 25}\n" + kSkin, "one of the two"},
       {"- 1\n", "expected a map"},
       {"", "cell.yaml"},
@@ -176,6 +180,13 @@ TEST_CASE("what a cell must not say is refused: the file, the place, and what wa
   CAPTURE(mistake.text);
   const std::string said = files.refused(mistake.text);
   CHECK_THAT(said, Catch::Contains("cell.yaml") && Catch::Contains(mistake.said) && Catch::Contains("expected"));
+}
+
+TEST_CASE("the cameras' clocks say when an image was taken, where both sources have one") {
+  const Files files;
+  const std::string more = ", frames_per_s: 25, stamps: camera}\n" + kSkin;
+  CHECK(files.load("cameras: {left: {source: 'gev:a'}, right: {source: 'gev:b'}" + more).stamps == Stamps::camera);
+  CHECK(files.load("cameras: {both: {source: 'gev:a'}" + more).stamps == Stamps::camera);
 }
 
 TEST_CASE("the checksum is of the cell, the rig and the skin") {

@@ -87,6 +87,9 @@ void read_cameras(Keys keys, Cell& cell) {
       keys.fail("right", "its serial number is that of the left camera", "the other camera's");
     }
   }
+  if (cell.stamps == Stamps::camera && !std::ranges::all_of(cell.cameras, is_genicam, &CameraCell::source)) {
+    keys.fail("stamps", "these sources have no clock of a camera", "it with gev: only");
+  }
   keys.finish();
 }
 
