@@ -48,6 +48,13 @@ struct Cameras {
     pairing.add(Side::right, std::move(right));
     return taken();
   }
+  std::set<std::string> of_serials(std::int64_t number, const std::string& left_serial,
+                                   const std::string& right_serial) {
+    CameraFrame left = frame(number), right = frame(number);
+    left.serial = left_serial;
+    right.serial = right_serial;
+    return give(left, right);
+  }
   std::set<std::string> taken() {
     const auto pair = pairing.take();
     if (!pair) return {"no pair"};
@@ -233,6 +240,39 @@ TEST_CASE("another size, exposure, lost packets, and cameras that are exchanged"
   right.lost_packets = 3;
   CHECK(cameras.give(of_camera(7, "A"), right) == Names{"right_lost_packets"});
   CHECK(cameras.pairing.counts(Side::right).lost_packets == 3);
+}
+
+TEST_CASE("a camera whose serial number nobody wrote down stays the one that it was at first") {
+  PairingRules with = rules();
+  const bool left_is_written = GENERATE(false, true);
+  if (left_is_written) with.serials[0] = "A";
+  Cameras cameras(with);
+  if (!left_is_written) CHECK(cameras.of_serials(0, "", "").empty());
+  CHECK(cameras.of_serials(1, "A", "B").empty());
+  cameras.pairing.reconnected(Side::right);
+  CHECK(cameras.of_serials(2, "A", "C") == Names{"right_camera_lost", "right_wrong_camera"});
+  CHECK(cameras.of_serials(3, "A", "C") == Names{"right_wrong_camera"});
+  CHECK(cameras.of_serials(4, "A", "") == Names{"right_wrong_camera"});
+  CHECK(cameras.of_serials(5, "B", "A") == Names{"swapped"});
+  CHECK(cameras.of_serials(6, "A", "B").empty());
+}
+
+TEST_CASE(
+    "cameras that are exchanged from the beginning, where one number is written, are not taken for the right ones") {
+  PairingRules with = rules();
+  with.serials[0] = "A";
+  Cameras cameras(with);
+  CHECK(cameras.of_serials(0, "B", "A") == Names{"left_wrong_camera"});
+  CHECK(cameras.of_serials(1, "A", "B").empty());
+  CHECK(cameras.of_serials(2, "A", "C") == Names{"right_wrong_camera"});
+}
+
+TEST_CASE("one camera that gives both images has one serial number") {
+  Cameras cameras;
+  CHECK(cameras.of_serials(0, "A", "A").empty());
+  CHECK(cameras.of_serials(1, "A", "A").empty());
+  CHECK(cameras.of_serials(2, "B", "B") == Names{"left_wrong_camera", "right_wrong_camera"});
+  CHECK(cameras.of_serials(3, "A", "A").empty());
 }
 
 TEST_CASE("an image with holes is none: a fault at once, counted, and its partner has none") {

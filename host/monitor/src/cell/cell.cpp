@@ -77,6 +77,7 @@ void read_cameras(Keys keys, Cell& cell) {
     cell.cameras = {read_camera(keys.map("both"), "left"), CameraCell{}};
     cell.cameras[1].name = "right";
     cell.cameras[1].source = cell.cameras[0].source;
+    cell.cameras[1].serial = cell.cameras[0].serial;
     cell.cameras[1].exposure_may_change = cell.cameras[0].exposure_may_change;
   } else {
     cell.cameras = {read_camera(keys.map("left"), "left"), read_camera(keys.map("right"), "right")};

@@ -111,10 +111,18 @@ void Pairing::add_broken(Side side, const CameraFrame& frame) {
   }
 }
 
+const std::string& Pairing::serial_of(Side side) const {
+  const std::string& given = rules_.serials[index(side)];
+  return given.empty() ? sides_[index(side)].serial : given;
+}
+
 void Pairing::check_serial(Side side, const std::string& serial) {
-  const std::string& expected = rules_.serials[index(side)];
+  OneSide& here = side_of(side);
+  // Cameras that are exchanged from the beginning must not pass for the right ones.
+  if (here.serial.empty() && serial != rules_.serials[index(other(side))]) here.serial = serial;
+  const std::string &expected = serial_of(side), &of_other = serial_of(other(side));
   if (expected.empty() || serial == expected) return;
-  if (!serial.empty() && serial == rules_.serials[index(other(side))]) {
+  if (!serial.empty() && serial == of_other) {
     faults_ |= MonitorFault::swapped;
   } else {
     faults_ |= of(side, MonitorFault::left_wrong_camera);

@@ -24,7 +24,7 @@ enum class Stamps { arrival, camera };
 struct CameraCell {
   std::string name;                             ///< of the rig's camera; `left`, `right` unless told
   std::string source;                           ///< files:, gst:, v4l2:, gev:
-  std::string serial;                           ///< that it must have; empty = any
+  std::string serial;                           ///< that it must have; empty = that of its first image
   std::map<std::string, std::string> features;  ///< GenICam, in the order of their names
   std::string trigger;                          ///< GenICam's TriggerSource; empty = the camera runs by itself
   bool repeat = false;                          ///< files: begin again after the last

@@ -45,7 +45,7 @@ struct PairingRules {
   int width = 0;            ///< px; 0 = those of the first image
   int height = 0;
   std::array<bool, 2> exposure_may_change{};
-  std::array<std::string, 2> serials;  ///< that the cameras must have; empty = any
+  std::array<std::string, 2> serials;  ///< that the cameras must have; empty = the first that is told
 };
 
 /// Two images of one moment, as far as they can be told to be. What is wrong with them, or went wrong since the pair
@@ -115,6 +115,7 @@ class Pairing {
     std::deque<CameraFrame> waiting;
     std::optional<Last> last;
     std::optional<double> exposure_us;  ///< of the first image that told it
+    std::string serial;                 ///< the first one that it told
     std::optional<Clock::time_point> last_arrived;
     std::uint64_t lost_packets = 0;  ///< of the transport, told with the last image
     SideCounts counts;
@@ -126,6 +127,8 @@ class Pairing {
   void check_facts(Side side, const CameraFrame& frame);
   void check_packets(Side side, const CameraFrame& frame);
   void add_broken(Side side, const CameraFrame& frame);
+  /// That the camera must have; empty: none was told yet.
+  [[nodiscard]] const std::string& serial_of(Side side) const;
   void check_serial(Side side, const std::string& serial);
   void match();
   void drop_unpaired(Side side);
