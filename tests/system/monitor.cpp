@@ -336,7 +336,7 @@ TEST_CASE("MQTT by TLS: both show their certificates; a broker of another name, 
     REQUIRE(released.is_object());
     const Running listener(box,
                            {"mosquitto_sub", "-h", "localhost", "-p", port, "--cafile", "ours.pem", "--cert",
-                            "cell.pem", "--key", "cell.key", "-t", "horopter/state"},
+                            "cell.pem", "--key", "cell.key", "-t", "horopter/test/state"},
                            "listener");
     CHECK(eventually([&] { return listener.out().find("\"safe\":true") != std::string::npos; }));
     CHECK(monitor.end(SIGTERM) == 0);

@@ -141,6 +141,9 @@ TEST_CASE("what a cell must not say is refused: the file, the place, and what wa
       {good + "teach: {margin: 64}\n", "expected 0 to 63"},
       {good + "outputs: {modbus: {port: 70000}}\n", "expected 0 to 65535"},
       {good + "outputs: {profinet: {}}\n", "unknown key 'profinet'"},
+      {good + "outputs: {mqtt: {host: broker}}\n", "outputs.mqtt.topic: missing"},
+      {good + "outputs: {mqtt: {host: broker, topic: cells/#}}\n", "without # and +"},
+      {good + "name: 'press #3'\noutputs: {mqtt: {host: broker}}\n", "'horopter/press #3'"},
       {good + "log: {size_mb: 50}\n", "log.directory: missing"},
       {good + "log: {directory: x, size_mb: 1}\n", "expected 10 to 1e+07 MB"},
       {good + "web: {listen: here}\n", "an address and a port"},
@@ -187,6 +190,20 @@ TEST_CASE("the cameras' clocks say when an image was taken, where both sources h
   const std::string more = ", frames_per_s: 25, stamps: camera}\n" + kSkin;
   CHECK(files.load("cameras: {left: {source: 'gev:a'}, right: {source: 'gev:b'}" + more).stamps == Stamps::camera);
   CHECK(files.load("cameras: {both: {source: 'gev:a'}" + more).stamps == Stamps::camera);
+}
+
+TEST_CASE("two cells never tell their states by one MQTT topic because both said nothing of it") {
+  const Files files;
+  const std::string cell = kCameras + kSkin + "outputs: {mqtt: {host: broker}}\n";
+  const auto topic = [&](const std::string& name) {
+    return files.load("name: " + name + "\n" + cell).outputs.mqtt->topic;
+  };
+  CHECK(topic("press 1") == "horopter/press 1");
+  CHECK(topic("press 2") == "horopter/press 2");
+  // The unit of systemd has each cell in a directory of its own, by one file name.
+  CHECK_THAT(files.refused(cell), Catch::Contains("or a `name` of the cell"));
+  CHECK(files.load(kCameras + kSkin + "outputs: {mqtt: {host: broker, topic: cells/3}}\n").outputs.mqtt->topic ==
+        "cells/3");
 }
 
 TEST_CASE("the checksum is of the cell, the rig and the skin") {

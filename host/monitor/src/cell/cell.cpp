@@ -158,13 +158,20 @@ ModbusCell read_modbus(Keys keys) {
   return modbus;
 }
 
-MqttCell read_mqtt(Keys keys) {
+/// `name`: that cell.yaml gives; empty where it gives none.
+MqttCell read_mqtt(Keys keys, const std::string& name) {
   MqttCell mqtt;
   mqtt.host = keys.text("host", "the broker's name or address");
   const bool tls = keys.has("ca_file");
   mqtt.port = keys.has("port") ? keys.whole("port", 1, 65'535, "") : tls ? 8883 : 1883;
-  mqtt.topic = keys.text_or("topic", mqtt.topic, "the topic before /state and /event");
-  if (mqtt.topic.find_first_of("#+") != std::string::npos) keys.fail("topic", "", "a topic without # and +");
+  // Of two cells by one topic, one that lives would hide that the other one is gone; and the file's name is often the same.
+  if (!keys.has("topic") && name.empty()) {
+    keys.fail("topic", "missing", "it, or a `name` of the cell for horopter/NAME");
+  }
+  mqtt.topic = keys.text_or("topic", "horopter/" + name, "the topic before /state and /event");
+  if (mqtt.topic.find_first_of("#+") != std::string::npos) {
+    keys.fail("topic", fmt::format("'{}'", mqtt.topic), "a topic without # and +");
+  }
   mqtt.client_id = keys.text_or("client_id", "", "the name by which the broker knows this client");
   if (tls) mqtt.ca_file = keys.existing("ca_file", "the certificate of who signed the broker's");
   for (const char* key : {"certificate_file", "key_file"}) {
@@ -202,9 +209,9 @@ GpioCell read_gpio(Keys keys) {
   return gpio;
 }
 
-void read_outputs(Keys keys, OutputsCell& outputs) {
+void read_outputs(Keys keys, const std::string& name, OutputsCell& outputs) {
   if (keys.has("modbus")) outputs.modbus = read_modbus(keys.map("modbus"));
-  if (keys.has("mqtt")) outputs.mqtt = read_mqtt(keys.map("mqtt"));
+  if (keys.has("mqtt")) outputs.mqtt = read_mqtt(keys.map("mqtt"), name);
   if (keys.has("gpio")) outputs.gpio = read_gpio(keys.map("gpio"));
   keys.finish();
 }
@@ -315,7 +322,8 @@ Cell load_cell(const std::filesystem::path& path) {
   cell.settings.interlock.by_pin = false;
   cell.settings.interlock.by_register = !by_itself;
   if (keys.has("restart_after")) cell.settings.interlock.frames = keys.whole("restart_after", 1, 15, "frames");
-  if (keys.has("outputs")) read_outputs(keys.map("outputs"), cell.outputs);
+  const bool has_name = keys.has("name");
+  if (keys.has("outputs")) read_outputs(keys.map("outputs"), has_name ? cell.name : "", cell.outputs);
   if (keys.has("log")) cell.log = read_log(keys.map("log"));
   if (keys.has("web")) cell.web = read_web(keys.map("web"));
   keys.finish();

@@ -39,7 +39,7 @@ struct ModbusCell {
 struct MqttCell {
   std::string host;
   int port = 1883;
-  std::string topic = "horopter";  ///< before /state and /event
+  std::string topic;  ///< before /state and /event; of no other cell
   std::string client_id;
   std::string user;
   std::filesystem::path password_file;
