@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The decision while it runs: images are given to it one pair after the other, and whoever listens hears what came of it.
 // Its limit is long, so that a slow computer is none of the faults; where a decision hangs it hangs for as long as it takes.
+#include <fcntl.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -9,6 +11,7 @@
 #include <catch2/catch.hpp>
 #include <condition_variable>
 #include <csignal>
+#include <fstream>
 #include <mutex>
 #include <random>
 #include <sstream>
@@ -521,6 +524,34 @@ TEST_CASE("standard output that nobody reads holds nobody up: lines are lost, an
     ::close(ends[0]);
     ::close(ends[1]);
   }
+}
+
+TEST_CASE("standard output on a disk that was full for a moment: the broken line is ended, and all is well by itself") {
+  std::signal(SIGXFSZ, SIG_IGN);
+  const horopter::TemporaryDirectory directory;
+  const int file = ::open((directory / "lines").c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600);
+  REQUIRE(file >= 0);
+  rlimit usual{};
+  REQUIRE(::getrlimit(RLIMIT_FSIZE, &usual) == 0);
+  rlimit full = usual;
+  full.rlim_cur = 500;  // bytes of a file: the first line does not go in
+  const Cell cell;
+  auto lines = make_lines(cell, Lines::json, file);
+  const std::string what(1000, 'x');
+  REQUIRE(::setrlimit(RLIMIT_FSIZE, &full) == 0);
+  for (int i = 0; i < 3; ++i) lines->noted({}, {"anna", ""}, what + std::to_string(i));
+  const bool told = eventually([&] { return lines->trouble().find("File too large") != std::string::npos; });
+  REQUIRE(::setrlimit(RLIMIT_FSIZE, &usual) == 0);
+  CHECK(told);
+  CHECK(eventually([&] { return lines->trouble().empty(); }));
+  lines.reset();
+  ::close(file);
+  std::ifstream read(directory / "lines");
+  int count = 0;
+  for (std::string line; std::getline(read, line); ++count) {
+    CHECK(nlohmann::json::parse(line)["what"] == what + std::to_string(count));
+  }
+  CHECK(count == 3);
 }
 
 TEST_CASE("a cell that need not be taught is not: begun anew it would not watch") {

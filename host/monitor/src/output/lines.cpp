@@ -62,6 +62,7 @@ class LineWriter {
  private:
   static constexpr std::size_t kMostWaiting = 1000;
   static constexpr int kLook_ms = 50;
+  static constexpr auto kTryAgain = std::chrono::milliseconds(500);
   static constexpr int kLastLooks = 10;  // at the end, for a reader that hangs
 
   void run() {
@@ -69,21 +70,25 @@ class LineWriter {
     for (;;) {
       wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
       if (waiting_.empty()) return;
-      const std::string line = std::move(waiting_.front());
+      const std::string line = std::move(waiting_.front()) + "\n";
       waiting_.pop_front();
       if (waiting_.empty()) lost_ = 0;
-      lock.unlock();
-      const int error = write(line + "\n");
-      lock.lock();
-      if (ending_ && error != 0) return;
-      failure_ = error;
+      // A line that was begun is gone on with: else the next one would stand behind half of it.
+      for (std::size_t at = 0; at < line.size();) {
+        lock.unlock();
+        const int error = write(line, at);
+        lock.lock();
+        if (ending_ && error != 0) return;
+        failure_ = error;
+        if (error != 0) wake_.wait_for(lock, kTryAgain, [this] { return ending_; });
+      }
     }
   }
 
-  /// What a pipe takes at once, it takes without a wait. 0, or what is wrong.
-  int write(const std::string& text) {
+  /// From `at` on, which goes with it. What a pipe takes at once, it takes without a wait. 0, or what is wrong.
+  int write(const std::string& text, std::size_t& at) {
     int looks = 0;
-    for (std::size_t at = 0; at < text.size();) {
+    while (at < text.size()) {
       pollfd ready{file_, POLLOUT, 0};
       const int found = ::poll(&ready, 1, kLook_ms);
       if (found == 0 && is_ending() && ++looks >= kLastLooks) return ETIMEDOUT;
@@ -104,7 +109,7 @@ class LineWriter {
   std::condition_variable wake_;
   std::deque<std::string> waiting_;
   std::uint64_t lost_ = 0;  // since nothing waited
-  int failure_ = 0;         // of the last line
+  int failure_ = 0;         // of the last try
   bool ending_ = false;
   std::thread thread_;  // the last: it uses the others
 };
