@@ -277,6 +277,26 @@ TEST_CASE("MQTT: a state that is kept, a last will, and a broker that goes is na
     CHECK_THAT(stopped["causes"].dump(), Catch::Contains("MQTT broker 127.0.0.1:" + port));
     CHECK(monitor.end(SIGTERM) == 0);
   }
+  SECTION("a broker that goes and comes: the stop that nobody heard is told, before the state") {
+    Running monitor = box.start();
+    REQUIRE(monitor.event("released").is_object());
+    broker.end(SIGKILL);
+    REQUIRE(monitor.event("stopped", [](const json& event) { return has_cause(event, "output"); }).is_object());
+    monitor.send(SIGSTOP);  // until somebody listens
+    box.write("broker.conf", box.read("broker.conf") + "log_dest stderr\nlog_type all\n");
+    Running next(box, {"/usr/sbin/mosquitto", "-c", "broker.conf"}, "next");
+    REQUIRE(eventually([&] { return next.err().find(" running") != std::string::npos; }));
+    Running listener(box, listen("cells/3/#"), "listener");
+    REQUIRE(eventually([&] { return next.err().find("Sending SUBACK") != std::string::npos; }));
+    monitor.send(SIGCONT);
+    REQUIRE(eventually([&] { return listener.out().find('\n') != std::string::npos; }));
+    const std::string out = listener.out();
+    INFO(out << next.err());
+    const json first = json::parse(out.substr(0, out.find('\n')));
+    CHECK(first.value("event", "") == "stopped");
+    CHECK(has_cause(first, "output"));
+    CHECK(monitor.end(SIGTERM) == 0);
+  }
   SECTION("a broker that hangs and goes: no state of before is said again to the next one") {
     Running monitor = box.start();
     REQUIRE(monitor.event("released").is_object());

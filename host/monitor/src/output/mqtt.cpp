@@ -31,6 +31,7 @@ constexpr auto kAnswer = std::chrono::seconds(2);
 constexpr int kMostUnanswered = 100;
 /// At the end, for the last message.
 constexpr auto kLastWait = std::chrono::milliseconds(500);
+constexpr const char* kStopped = "stopped";
 
 struct Destroy {
   void operator()(mosquitto* client) const { mosquitto_destroy(client); }
@@ -47,7 +48,11 @@ std::string password_of(const std::filesystem::path& file) {
 class MqttPart : public Part {
  public:
   MqttPart(const MqttCell& mqtt, const Cell& cell, const SafeState& state, const Control& control)
-      : mqtt_(mqtt), cell_(cell), control_(control), state_topic_(mqtt.topic + "/state") {
+      : mqtt_(mqtt),
+        cell_(cell),
+        control_(control),
+        state_topic_(mqtt.topic + "/state"),
+        event_topic_(mqtt.topic + "/event") {
     static std::once_flag once;
     std::call_once(once, [] { mosquitto_lib_init(); });
     client_.reset(mosquitto_new(mqtt.client_id.empty() ? nullptr : mqtt.client_id.c_str(), true, this));
@@ -91,7 +96,7 @@ class MqttPart : public Part {
     const bool hangs = waiting_ > 0 && Clock::now() - Clock::time_point(Clock::duration(answered_)) > kAnswer;
     return hangs ? fmt::format("the MQTT broker {}:{} does not answer", mqtt_.host, mqtt_.port) : "";
   }
-  void stopped(const Status& status, const MomentPtr& /*moment*/) override { event("stopped", status, {}, ""); }
+  void stopped(const Status& status, const MomentPtr& /*moment*/) override { event(kStopped, status, {}, ""); }
   void released(const Status& status, const Actor& by) override { event("released", status, by, ""); }
   void noted(const Status& status, const Actor& actor, const std::string& what) override {
     event("noted", status, actor, what);
@@ -123,13 +128,23 @@ class MqttPart : public Part {
 
   void answered() { answered_ = Clock::now().time_since_epoch().count(); }
 
-  void publish(const std::string& topic, const std::string& text, int qos, bool retain) {
-    if (!connected_ || waiting_ >= kMostUnanswered) return;
-    mosquitto_publish(client_.get(), nullptr, topic.c_str(), static_cast<int>(text.size()), text.data(), qos, retain);
+  /// False: it was dropped.
+  bool publish(const std::string& topic, const std::string& text, int qos, bool retain) {
+    if (!connected_ || waiting_ >= kMostUnanswered) return false;
+    const int code = mosquitto_publish(client_.get(), nullptr, topic.c_str(), static_cast<int>(text.size()),
+                                       text.data(), qos, retain);
     // A question behind it, which every broker answers and nobody else hears: it gives up what it never had.
     if (waiting_ == 0) answered();  // before, it was asked nothing
     ++waiting_;
     if (mosquitto_unsubscribe(client_.get(), nullptr, state_topic_.c_str()) != MOSQ_ERR_SUCCESS) --waiting_;
+    return code == MOSQ_ERR_SUCCESS;
+  }
+
+  bool publish_event(const std::string& text) { return publish(event_topic_, text, kOnce, false); }
+
+  /// With the mutex, before whatever else is said.
+  void say_missed_stop() {
+    if (!missed_stop_.empty() && publish_event(missed_stop_)) missed_stop_.clear();
   }
 
   void look(const Signal& signal) {
@@ -146,22 +161,31 @@ class MqttPart : public Part {
     auto json = status_json(control_.status(), cell_);
     json["safe"] = safe;
     if (!reason.empty()) json["reason"] = reason;
+    const std::lock_guard lock(mutex_);
+    say_missed_stop();
     publish(state_topic_, json_line(json), kAtMostOnce, true);
   }
 
   void event(const std::string& name, const Status& status, const Actor& actor, const std::string& what) {
-    publish(mqtt_.topic + "/event", json_line(event_json(name, status, cell_, actor, what)), kOnce, false);
+    const std::string text = json_line(event_json(name, status, cell_, actor, what));
+    {
+      const std::lock_guard lock(mutex_);
+      say_missed_stop();
+      if (!publish_event(text) && name == kStopped) missed_stop_ = text;
+    }
     changed_ = true;
   }
 
   MqttCell mqtt_;
   const Cell& cell_;
   const Control& control_;
-  std::string state_topic_;
+  std::string state_topic_, event_topic_;
   std::unique_ptr<mosquitto, Destroy> client_;
   std::atomic<bool> connected_ = false, changed_ = true;
   std::atomic<int> waiting_ = 0;          ///< questions without an answer
   std::atomic<Clock::rep> answered_ = 0;  ///< at this time
+  std::mutex mutex_;                      ///< of the order in which it is said
+  std::string missed_stop_;               ///< the last one that was dropped, as where the broker's absence is its cause
   bool said_safe_ = false;                // of the ticker's thread
   Clock::time_point said_at_{};
   std::optional<Ticker> ticker_;
