@@ -4,20 +4,24 @@
 #include <sched.h>
 #include <signal.h>
 #include <sys/mount.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <functional>
 #include <iostream>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "eventually.hpp"
 #include "horopter/base/error.hpp"
 #include "horopter/image/image.hpp"
 #include "horopter/monitor/event_log.hpp"
@@ -116,7 +120,15 @@ void print(int out, const std::string& text) {
   [[maybe_unused]] const auto written = ::write(out, text.data(), text.size());
 }
 
+std::atomic<bool> disk_hangs = false;
+
 }  // namespace
+
+/// In place of the C library's, which the log calls behind each record.
+extern "C" int fdatasync(int file) {
+  while (disk_hangs) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return static_cast<int>(::syscall(SYS_fdatasync, file));
+}
 
 TEST_CASE("A stop is logged with its cause, objects, table, versions and the pictures before and after") {
   Sandbox box;
@@ -610,6 +622,55 @@ TEST_CASE("A full disk stops neither the monitor nor what it says, and what was 
   CHECK(told["problems"].empty());
   CHECK(told["stops"] == 3);
   CHECK(told["notes_read"] == told["notes"]);
+}
+
+TEST_CASE("A disk that hangs, or is so slow that events are lost, is told until it goes on") {
+  Sandbox box;
+  auto settings = settings_in(box / "log");
+  const bool is_slow = GENERATE(false, true);
+  settings.hang_s = is_slow ? 1e6 : 0.5;
+  {
+    EventLog log(settings);
+    REQUIRE(log.flush(kLong));
+    CHECK(eventually([&] { return !log.trouble(); }));
+    disk_hangs = true;
+    for (int i = 0; i < (is_slow ? 1100 : 10); ++i) log.note("note", kAnna, "x");
+    eventually([&] { return log.trouble().has_value(); });
+    const auto trouble = log.trouble();
+    const auto lost = log.counts().lost;
+    std::vector<std::weak_ptr<const monitor::Moment>> moments;
+    for (std::uint64_t frame = 0; frame < 1000; ++frame) {
+      const auto moment = moment_of(frame);
+      moments.emplace_back(moment);
+      log.judged(moment);
+    }
+    const auto in_memory = std::ranges::count_if(moments, [](const auto& moment) { return !moment.expired(); });
+    disk_hangs = false;
+    CHECK(in_memory < 50);  // of 100 that were kept for a stop that might have come
+    REQUIRE(trouble);
+    CHECK_THAT(trouble->text, Catch::Contains(is_slow ? "too slow" : "does not answer"));
+    CHECK((lost > 0) == is_slow);
+    CHECK(eventually([&] { return !log.trouble(); }));
+    CHECK(log.flush(kLong));
+  }
+  const auto reading = monitor::read_log(box / "log", true);
+  CHECK(reading.problems.empty());
+  CHECK(events_of(reading, "end").size() == 1);
+}
+
+TEST_CASE("A disk that hangs does not hold the end") {
+  Sandbox box;
+  const std::string said = in_child([&](int out) {
+    auto settings = settings_in(box / "log");
+    settings.hang_s = 0.2;
+    {
+      EventLog log(settings);
+      disk_hangs = true;
+      log.note("note", kAnna, "x");
+    }
+    print(out, "ended");
+  });
+  CHECK(said == "ended");
 }
 
 TEST_CASE("`horopter log` lists, checks and exports") {

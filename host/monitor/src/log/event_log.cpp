@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <condition_variable>
+#include <cstdio>
 #include <cstring>
 #include <deque>
 #include <mutex>
@@ -24,6 +25,7 @@ namespace {
 using std::chrono::milliseconds;
 
 constexpr std::size_t kWaitingRecords = 1000;
+constexpr std::size_t kMostEvicted = 16;
 constexpr std::size_t kMomentsTogether = 10;  // whose pictures one record tells of
 constexpr std::uint64_t kRecordRoom_bytes = 16'384;
 constexpr auto kRetry = milliseconds(500);
@@ -78,20 +80,33 @@ class EventLog::Writer {
   explicit Writer(LogSettings settings) : settings_(check(std::move(settings))), journal_(open_journal()) {
     list_opened();
     push_start();
-    thread_ = std::thread([this] { run(); });
-  }
-
-  ~Writer() {
-    {
-      const std::lock_guard lock(mutex_);
-      close_event();
-      ending_ = true;
-    }
-    wake_.notify_all();
-    thread_.join();
   }
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
+
+  /// Its thread holds it, too: it may have to be left to a disk that hangs.
+  static std::shared_ptr<Writer> start(LogSettings settings) {
+    auto writer = std::make_shared<Writer>(std::move(settings));
+    writer->thread_ = std::thread([writer] { writer->run(); });
+    return writer;
+  }
+
+  /// The last call. False: the disk hangs, and what waits is not written.
+  bool end() {
+    std::unique_lock lock(mutex_);
+    close_event();
+    ending_ = true;
+    wake_.notify_all();
+    while (!done_ && !hangs()) idle_.wait_for(lock, kTick);
+    const bool done = done_;
+    lock.unlock();
+    if (done) {
+      thread_.join();
+    } else {
+      thread_.detach();
+    }
+    return done;
+  }
 
   void judged(const MomentPtr& moment) {
     if (!moment) return;
@@ -146,15 +161,17 @@ class EventLog::Writer {
 
   std::optional<Cause> trouble() const {
     const std::lock_guard lock(mutex_);
-    const std::string& problem = record_problem_.empty() ? picture_problem_ : record_problem_;
+    const std::string of_records = problem_of_records();
+    const std::string& problem = of_records.empty() ? picture_problem_ : of_records;
     if (problem.empty()) return std::nullopt;
     std::string text =
-        record_problem_.empty() ? "Pictures of the event log cannot be written: " : "The event log cannot be written: ";
+        of_records.empty() ? "Pictures of the event log cannot be written: " : "The event log cannot be written: ";
     text += problem + ".";
-    if (!record_problem_.empty()) text += fmt::format(" {} events wait, {} were lost.", records_.size(), counts_.lost);
+    if (!of_records.empty()) text += fmt::format(" {} events wait, {} were lost.", records_.size(), counts_.lost);
     return Cause{.name = "log",
                  .text = text,
-                 .advice = fmt::format("Make room on the disk that has {}.", settings_.directory.string())};
+                 .advice = fmt::format("Make room on the disk that has {}, or look whether it works.",
+                                       settings_.directory.string())};
   }
 
   LogCounts counts() const {
@@ -248,7 +265,8 @@ class EventLog::Writer {
     const auto oldest = moment->arrived - seconds(settings_.before_s);
     while (ring_.size() > 1 && (ring_.front().moment->arrived < oldest || ring_bytes_ > settings_.memory_bytes / 2)) {
       ring_bytes_ -= ring_.front().bytes;
-      evicted_.push_back(std::move(ring_.front().moment));  // whose memory the writer gives back
+      // The writer gives their memory back, unless it is held up.
+      if (evicted_.size() < kMostEvicted) evicted_.push_back(std::move(ring_.front().moment));
       ring_.pop_front();
     }
   }
@@ -298,6 +316,14 @@ class EventLog::Writer {
       if (file.is_object()) entry->pictures.push_back(text_in(file, "name"));
     }
     std::ranges::sort(entry->pictures);  // frame by frame
+  }
+
+  bool hangs() const { return disk_asked_ && Clock::now() - *disk_asked_ > seconds(settings_.hang_s); }
+
+  std::string problem_of_records() const {
+    if (!record_problem_.empty()) return record_problem_;
+    if (hangs()) return "its disk does not answer";
+    return counts_.lost > lost_told_ ? "its disk is too slow" : "";
   }
 
   bool is_idle() const {
@@ -373,6 +399,8 @@ class EventLog::Writer {
       wake_.wait_for(lock, kTick);
     }
     counts_.lost += records_.size();
+    done_ = true;
+    idle_.notify_all();
   }
 
   /// As Cause-like words; empty: it was done.
@@ -392,10 +420,19 @@ class EventLog::Writer {
     return problem;
   }
 
+  /// The same of work that waits for the disk. Encoding is none: it may take long where the computer is busy.
+  template <class Work>
+  std::string on_disk(std::unique_lock<std::mutex>& lock, Work&& work) {
+    disk_asked_ = Clock::now();
+    std::string problem = unlocked(lock, std::forward<Work>(work));
+    disk_asked_.reset();
+    return problem;
+  }
+
   /// A disk that is full is known before there is something to write.
   void look_at_disk(std::unique_lock<std::mutex>& lock) {
     next_look_ = Clock::now() + kLookAtDisk;
-    picture_problem_ = unlocked(lock, [&] { return journal_.check_disk(); });
+    picture_problem_ = on_disk(lock, [&] { return journal_.check_disk(); });
   }
 
   bool write_record(std::unique_lock<std::mutex>& lock) {
@@ -403,7 +440,7 @@ class EventLog::Writer {
     records_.pop_front();
     const std::uint64_t lost = counts_.lost - lost_told_;
     Record written;
-    const std::string problem = unlocked(lock, [&] {
+    const std::string problem = on_disk(lock, [&] {
       Json json = next.json;
       if (next.status) {
         json["time"] = time_text(next.status->time);
@@ -442,9 +479,12 @@ class EventLog::Writer {
     std::string problem = unlocked(lock, [&] {
       if (number == 0 || !journal_.holds(number)) {
         why = "the event is not in the log any more";
-        return 0;
+      } else {
+        files = encode_moment(*next.moment);
       }
-      files = encode_moment(*next.moment);
+      return 0;
+    });
+    const auto write = [&] {
       std::uint64_t bytes = kRecordRoom_bytes;
       for (const PictureFile& file : files) bytes += file.bytes.size();
       if (!journal_.make_room(bytes) || !journal_.holds(number)) {
@@ -455,7 +495,8 @@ class EventLog::Writer {
         if (const int error = journal_.write_picture(number, file.name, file.bytes); error != 0) return error;
       }
       return 0;
-    });
+    };
+    if (problem.empty() && why.empty()) problem = on_disk(lock, write);
     waiting_bytes_ -= next.bytes;
     --event.waiting;
     counts_.bytes = journal_.bytes();
@@ -505,13 +546,18 @@ class EventLog::Writer {
   Clock::time_point retry_{};
   Clock::time_point next_look_{};
   bool busy_ = false;
+  std::optional<Clock::time_point> disk_asked_;  ///< since then the thread waits for the disk
   bool flushing_ = false;
   bool ending_ = false;
+  bool done_ = false;  ///< the thread has written all that it could
   std::thread thread_;
 };
 
-EventLog::EventLog(LogSettings settings) : writer_(std::make_unique<Writer>(std::move(settings))) {}
-EventLog::~EventLog() = default;
+EventLog::EventLog(LogSettings settings) : writer_(Writer::start(std::move(settings))) {}
+EventLog::~EventLog() {
+  if (writer_->end()) return;
+  std::fputs("horopter: the disk of the event log hangs: its last events are not written\n", stderr);
+}
 
 void EventLog::judged(const MomentPtr& moment) { writer_->judged(moment); }
 void EventLog::stopped(const Status& status, const MomentPtr& moment) { writer_->stopped(status, moment); }

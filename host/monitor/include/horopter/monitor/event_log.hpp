@@ -26,7 +26,8 @@ struct LogSettings {
   double pictures_per_s = 10;                 ///< at most; the pair that did it is always there
   std::size_t memory_bytes = 256'000'000;     ///< of pairs that wait; more are left out, and that is told
   double patience_s = 10;                     ///< an event is closed after so long without pairs
-  std::string configuration;                  ///< checksum; every event carries it
+  double hang_s = 5;          ///< a disk that takes longer hangs; memory cards take a second or two now and then
+  std::string configuration;  ///< checksum; every event carries it
   std::map<std::string, std::string> versions;
 };
 
@@ -53,7 +54,7 @@ class EventLog : public Listener {
  public:
   /// Opens the log, or makes it. Throws FileError.
   explicit EventLog(LogSettings settings);
-  /// Writes what waits, and the end.
+  /// Writes what waits, and the end; without them where the disk hangs, which it says on standard error.
   ~EventLog() override;
   EventLog(const EventLog&) = delete;
   EventLog& operator=(const EventLog&) = delete;
@@ -80,7 +81,7 @@ class EventLog : public Listener {
 
  private:
   class Writer;
-  std::unique_ptr<Writer> writer_;
+  std::shared_ptr<Writer> writer_;
 };
 
 }  // namespace horopter::monitor
