@@ -626,28 +626,6 @@ TEST_CASE("What follows a frame with a fault teaches nothing: what both cameras 
   CHECK(process(body, moved_behind(body)).alarm);
 }
 
-TEST_CASE("What one rule has taught is nothing that the other one knows") {
-  const auto device = make_native_device(find_profile("vga"));
-  const Build build = find_build(*device);
-  load(*device, build, small_maps(1), Settings{}.without_proof(), false, std::chrono::milliseconds(1));
-  write_checked(*device, blocks_word({.watch = true, .teach = true}));
-  // Frames before the one that has ended: each is one more, but for the first.
-  const auto taught = [&] {
-    device->send(textured(kWidth, kHeight, 1), moved(textured(kWidth, kHeight, 1), -6, 2));
-    device->receive();
-    return device->read(reg::taught::kAddress);
-  };
-  CHECK(taught() == 0);
-  CHECK(taught() == 1);
-  CHECK(taught() == 2);
-  for (const int compete : {1, 0}) {
-    CAPTURE(compete);
-    device->write(reg::decision::kAddress, reg::decision::kCompete.put(compete));
-    CHECK(taught() == 0);
-    CHECK(taught() == 1);
-  }
-}
-
 TEST_CASE("What changes in one image alone is out of step; with another table the right image is another one") {
   const MachineProfile& profile = find_profile("vga");
   constexpr int kW = 320, kH = 240, kCell_px = 8;
@@ -1190,6 +1168,28 @@ TEST_CASE("An upload says whether the cameras can wait; without a word they can,
   CHECK(status_json(read_status(*device))["test_input"] == true);
   load(*device, build, small_maps(1), settings, false, kNoFrames);
   CHECK(mode() == 0);
+}
+
+TEST_CASE("What one rule has taught is nothing that the other one knows") {
+  const auto device = make_native_device(find_profile("vga"));
+  const Build build = find_build(*device);
+  load(*device, build, small_maps(1), Settings{}.without_proof(), false, std::chrono::milliseconds(1));
+  write_checked(*device, blocks_word({.watch = true, .teach = true}));
+  // Frames before the one that has ended: each is one more, but for the first.
+  const auto taught = [&] {
+    device->send(textured(kWidth, kHeight, 1), moved(textured(kWidth, kHeight, 1), -6, 2));
+    device->receive();
+    return device->read(reg::taught::kAddress);
+  };
+  CHECK(taught() == 0);
+  CHECK(taught() == 1);
+  CHECK(taught() == 2);
+  for (const int compete : {1, 0}) {
+    CAPTURE(compete);
+    device->write(reg::decision::kAddress, reg::decision::kCompete.put(compete));
+    CHECK(taught() == 0);
+    CHECK(taught() == 1);
+  }
 }
 
 TEST_CASE("Another table stops a machine that was taught, or that waits for a restart") {
