@@ -266,7 +266,7 @@ TEST_CASE("Table 11.1 by formula and by camera model; the thesis's factor") {
   CHECK(11.2 / coplanar_thickness_mm(0.7, 900, 152, 10 / 0.017) < 0.9);
 }
 
-TEST_CASE("Thickness is how far an object moves until its source has moved by the tolerance either way") {
+TEST_CASE("Thickness is how far an object moves until the result shows it by the tolerance beside itself, either way") {
   const CameraPair cameras = table_11_1(640, 480, 2e-3);
   const SurfacePtr skin = make_plane({0, 0, 800}, {0.4, -0.3, -1});
   const Vector3d normal = Vector3d(0.4, -0.3, -1).normalized();
@@ -285,9 +285,18 @@ TEST_CASE("Thickness is how far an object moves until its source has moved by th
       const Vector3d centre = cameras.left().world_to_camera.centre();
       const double distance = (Vector3d(0, 0, 800) - centre).dot(normal) / sight.dot(normal);
       const double along = across / std::abs(sight.dot(normal));
-      const Point near = right_pixel(cameras, left, distance - along / 2);
-      const Point far = right_pixel(cameras, left, distance + along / 2);
-      CHECK(std::hypot(near.x - far.x, near.y - far.y) == Approx(2 * kTolerance_px).epsilon(1e-4));
+      // The left pixel at which the transformed right image has it: that of the skin on the right line of sight.
+      const auto shown = [&](double at_distance) {
+        const Point right = right_pixel(cameras, left, at_distance);
+        const calib::Camera& camera = cameras.right();
+        const Vector3d to_skin = camera.world_to_camera.rotation.transpose() *
+                                 camera.model.undistort({right.x, right.y}).value().homogeneous();
+        const Vector3d from = camera.world_to_camera.centre();
+        const double way = (Vector3d(0, 0, 800) - from).dot(normal) / to_skin.dot(normal);
+        return cameras.left().project(from + way * to_skin).value();
+      };
+      CHECK((shown(distance - along / 2) - shown(distance + along / 2)).norm() ==
+            Approx(2 * kTolerance_px).epsilon(1e-4));
       ++checked;
     }
   }
