@@ -381,22 +381,25 @@ module horopter_frame_control (
 
   // With a fault of its own, or an alarm, what a frame has taught says nothing of an empty zone. What both cameras see of a
   // frame is known of the one before it, and in part of the one before that: neither may have had any, whether it taught
-  // or not.
-  horopter_csr_pkg::faults_t beside_teaching;
+  // or not. Of `unproven` only the first frame's counts: before it nothing is known; later it says nothing of the images.
+  horopter_csr_pkg::faults_t beside_teaching, that_stay;
+  logic first_q;
+  logic [1:0] spoiled_before_q;
   always_comb begin
     beside_teaching = total_q;
     beside_teaching.machine.teaching = 1'b0;
+    that_stay = beside_teaching;
+    that_stay.machine.unproven = beside_teaching.machine.unproven && first_q;
   end
-  logic spoiled;
-  logic [1:0] spoiled_before_q;
-  assign spoiled = beside_teaching != '0 || seen;
   always_ff @(posedge clk_i) begin
     if (!rst_ni) begin
       forget_o <= 1'b0;
+      first_q <= 1'b1;
       spoiled_before_q <= 2'b00;
     end else if (publish_q) begin
-      forget_o <= teaching_i && (spoiled || spoiled_before_q != 2'b00);
-      spoiled_before_q <= {spoiled_before_q[0], spoiled};
+      forget_o <= teaching_i && (beside_teaching != '0 || seen || spoiled_before_q != 2'b00);
+      first_q <= 1'b0;
+      spoiled_before_q <= {spoiled_before_q[0], that_stay != '0 || seen};
     end
   end
 

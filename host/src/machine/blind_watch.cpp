@@ -17,8 +17,10 @@ BlindWatch::BlindWatch(int width, int height, int side) : side_(side) {
   }
 }
 
-std::vector<std::uint8_t> BlindWatch::frame(const Image& states, const BlindSettings& settings, bool spoiled) {
-  spoiled_ = (spoiled_ << 1U | static_cast<unsigned>(spoiled)) & 7U;
+std::vector<std::uint8_t> BlindWatch::frame(const Image& states, const BlindSettings& settings, bool spoiled,
+                                            bool spoils) {
+  const bool forgets = spoiled || spoiled_before_ != 0;
+  spoiled_before_ = (spoiled_before_ << 1U | static_cast<unsigned>(spoils)) & 3U;
   if (settings.teach && !teaching_) taught_ = 0;
   teaching_ = settings.teach;
   if (!settings.teach && !settings.watch) return {};
@@ -44,7 +46,7 @@ std::vector<std::uint8_t> BlindWatch::frame(const Image& states, const BlindSett
       });
     }
   }
-  if (settings.teach) taught_ = spoiled_ == 0 ? taught_ + 1 : 0;
+  if (settings.teach) taught_ = forgets ? 0 : taught_ + 1;
   return blind;
 }
 

@@ -339,8 +339,11 @@ FrameResult Monitor::finish() {
   result.states = std::move(streams.states);
   BlindSettings blind = settings_.blind;
   blind.teach = result.faults.has(Fault::teaching);
-  const bool spoiled = result.faults.without(Fault::teaching).any() || result.seen;
-  result.blind = blind_watch_->frame(result.states, blind, spoiled);
+  const Faults beside = result.faults.without(Fault::teaching);
+  const bool spoiled = beside.any() || result.seen;
+  // Before the first frame nothing is known of what both cameras see; later `unproven` says nothing of the images.
+  const bool spoils = (sequence_ == 1 ? beside : beside.without(Fault::unproven)).any() || result.seen;
+  result.blind = blind_watch_->frame(result.states, blind, spoiled, spoils);
   if (breaks_off_ && blind.teach && spoiled) teach(false);
   if (const auto pixels = std::ranges::count(result.blind, 1); pixels != result.blind_pixels) {
     throw DeviceError(

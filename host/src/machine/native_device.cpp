@@ -540,9 +540,10 @@ FrameStreams NativeDevice::receive() {
     taught_frames_ = std::min(taught_frames_ + 1, 0xFFFFU);
   }
   taught_before_ = teaches;
-  const bool spoiled = result.alarm || faults.without(Fault::teaching).any();
-  forget_ = teaches && (spoiled || spoiled_before_ != 0);
-  spoiled_before_ = (spoiled_before_ << 1U | static_cast<unsigned>(spoiled)) & 3U;
+  const Faults beside = faults.without(Fault::teaching);
+  forget_ = teaches && (result.alarm || beside.any() || spoiled_before_ != 0);
+  const bool spoils = result.alarm || (frame_.sequence == 0 ? beside : beside.without(Fault::unproven)).any();
+  spoiled_before_ = (spoiled_before_ << 1U | static_cast<unsigned>(spoils)) & 3U;
   const bool good = !faults.any() && !alarm;
   alarm_discounted_ = result.alarm && good;
   alarms_seen_ = faults.any() ? kAllSeen : alarms_seen_ << 1U | static_cast<std::uint32_t>(result.alarm);

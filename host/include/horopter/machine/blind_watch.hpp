@@ -34,9 +34,10 @@ class BlindWatch {
   BlindWatch(int width, int height, int side);
 
   /// The next frame's states, in the order in which the machine had them. Of each pixel: 1 = it is blind. Empty where
-  /// none can be. A frame is `spoiled` by a fault other than `teaching`, and by an alarm. If it teaches, or one of the two
-  /// after it does, whose pixels are judged by what both cameras saw of it, all that was taught is forgotten.
-  std::vector<std::uint8_t> frame(const Image& states, const BlindSettings& settings, bool spoiled = false);
+  /// none can be. A frame that teaches and is `spoiled`, by a fault other than `teaching` or by an alarm, makes forget all that
+  /// was taught. So do the two after one that `spoils` them: their pixels are judged by what both cameras saw of it.
+  std::vector<std::uint8_t> frame(const Image& states, const BlindSettings& settings, bool spoiled = false,
+                                  bool spoils = false);
 
   int side() const { return side_; }  ///< of a block
   /// Frames that were taught, since it was begun anew or forgotten.
@@ -49,7 +50,7 @@ class BlindWatch {
   std::vector<Block> blocks_;
   int taught_ = 0;
   bool teaching_ = false;
-  unsigned spoiled_ = 0;  // bit n: n frames before this one
+  unsigned spoiled_before_ = 0;  // bit n: by the frame n + 1 before this one
 };
 
 }  // namespace horopter

@@ -115,7 +115,7 @@ class NativeDevice : public Device {
   bool taught_before_ = false;
   unsigned taught_frames_ = 0;     // register TAUGHT
   bool forget_ = false;            // the last frame taught, but perhaps not what is true
-  unsigned spoiled_before_ = 0;    // bit n: n + 1 frames before this one there was a fault or an alarm
+  unsigned spoiled_before_ = 0;    // bit n: the frame n + 1 before this one had what spoils those after it
   bool compete_before_ = false;    // the last frame's rule
   bool alarm_discounted_ = false;  // it showed an alarm, and is safe
   bool dim_ = false;               // it was looked at as half of the light would show it
