@@ -138,7 +138,9 @@ double judged(const Judgeable& judgeable, const ShownLimit& limit) {
 
 /// What windows and majority leave something certain of, in whole mm.
 double smallest_mm(const PxPerMm& px, const MachineProfile& profile) {
-  return std::ceil(smallest_object_px(profile) / px.farthest);
+  const double smallest_px = smallest_object_px(profile);
+  const double mm = std::ceil(smallest_px / px.farthest);
+  return mm * px.farthest >= smallest_px ? mm : mm + 1;  // as it is rounded
 }
 
 /// A body of option.mm. Throws UsageError where an object cannot be as small.

@@ -633,6 +633,11 @@ TEST_CASE("A rig that was designed and not measured is a warning wherever real i
     return warns(run_arguments("left0.png", "right0.png", skin) + more);
   };
   CHECK(run("wall.yaml", {"--rig", "plan/rig.yaml"}));
+  // 80 mm are 16 px there, but for the last bit: the usual body is one that is not refused.
+  const auto usual = box.run(run_arguments("left0.png", "right0.png", "wall.yaml") +
+                             std::vector<std::string>{"--rig", "plan/rig.yaml"});
+  CAPTURE(usual.err);
+  CHECK(usual.status != 2);
   CHECK(run("moving.yaml", {"--rig", "plan/rig.yaml"}));
   CHECK(run("wall.hmap", {}));
   CHECK_FALSE(run("wall.yaml", {"--rig", "measured.yaml"}));
