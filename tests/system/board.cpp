@@ -202,7 +202,9 @@ TEST_CASE("From photographs to a board, and the board's runs are those of the na
   CHECK_THAT(taught.err, Catch::Contains("one_camera") && Catch::Contains("the machine is still teaching"));
   must({"upload", "--engine", terminal.engine(), "--map", "skin.hmap"});
   CHECK(std::get<1>(blocks()));
-  CHECK(has_faults(status_of(box, terminal.engine())["frame_faults"], {"one_camera", "disagree", "teaching"}));
+  CHECK(eventually([&] {
+    return has_faults(status_of(box, terminal.engine())["frame_faults"], {"one_camera", "disagree", "teaching"});
+  }));
   must({"teach", "--engine", terminal.engine(), "--off"});
   CHECK_FALSE(std::get<1>(blocks()));
 
