@@ -72,7 +72,7 @@ void compare() {
   std::mt19937 random(SIDE);
   const auto uniform = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
   int blind_frames = 0, seeing_frames = 0;
-  for (int sequence = 0; sequence < 12; ++sequence) {
+  for (int sequence = 0; sequence < 60; ++sequence) {
     const int width = uniform(2 * 16, kWidth), height = uniform(16, kHeight);
     CAPTURE(sequence, width, height);
     stages::BlindBlocks<kWidth, kHeight, SIDE> stage;
