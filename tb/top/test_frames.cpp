@@ -756,12 +756,14 @@ void went_blind(const std::string& profile, bool compete, unsigned width, unsign
   auto& settings = machine.settings();
   settings.compete = compete ? 1 : 0;
   settings.object_limit = 400;
-  unsigned blind = 0, seeing = 0, teaching = 0, dim = 0, forgotten = 0, frames_taught = 0;
+  unsigned blind = 0, seeing = 0, teaching = 0, dim = 0, forgotten = 0, kept = 0, frames_taught = 0;
   bool taught_before = false;
   for (unsigned frame = 0; frame < 24; ++frame) {
     CAPTURE(frame);
     settings.teach = frame < 3 || rng.chance(3) ? 1 : 0;
-    settings.object_limit = rng.chance(3) ? 400 : 100'000;
+    const bool may_alarm = rng.chance(6);
+    settings.object_limit = may_alarm ? 400 : 100'000;
+    settings.alarm_limit = may_alarm ? 0 : 100'000;
     settings.watch = frame < 6 || !rng.chance(3) ? 1 : 0;
     settings.blind_margin = static_cast<int>(rng.below(24));
     settings.dim = rng.chance(3) ? 0 : 1;
@@ -780,6 +782,7 @@ void went_blind(const std::string& profile, bool compete, unsigned width, unsign
     // Frames before this one, which is over.
     const unsigned taught = machine.read(reg::taught::kAddress);
     CHECK(taught == (forgets || (settings.teach != 0 && !taught_before) ? 0 : frames_taught + (taught_before ? 1 : 0)));
+    kept += taught > frames_taught ? 1 : 0;
     frames_taught = taught;
     taught_before = settings.teach != 0;
     forgotten += forgets ? 1 : 0;
@@ -788,12 +791,14 @@ void went_blind(const std::string& profile, bool compete, unsigned width, unsign
   CHECK(teaching >= 3);
   CHECK(dim >= 2);
   CHECK(forgotten >= 1);
+  CHECK(kept >= 1);
   // Before anything was taught, everything could be decided.
   machine.configure();
   settings.teach = 0;
   settings.watch = 1;
   settings.blind_margin = 0;
   settings.object_limit = 400;
+  settings.alarm_limit = 0;
   machine.write_limits();
   FramePair pair = random_pair(width, height, -6, rng);
   for (unsigned y = 16; y < height; ++y) {
