@@ -382,11 +382,12 @@ module horopter_frame_control (
   // With a fault of its own, or an alarm, what a frame has taught says nothing of an empty zone. What both cameras see of a
   // frame is known of the one before it, and in part of the one before that: neither may have had any, whether it taught
   // or not. Of `unproven` only the first frame's counts: before it nothing is known; later it says nothing of the images.
+  // Worked out from what was published, a clock after the picture: total_q has enough to drive.
   horopter_csr_pkg::faults_t beside_teaching, that_stay;
   logic first_q;
   logic [1:0] spoiled_before_q;
   always_comb begin
-    beside_teaching = total_q;
+    beside_teaching = frame_faults_o;
     beside_teaching.machine.teaching = 1'b0;
     that_stay = beside_teaching;
     that_stay.machine.unproven = beside_teaching.machine.unproven && first_q;
@@ -396,10 +397,10 @@ module horopter_frame_control (
       forget_o <= 1'b0;
       first_q <= 1'b1;
       spoiled_before_q <= 2'b00;
-    end else if (publish_q) begin
-      forget_o <= teaching_i && (beside_teaching != '0 || seen || spoiled_before_q != 2'b00);
+    end else if (publish_o) begin
+      forget_o <= frame_faults_o.machine.teaching && (beside_teaching != '0 || frame_seen_o || spoiled_before_q != 2'b00);
       first_q <= 1'b0;
-      spoiled_before_q <= {spoiled_before_q[0], that_stay != '0 || seen};
+      spoiled_before_q <= {spoiled_before_q[0], that_stay != '0 || frame_seen_o};
     end
   end
 
