@@ -11,7 +11,7 @@
 // whom hardly any had turned in the frame before: a motion begins, and both see it.
 //
 // The frame before of a field is the one of the same rows: with FIELDS of an image in turn, that many frames before. Each
-// field is in step or not by itself. After a field that was lost each is compared with the other one, until the next.
+// field is in step or not by itself. After a field that was lost two frames are compared with one of the other rows.
 //
 // Memory: the step of each cell, 2 bits of each camera, for each field.
 #pragma once

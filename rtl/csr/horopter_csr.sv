@@ -321,7 +321,7 @@ module horopter_csr #(
   // CONSTANT_LIMIT: Constant image: brightest minus darkest pixel not above this is a fault.
   logic [ 7:0] constant_limit_grey_q;
   assign constant_limit_grey_o = constant_limit_grey_q;
-  // FROZEN_LIMIT: Frozen image: one of the two frames before again, this many times in a row, is a fault.
+  // FROZEN_LIMIT: Frozen image: one of the two frames before again, this many times in a row, is a fault. With two fields of an image in turn, one of the four before.
   logic [ 7:0] frozen_limit_frames_q;
   assign frozen_limit_frames_o = frozen_limit_frames_q;
   // DECISION: The rule; fixed where only one is built: a write changes nothing, read it back.

@@ -279,9 +279,10 @@ module horopter_framer #(
       // A frame cut short: by a new start of frame, or by what makes the rest of it worthless.
       if (ends_early) begin
         frame_done_o <= 1'b1;
-        missing_line_o <= early || (gone_q && !s_valid_i && !silent_q);
+        // Also where the camera goes on in the clock in which its silence is known: what it sends may be of another frame.
+        missing_line_o <= early || (gone_q && !silent_q);
         overflow_o <= overflow && !early;
-        lost_silent_o <= silent_q && !s_valid_i;
+        lost_silent_o <= silent_q;
       end
     end
   end

@@ -27,6 +27,7 @@ struct Frame {
   std::uint64_t granted_at = 0;  ///< clock
   bool empty = false;            ///< asked for as a frame without rows
   unsigned ends = 0, rows = 0, bad_rows = 0, missing_starts = 0, other_faults = 0;
+  unsigned silences = 0;             ///< of these: that the camera has fallen silent, whichever frame that concerns
   std::vector<std::uint8_t> pixels;  ///< in the order in which they were written
   unsigned misplaced = 0;            ///< writes with a wrong x, first or end mark
 };
@@ -50,11 +51,18 @@ class Surroundings final : public Endpoint {
     for (std::size_t i = 0; i < image.pixels.size(); ++i)
       beats_.push_back({image.pixels[i], with_start && i == 0, i % image.width == image.width - 1});
   }
+  /// The camera sends nothing for so many clocks when so many pixels are gone.
+  void pause_after(std::size_t pixels, unsigned clocks) {
+    pause_at_ = beats_.size() - pixels;
+    pause_ = clocks;
+  }
   bool sent() const { return beats_.empty(); }
   std::uint64_t clock() const { return clock_; }
 
   void drive() override {
-    held_ = beats_.empty() || (beats_.front().first && clock_ < start_at);
+    const bool pauses = pause_ > 0 && beats_.size() == pause_at_;
+    if (pauses) --pause_;
+    held_ = pauses || beats_.empty() || (beats_.front().first && clock_ < start_at);
     const Beat beat = held_ ? Beat{0xEE, false, false} : beats_.front();
     model_.s_valid_i = !held_ || junk;
     model_.s_pixel_i = beat.pixel;
@@ -92,6 +100,7 @@ class Surroundings final : public Endpoint {
     }
     Frame& frame = frames.back();
     frame.other_faults += others;
+    frame.silences += model_.silence_o;
     frame.missing_starts += model_.missing_start_o;
     frame.ends += model_.frame_done_o;
     frame.rows += model_.row_done_o;
@@ -107,6 +116,8 @@ class Surroundings final : public Endpoint {
   Vtb_framer& model_;
   std::deque<Beat> beats_;
   std::uint64_t clock_ = 0;
+  std::size_t pause_at_ = 0;
+  unsigned pause_ = 0;
   bool held_ = false, starting_ = false;
 };
 
@@ -184,4 +195,40 @@ TEST_CASE("framer: a start of frame around the clock in which a frame is granted
   }
   CHECK(around.unasked == 0);
   CHECK(model.start_o == 0);
+}
+
+// Who is paired by counting (without live mode) must hear of every frame that did not come whole, whenever the camera goes
+// on: in the very clock in which its silence is known it may send what belongs to another frame.
+TEST_CASE("framer: a pause that ends a frame is a fault of that frame, whenever the camera goes on") {
+  const bool live = GENERATE(false, true);
+  const unsigned sent_before = GENERATE(1U, kWidth, kWidth + 5, kWidth * kHeight - 3, kWidth * kHeight - 1);  // pixels
+  constexpr unsigned kTimeout = 90;
+  const unsigned limit = live ? 4 * kWidth : kTimeout;
+  const auto pause = limit + static_cast<unsigned>(GENERATE(range(0, 12))) - 6;
+  CAPTURE(live, sent_before, pause);
+
+  Rng rng{"framer"};
+  Simulation<Vtb_framer> simulation{rng.next(), 10'000};
+  Vtb_framer& model = simulation.model();
+  model.live_i = live;
+  model.width_i = kWidth;
+  model.height_i = kHeight;
+  model.timeout_i = kTimeout;
+  Surroundings around{model};
+  simulation.attach(around);
+  simulation.reset();
+
+  const Image image = noise_image(kWidth, kHeight, rng);
+  around.send(image, true);
+  around.pause_after(sent_before, pause);
+  simulation.run_until([&] { return around.sent(); }, 1'000, "a frame with a pause");
+  simulation.run(20);
+
+  REQUIRE(around.frames.size() == 1);
+  const Frame& frame = around.frames[0];
+  CHECK(frame.ends == 1);
+  const bool told = frame.other_faults > frame.silences;
+  if (pause <= limit) CHECK_FALSE(told);
+  if (pause > limit + 3) CHECK(told);
+  if (!told) check_whole(frame, image, 0);
 }

@@ -1205,6 +1205,29 @@ TEST_CASE("What one rule has taught is nothing that the other one knows") {
   }
 }
 
+TEST_CASE("A frame is judged by the settings that it began with, as the hardware samples them") {
+  const auto device = make_native_device(find_profile("vga"));
+  load(*device, find_build(*device), maps_beside(), Settings{}.without_proof(), false, kNoFrames);
+  const auto send = [&](unsigned seed) {
+    device->send(textured(kWidth, kHeight, seed), textured(kWidth, kHeight, seed + 1));
+  };
+  const auto teaches = [&] {
+    device->receive();
+    return Faults{device->read(reg::frame_faults_cameras::kAddress), device->read(reg::frame_faults_machine::kAddress)}
+        .has(Fault::teaching);
+  };
+  // The first begins when it is sent, the next when the one before has ended.
+  write_checked(*device, blocks_word({.watch = true, .teach = true}));
+  send(1);
+  write_checked(*device, blocks_word({.watch = true}));
+  send(3);
+  CHECK(teaches());
+  write_checked(*device, blocks_word({.watch = true, .teach = true}));
+  send(5);
+  CHECK_FALSE(teaches());
+  CHECK(teaches());
+}
+
 TEST_CASE("Another table stops a machine that was taught, or that waits for a restart") {
   const auto device = make_native_device(find_profile("vga"));
   const Build build = find_build(*device);

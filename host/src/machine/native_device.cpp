@@ -460,7 +460,7 @@ void NativeDevice::send(const Image& left, const Image& right) {
   if (pending_.size() == 1) start_frame();
 }
 
-/// The table is looked up at the start of the output frame.
+/// The table is looked up at the start of the output frame, and the settings are taken then.
 void NativeDevice::start_frame() {
   const auto selected = stored(reg::table_select::kAddress);
   const auto slot = static_cast<int>(selected);
@@ -470,6 +470,7 @@ void NativeDevice::start_frame() {
   const auto crc = table != nullptr ? std::optional(table->words.back()) : std::nullopt;
   const auto two_before = std::exchange(crc_two_before_, std::exchange(crc_before_, crc));
   same_table_ = profile_.takes_fields() ? crc && crc == two_before : same_slot;
+  frame_settings_ = std::make_unique<native::Settings>(settings());
 }
 
 const NativeDevice::Table* NativeDevice::active_table() const {
@@ -490,7 +491,7 @@ FrameStreams NativeDevice::receive() {
   const Table* table = active_table();
   const std::vector<std::uint32_t> none =
       table == nullptr ? empty_table(left.width, left.height) : std::vector<std::uint32_t>();
-  const native::Settings settings = this->settings();
+  const native::Settings settings = *frame_settings_;
   dim_ = settings.dim != 0;
   compete_before_ = settings.compete != 0;
   const auto result =
@@ -520,7 +521,7 @@ FrameStreams NativeDevice::receive() {
   add(result.one_camera, Fault::one_camera);
   add(result.object_overflow, Fault::objects);
   add(stored(reg::feedback::kAddress) != 0, Fault::contactors);  // there are none
-  add(reg::blocks::kTeach.get(stored(reg::blocks::kAddress)) != 0, Fault::teaching);
+  add(settings.teach != 0, Fault::teaching);
   add(result.agreement.untextured, Fault::too_undecidable);
   add(result.agreement.disagree, Fault::disagree);
   add(result.agreement.unproven, Fault::unproven);

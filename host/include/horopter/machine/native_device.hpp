@@ -56,7 +56,7 @@ class NativeDevice : public Device {
   void begin_upload();
   void upload_word(std::uint32_t word);
   void end_upload(UploadError error);
-  native::Settings settings() const;
+  native::Settings settings() const;  ///< for a frame that begins now
   std::unique_ptr<native::Engine> new_engine() const;
   void reset_stream();
   void prepare(std::size_t slot);
@@ -84,6 +84,7 @@ class NativeDevice : public Device {
   bool has_table_ = false;                                    ///< the active slot
   std::optional<std::uint32_t> crc_before_, crc_two_before_;  ///< of the tables with which the last frames began
   bool same_table_ = false;                                   ///< as the frame before of this field
+  std::unique_ptr<native::Settings> frame_settings_;          ///< of the first of `pending_`, from its arrival on
   Faults frame_faults_pending_;                               ///< of the control side since the last frame
   bool uploading_ = false;
   int upload_slot_ = registers::kNoSlot;

@@ -362,7 +362,8 @@ inline constexpr std::uint32_t kReset = 0x8;
 inline constexpr Field kGrey{0, 8};
 }  // namespace constant_limit
 
-/// Frozen image: one of the two frames before again, this many times in a row, is a fault.
+/// Frozen image: one of the two frames before again, this many times in a row, is a fault. With two fields of an image
+/// in turn, one of the four before.
 namespace frozen_limit {
 inline constexpr std::uint32_t kAddress = 0x0B4;
 inline constexpr Access kAccess = Access::kReadWrite;
