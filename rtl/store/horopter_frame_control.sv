@@ -382,9 +382,10 @@ module horopter_frame_control (
   // With a fault of its own, or an alarm, what a frame has taught says nothing of an empty zone. What both cameras see of a
   // frame is known of the one before it, and in part of the one before that: neither may have had any, whether it taught
   // or not. Of `unproven` only the first frame's counts: before it nothing is known; later it says nothing of the images.
-  // Worked out from what was published, a clock after the picture: total_q has enough to drive.
+  // Worked out from what was published, in two clocks: these registers lie near the bus.
   horopter_csr_pkg::faults_t beside_teaching, that_stay;
-  logic first_q;
+  logic published_q, first_q;
+  logic [FAULT_GROUPS-1:0] beside_q, stay_q;
   logic [1:0] spoiled_before_q;
   always_comb begin
     beside_teaching = frame_faults_o;
@@ -393,14 +394,17 @@ module horopter_frame_control (
     that_stay.machine.unproven = beside_teaching.machine.unproven && first_q;
   end
   always_ff @(posedge clk_i) begin
+    beside_q <= groups_of(beside_teaching);
+    stay_q <= groups_of(that_stay);
+    published_q <= rst_ni && publish_o;
     if (!rst_ni) begin
       forget_o <= 1'b0;
       first_q <= 1'b1;
       spoiled_before_q <= 2'b00;
-    end else if (publish_o) begin
-      forget_o <= frame_faults_o.machine.teaching && (beside_teaching != '0 || frame_seen_o || spoiled_before_q != 2'b00);
+    end else if (published_q) begin
+      forget_o <= frame_faults_o.machine.teaching && (beside_q != '0 || frame_seen_o || spoiled_before_q != 2'b00);
       first_q <= 1'b0;
-      spoiled_before_q <= {spoiled_before_q[0], that_stay != '0 || frame_seen_o};
+      spoiled_before_q <= {spoiled_before_q[0], stay_q != '0 || frame_seen_o};
     end
   end
 
