@@ -195,7 +195,10 @@ MonitorFaults Service::missed() const { return state_.missed() ? MonitorFault::d
 /// whether what it is shown from now on is as empty as what it was shown before.
 void Service::take_safe_away(MonitorFaults own) {
   state_.not_safe(words_of(own, {}));
-  if (machine_) machine_->supervisor->monitor().trip();
+  if (machine_) {
+    machine_->supervisor->monitor().trip();
+    tripped_ = true;
+  }
   if (own.has(MonitorFault::decision_late)) state_.catch_up();
   if (to_teach_ != 0) break_off_teaching(own);
 }
@@ -244,8 +247,9 @@ void Service::judge(ImagePair pair) {
   if (pair.judgeable) results = machine_->supervisor->process(pair.left.image, pair.right.image);
   Faults faults;
   bool alarm = false;
+  const bool after_trip = !results.empty() && std::exchange(tripped_, false);
   for (FrameResult& result : results) {
-    if (own.any()) result.faults.clear(Fault::map_busy);  // of the trip
+    if (after_trip) result.faults.clear(Fault::map_busy);  // nobody loads a table
     faults |= result.faults;
     alarm |= result.alarm;
   }

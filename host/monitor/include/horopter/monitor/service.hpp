@@ -131,6 +131,7 @@ class Service final : public Control, public CameraSink {
 
   // Of the decision alone.
   MonitorFaults pending_;  ///< found without a pair
+  bool tripped_ = false;   ///< the machine says so with its next frame
   std::vector<std::string> troubles_;
   std::vector<Cause> told_causes_;
   Clock::time_point causes_told_{};
