@@ -101,19 +101,22 @@ def restart(page):
 
 
 def teach(page):
-    """Where an image is lost meanwhile, it is broken off, and that is told: then it is asked for again."""
+    """Where an image is lost meanwhile, it is refused or broken off, and that is told: then it is asked for again."""
     def said(pattern):
         return len(re.findall(pattern, page.at("events").text))
 
     for _ in range(10):
-        nothing = said("taught nothing|broken off")
+        nothing = said("taught nothing|broken off|teaching refused")
         page.click("teach")
         page.wait("how long", lambda: "20 pairs" in page.at("confirm-text").text)
         page.at("confirm-looked").click()
         page.at("confirm-send").click()
-        page.wait("an end", lambda: said(r"taught by \d+ frames") or said("taught nothing|broken off") > nothing)
+        page.wait("an end", lambda: said(r"taught by \d+ frames") or page.at("confirm-trouble").text
+                  or said("taught nothing|broken off|teaching refused") > nothing)
         if said(r"taught by \d+ frames"):
             return
+        if page.at("confirm").is_displayed():
+            page.driver.find_element("css selector", "#confirm .close").click()
     raise AssertionError("every teaching was disturbed")
 
 

@@ -73,7 +73,7 @@ class FakeControl : public monitor::Control {
       const std::lock_guard lock(mutex_);
       asked_.push_back({"restart", actor.name});
       if (stops != stops_) {
-        why = "Something has stopped it since you looked. Look again.";
+        why = kLookAgain;
         return false;
       }
       if (!good_) {
@@ -87,7 +87,7 @@ class FakeControl : public monitor::Control {
     for (auto* listener : listeners_) listener->released(now, actor);
     return true;
   }
-  bool teach(int frames, const monitor::Actor& actor, std::string& why) override {
+  bool teach(int frames, const monitor::Actor& actor, std::uint64_t stops, std::string& why) override {
     if (frames < 1) {
       why = std::to_string(frames) + " frames are too few.";
       return false;
@@ -96,6 +96,10 @@ class FakeControl : public monitor::Control {
     monitor::Status now;
     {
       const std::lock_guard lock(mutex_);
+      if (stops != stops_) {
+        why = kLookAgain;
+        return false;
+      }
       asked_.push_back({"teach " + std::to_string(frames), actor.name});
       teaching_ = frames;
       if (latest_) now = latest_->status;
@@ -115,6 +119,8 @@ class FakeControl : public monitor::Control {
   }
 
  private:
+  static constexpr const char* kLookAgain = "Something has stopped it since you looked. Look again.";
+
   std::vector<monitor::Listener*> listeners_;
   std::mutex order_;  ///< of what listeners are told
   mutable std::mutex mutex_;

@@ -274,12 +274,17 @@ TEST_CASE("Each role may do what it may, and no more") {
   Browser engineer(cell, "emma");
   CHECK(engineer.json("/api/session")["may_teach"] == true);
   CHECK(engineer.json("/api/session")["teach_allowed"] == false);  // what the page says; the monitor refuses
-  CHECK(engineer.post("/api/teach", {{"frames", 10}}) == 200);
+  const int stop = engineer.json("/api/status")["stop"];
+  CHECK(engineer.post("/api/teach", {{"frames", 10}}) == 400);
+  CHECK(engineer.post("/api/teach", {{"frames", 10}, {"stop", stop - 1}}) == 409);
+  CHECK_THAT(engineer.said(), Catch::Contains("since you looked"));
+  CHECK(cell.control.asked().back().what == "restart");
+  CHECK(engineer.post("/api/teach", {{"frames", 10}, {"stop", stop}}) == 200);
   CHECK(cell.control.asked().back().what == "teach 10");
-  CHECK(engineer.post("/api/teach", {{"frames", 0}}) == 409);
+  CHECK(engineer.post("/api/teach", {{"frames", 0}, {"stop", stop}}) == 409);
   CHECK_THAT(engineer.said(), Catch::Contains("0 frames"));
-  CHECK(engineer.post("/api/teach", {{"frames", (std::int64_t{1} << 32) + 10}}) == 400);
-  CHECK(engineer.post("/api/teach", {{"frames", "many"}}) == 400);
+  CHECK(engineer.post("/api/teach", {{"frames", (std::int64_t{1} << 32) + 10}, {"stop", stop}}) == 400);
+  CHECK(engineer.post("/api/teach", {{"frames", "many"}, {"stop", stop}}) == 400);
   CHECK(engineer.post("/api/logout", Json::object()) == 200);
   CHECK(engineer.get("/api/status")->status == 401);
 

@@ -219,6 +219,13 @@ struct Bench {
   bool restart(const std::string& who, std::string& why) {
     return service->restart({who, "here"}, service->status().stops, why);
   }
+  bool teach(int frames, std::string& why) {
+    return service->teach(frames, {"egon", ""}, service->status().stops, why);
+  }
+  bool has_noted(const std::string& what) const {
+    return std::ranges::any_of(recorder.events(),
+                               [&](const Event& event) { return event.what.find(what) != std::string::npos; });
+  }
 
   horopter::TemporaryDirectory directory;
   HeldDevice::Hold hold;
@@ -560,7 +567,7 @@ TEST_CASE("a cell that need not be taught is not: begun anew it would not watch"
   Bench bench;
   bench.judge();
   std::string why;
-  CHECK_FALSE(bench.service->teach(3, {"egon", ""}, why));
+  CHECK_FALSE(bench.teach(3, why));
   CHECK_THAT(why, Catch::Contains("teach: {needed: true}"));
   const Status status = bench.judge();
   CHECK_FALSE(status.teaching);
@@ -570,16 +577,16 @@ TEST_CASE("a cell that need not be taught is not: begun anew it would not watch"
 TEST_CASE("teaching: not safe meanwhile, and said when it has ended") {
   Bench bench(120s, false, true);
   std::string why;
-  CHECK_FALSE(bench.service->teach(3, {"egon", ""}, why));
+  CHECK_FALSE(bench.teach(3, why));
   REQUIRE(bench.release().safe);
-  CHECK_FALSE(bench.service->teach(0, {"egon", ""}, why));
-  REQUIRE(bench.service->teach(3, {"egon", ""}, why));
+  CHECK_FALSE(bench.teach(0, why));
+  REQUIRE(bench.teach(3, why));
   for (int i = 0; i < 3; ++i) {
     const Status status = bench.judge();
     CHECK_FALSE(status.safe);
     CHECK(status.teaching);
     CHECK(names_of(status.causes) == std::vector<std::string>{"teaching"});
-    CHECK_FALSE(bench.service->teach(3, {"egon", ""}, why));
+    CHECK_FALSE(bench.teach(3, why));
   }
   Status status = bench.judge();
   CHECK_FALSE(status.teaching);
@@ -594,26 +601,52 @@ TEST_CASE("teaching: not safe meanwhile, and said when it has ended") {
   CHECK(noted[2] == "taught by 3 frames");
 }
 
-TEST_CASE("a teaching is broken off by a fault of the monitor's own: nothing counts as taught") {
+TEST_CASE("a teaching is refused where it stopped since somebody looked, or a fault comes with the first pair") {
   Bench bench(120s, false, true);
-  const auto has_noted = [&](const std::string& what) {
-    return std::ranges::any_of(bench.recorder.events(),
-                               [&](const Event& event) { return event.what.find(what) != std::string::npos; });
-  };
   std::string why;
   REQUIRE(bench.release().safe);
-  REQUIRE(bench.service->teach(20, {"egon", ""}, why));
+  SECTION("an alarm behind the question") {
+    const auto seen = bench.service->status().stops;
+    bench.judge(true);
+    for (int i = 0; i < 5; ++i) bench.judge();
+    CHECK_FALSE(bench.service->teach(3, {"egon", ""}, seen, why));
+    CHECK_THAT(why, Catch::Contains("since you looked"));
+    CHECK_FALSE(bench.judge().teaching);
+    CHECK(bench.teach(3, why));
+  }
+  SECTION("a gap with the first pair") {
+    REQUIRE(bench.teach(3, why));
+    ++bench.number;
+    CHECK_FALSE(bench.judge().teaching);
+    CHECK(bench.has_noted("teaching refused: a fault came in between"));
+  }
+  SECTION("the first pair cannot be judged") {
+    REQUIRE(bench.teach(1, why));
+    auto pair = bench.images();
+    pair.first.image = Image(100, 120);
+    bench.give(std::move(pair));
+    CHECK_FALSE(bench.judge().teaching);
+    CHECK(bench.has_noted("teaching refused: a fault came in between"));
+    CHECK_FALSE(bench.has_noted("taught"));
+  }
+}
+
+TEST_CASE("a teaching is broken off by a fault of the monitor's own: nothing counts as taught") {
+  Bench bench(120s, false, true);
+  std::string why;
+  REQUIRE(bench.release().safe);
+  REQUIRE(bench.teach(20, why));
   for (int i = 0; i < 5; ++i) CHECK(bench.judge().teaching);
   SECTION("a camera that is gone for a while") {
     bench.service->lost(Side::left, "the cable is out");
-    CHECK(eventually([&] { return has_noted("teaching was broken off: left_camera_lost; teach again"); }));
+    CHECK(eventually([&] { return bench.has_noted("teaching was broken off: left_camera_lost; teach again"); }));
     CHECK_FALSE(bench.service->status().teaching);
     bench.service->connected(Side::left);
   }
   SECTION("a time without images") {
     ++bench.number;
     CHECK_FALSE(bench.judge().teaching);
-    CHECK(has_noted("teaching was broken off: left_gap"));
+    CHECK(bench.has_noted("teaching was broken off: left_gap"));
   }
   Status status;
   for (int i = 0; i < 20; ++i) {
@@ -622,12 +655,12 @@ TEST_CASE("a teaching is broken off by a fault of the monitor's own: nothing cou
   }
   CHECK_FALSE(status.taught);
   CHECK(status.causes.empty());
-  CHECK_FALSE(has_noted("taught by"));
+  CHECK_FALSE(bench.has_noted("taught by"));
   // Taught anew it counts from the beginning.
-  REQUIRE(bench.service->teach(3, {"egon", ""}, why));
+  REQUIRE(bench.teach(3, why));
   for (int i = 0; i < 3; ++i) CHECK(bench.judge().teaching);
   CHECK(bench.judge().taught);
-  CHECK(has_noted("taught by 3 frames"));
+  CHECK(bench.has_noted("taught by 3 frames"));
 }
 
 TEST_CASE("by itself only where the cell says so; then a restart by hand is refused") {

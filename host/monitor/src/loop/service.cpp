@@ -23,6 +23,7 @@ constexpr auto kSides = std::to_array<Side>({Side::left, Side::right});
 constexpr int kLooksInLimit = 8;
 /// And how soon a service that ends has ended.
 constexpr Duration kLongestLook = std::chrono::milliseconds(50);
+constexpr const char* kLookAgain = "Something has stopped it since you looked. Look again.";
 
 Duration milliseconds_of(double ms) {
   return std::chrono::duration_cast<Duration>(std::chrono::duration<double, std::milli>(ms));
@@ -332,7 +333,9 @@ void Service::begin_request(MonitorFaults own) {
       restarting_ = restart->actor;
     }
   }
-  if (teach && Clock::now() - teach->at > state_.limit()) {
+  if (teach && own.any()) {
+    note(teach->actor, "teaching refused: a fault came in between");
+  } else if (teach && Clock::now() - teach->at > state_.limit()) {
     note(teach->actor, "teaching refused: no image came in time");
   } else if (teach) {
     teacher_ = teach->actor;
@@ -503,7 +506,7 @@ bool Service::restart(const Actor& actor, std::uint64_t stops, std::string& why)
   } else if (!cell_.settings.interlock.by_register) {
     why = "its configuration lets it restart by itself";
   } else if (status_.stops != stops) {
-    why = "Something has stopped it since you looked. Look again.";
+    why = kLookAgain;
   } else if (status_.restart != Restart::possible) {
     why = "the last frames were not all without fault and alarm";
   } else {
@@ -513,7 +516,7 @@ bool Service::restart(const Actor& actor, std::uint64_t stops, std::string& why)
   return false;
 }
 
-bool Service::teach(int frames, const Actor& actor, std::string& why) {
+bool Service::teach(int frames, const Actor& actor, std::uint64_t stops, std::string& why) {
   constexpr int kMost = reg::taught::kFrames.mask();
   const std::lock_guard lock(status_mutex_);
   if (frames < 1 || frames > kMost) {
@@ -524,6 +527,8 @@ bool Service::teach(int frames, const Actor& actor, std::string& why) {
     why = "it is teaching already";
   } else if (status_.frame == 0) {
     why = "no image has been judged yet";
+  } else if (status_.stops != stops) {
+    why = kLookAgain;
   } else {
     teach_request_ = Request{actor, Clock::now(), frames};
     return true;

@@ -329,8 +329,9 @@ function openRestart() {
 
 function openTeach() {
   const frames = session.teach_frames;
+  const stop = last.stop;  // as it is seen now
   confirm("Teach the empty zone", `For the next ${frames} pairs the monitor learns what cannot be decided while the zone is empty.`,
-    "The zone is empty, and stays so.", "Teach", () => change("/api/teach", { frames }));
+    "The zone is empty, and stays so.", "Teach", () => change("/api/teach", { frames, stop }));
 }
 
 // --- log

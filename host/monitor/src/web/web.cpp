@@ -32,6 +32,7 @@ using httplib::Response;
 
 constexpr const char* kJson = "application/json";
 constexpr const char* kTokenHeader = "X-Horopter-Token";
+constexpr const char* kExpectsStop = "Expected the number of the stop that was seen.";
 constexpr std::size_t kLogPage = 50;
 constexpr double kNotesPerMin = 20;   // of what was refused
 constexpr double kLoginsPerMin = 60;  // of all addresses
@@ -399,7 +400,7 @@ class Web::Site {
                     "The configuration does not allow a restart from the page (`web`: `restart: true`).");
     }
     const auto seen = whole(json, "stop");
-    if (!seen) return refuse(response, 400, "Expected the number of the stop that was seen.");
+    if (!seen) return refuse(response, 400, kExpectsStop);
     std::string why;
     if (!sources_.control->restart(actor, static_cast<std::uint64_t>(*seen), why)) return refuse(response, 409, why);
     answer(response, 200, {{"done", true}});
@@ -408,8 +409,12 @@ class Web::Site {
   void teach(const Json& json, Response& response, const Actor& actor) {
     const auto frames = whole(json, "frames");
     if (!frames || !std::in_range<int>(*frames)) return refuse(response, 400, "Expected a number of frames.");
+    const auto seen = whole(json, "stop");
+    if (!seen) return refuse(response, 400, kExpectsStop);
     std::string why;
-    if (!sources_.control->teach(static_cast<int>(*frames), actor, why)) return refuse(response, 409, why);
+    if (!sources_.control->teach(static_cast<int>(*frames), actor, static_cast<std::uint64_t>(*seen), why)) {
+      return refuse(response, 409, why);
+    }
     answer(response, 200, {{"done", true}});
   }
 

@@ -61,7 +61,7 @@ class Service final : public Control, public CameraSink {
   [[nodiscard]] Status status() const override;
   [[nodiscard]] MomentPtr latest() const override;
   bool restart(const Actor& actor, std::uint64_t stops, std::string& why) override;
-  bool teach(int frames, const Actor& actor, std::string& why) override;
+  bool teach(int frames, const Actor& actor, std::uint64_t stops, std::string& why) override;
 
   // CameraSink
   void frame(Side side, CameraFrame frame) override;

@@ -105,8 +105,8 @@ class Control {
   /// `stops`: those of the status that somebody has looked after. False, with the reason in `why`, where it cannot be;
   /// true: it was given to the machine's interlock, which decides.
   virtual bool restart(const Actor& actor, std::uint64_t stops, std::string& why) = 0;
-  /// The next `frames` pairs show the zone empty.
-  virtual bool teach(int frames, const Actor& actor, std::string& why) = 0;
+  /// The next `frames` pairs show the zone empty. `stops` as with restart().
+  virtual bool teach(int frames, const Actor& actor, std::uint64_t stops, std::string& why) = 0;
 };
 
 /// Told of everything; called in the order of time, never by two threads at once. What takes long is for a thread of its
