@@ -663,6 +663,40 @@ TEST_CASE("a teaching is broken off by a fault of the monitor's own: nothing cou
   CHECK(bench.has_noted("taught by 3 frames"));
 }
 
+TEST_CASE("a teaching is broken off by an alarm or a fault of the machine: nothing counts as taught") {
+  Bench bench(120s, false, true);
+  std::string why;
+  REQUIRE(bench.release().safe);
+  REQUIRE(bench.teach(6, why));
+  for (int i = 0; i < 3; ++i) CHECK(bench.judge().teaching);
+  auto pair = bench.images(true);
+  std::string cause = "alarm";
+  SECTION("somebody comes") {}
+  SECTION("a camera is covered") {
+    pair.first.image = Image(kWidth, kHeight);
+    cause = "left_black";
+  }
+  bench.give(std::move(pair));
+  Status status = bench.recorder.status_of(++bench.pairs);
+  const auto names = names_of(status.causes);
+  CHECK(std::ranges::count(names, cause) == 1);
+  CHECK_FALSE(status.teaching);
+  const auto events = bench.recorder.events();
+  CHECK(std::ranges::any_of(events, [&](const Event& event) {
+    return event.what.starts_with("teaching was broken off: ") && event.what.find(cause) != std::string::npos;
+  }));
+  for (int i = 0; i < 10; ++i) {
+    status = bench.judge();
+    CHECK_FALSE(status.teaching);
+  }
+  CHECK_FALSE(status.taught);
+  CHECK_FALSE(bench.has_noted("taught by"));
+  REQUIRE(bench.teach(3, why));
+  for (int i = 0; i < 3; ++i) CHECK(bench.judge().teaching);
+  CHECK(bench.judge().taught);
+  CHECK(bench.has_noted("taught by 3 frames"));
+}
+
 TEST_CASE("by itself only where the cell says so; then a restart by hand is refused") {
   Bench bench(120s, true);
   Status status;

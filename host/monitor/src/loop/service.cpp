@@ -57,6 +57,21 @@ void add_others(const std::vector<Cause>& causes, std::vector<Cause>& to) {
 
 bool is_good(const FrameResult& result) { return !result.alarm && !result.faults.any(); }
 
+/// Why a pair that teaches may not show the empty zone; empty: it does, as far as the machine sees. In it an alarm is one
+/// however few frames show it. `unproven` says nothing of the zone: what such a frame teaches the machine forgets itself.
+std::string not_empty(const std::vector<FrameResult>& results) {
+  Faults faults;
+  bool seen = false;
+  for (const FrameResult& result : results) {
+    faults |= result.faults;
+    seen |= result.seen;
+  }
+  faults.clear(Faults(Fault::teaching) | Fault::unproven);
+  std::vector<std::string> names = faults.names();
+  if (seen) names.insert(names.begin(), "alarm");
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 /// The worse one of two fields: what an output says of the pair.
 const FrameResult& worst(const std::vector<FrameResult>& results) {
   const auto found = std::ranges::find_if(results, [](const FrameResult& r) { return !is_good(r); });
@@ -201,7 +216,7 @@ void Service::take_safe_away(MonitorFaults own) {
     tripped_ = true;
   }
   if (own.has(MonitorFault::decision_late)) state_.catch_up();
-  if (to_teach_ != 0) break_off_teaching(own);
+  if (to_teach_ != 0) break_off_teaching(fmt::format("{}", fmt::join(own.names(), ", ")));
 }
 
 /// Without a pair: what is wrong now.
@@ -253,6 +268,10 @@ void Service::judge(ImagePair pair) {
     if (after_trip) result.faults.clear(Fault::map_busy);  // nobody loads a table
     faults |= result.faults;
     alarm |= result.alarm;
+  }
+  if (to_teach_ != 0) {
+    // Somebody came, or nobody knows: what is taught after it would be safe with that in the zone.
+    if (const std::string why = not_empty(results); !why.empty()) break_off_teaching(why);
   }
   const std::uint32_t word = monitor.device().read(reg::status::kAddress);
   if (state_.missed() || Clock::now() - pair.seen() > state_.limit()) {
@@ -345,14 +364,14 @@ void Service::begin_request(MonitorFaults own) {
   }
 }
 
-void Service::break_off_teaching(MonitorFaults own) {
+void Service::break_off_teaching(const std::string& why) {
   to_teach_ = 0;
   machine_->supervisor->monitor().break_off_teaching();
   {
     const std::lock_guard lock(status_mutex_);
     status_.teaching = false;
   }
-  note(teacher_, fmt::format("teaching was broken off: {}; teach again", fmt::join(own.names(), ", ")));
+  note(teacher_, fmt::format("teaching was broken off: {}; teach again", why));
 }
 
 void Service::count_taught() {
@@ -361,8 +380,8 @@ void Service::count_taught() {
   monitor.teach(false);
   const int taught = monitor.blind_watch().taught();
   note(teacher_, taught != 0 ? fmt::format("taught by {} frames", taught)
-                             : "taught nothing: the last frame had a fault or an alarm; everything that cannot be "
-                               "decided counts as an object now");
+                             : "taught nothing: the last frame was unproven, or one before it had a fault or an alarm; "
+                               "everything that cannot be decided counts as an object now");
 }
 
 // What others see -----------------------------------------------------------------------------------------------------

@@ -97,7 +97,7 @@ class Service final : public Control, public CameraSink {
   void take_safe_away(MonitorFaults own);
   std::vector<ObjectState> follow(const std::vector<FrameResult>& results, Clock::time_point arrived);
   void begin_request(MonitorFaults own);
-  void break_off_teaching(MonitorFaults own);
+  void break_off_teaching(const std::string& why);
   void count_taught();
   void publish(Status status, const MomentPtr& moment);
   void tell(const Status& before, const Status& status, const MomentPtr& moment);
