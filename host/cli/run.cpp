@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // horopter run: supervises image pairs.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,7 @@
 #include "alarm_frames.hpp"
 #include "commands.hpp"
 #include "horopter/base/ending.hpp"
+#include "horopter/base/error.hpp"
 #include "horopter/base/json_text.hpp"
 #include "horopter/draw/overlay.hpp"
 #include "horopter/image/frames.hpp"
@@ -210,6 +212,20 @@ void write_frame(OutputDirectory& output, int frame, const Image& left, const Fr
   output.write(base + "-overlay.png", encode_png_bgr(picture.width, picture.height, picture.bgr));
 }
 
+/// Whoever came while it learns may stay, and would be learned with the pairs that are left. `unproven` says nothing of the
+/// zone, and such a frame teaches nothing. Throws FileError, and Error where the frame has a fault.
+void check_teaches(const FrameResult& result, const std::string& name, std::size_t pair, std::size_t pairs) {
+  const Faults faults = result.faults.without(Faults(Fault::teaching) | Fault::unproven);
+  if (!result.seen && !faults.any()) return;
+  std::vector<std::string> found = faults.names();
+  if (result.seen) found.insert(found.begin(), "an alarm");
+  const std::string what = fmt::format("pair {} of --teach {} has {}: nothing is taught, and nothing is supervised",
+                                       pair, pairs, fmt::join(found, ", "));
+  constexpr const char* kExpected = "pairs of the empty zone, without alarm and fault";
+  if (!faults.any()) throw FileError(name, "", what, kExpected);
+  throw Error(ExitStatus::fault, fmt::format("{}: {}; expected {}", name, what, kExpected));
+}
+
 /// What the pairs of --teach have taught.
 void report_taught(const BlindWatch& watch, std::size_t pairs, const BlindSettings& settings,
                    nlohmann::ordered_json& summary, bool json) {
@@ -217,7 +233,7 @@ void report_taught(const BlindWatch& watch, std::size_t pairs, const BlindSettin
   if (watch.taught() == 0) {
     if (!json) {
       fmt::print(
-          "taught nothing: its last frame had a fault or an alarm. Now everything that cannot be decided counts\n");
+          "taught nothing: its last frame, or one before it, was unproven. Now everything that cannot be decided counts\n");
     }
     return;
   }
@@ -392,6 +408,7 @@ Supervised supervise(const RunOptions& options, Session& session, PairSource& pa
         progress.clear();
         print_frame(done.frames, result);
       }
+      if (shown < options.teach) check_teaches(result, pair->left.name, shown + 1, options.teach);
       ++done.frames;
     }
     progress.show(++shown, pairs.count());
@@ -497,8 +514,8 @@ void add_run(CLI::App& app, Outcome& outcome) {
       ->add_option(
           "--teach", options->teach,
           "The first N pairs show the zone empty: learn where nothing can be decided. After them a place that could "
-          "be decided and cannot be any more is blind and counts as an object. More pairs must follow, as none that "
-          "teaches is supervised. Without it, whatever has no texture reads undecidable, and a plain glove is no alarm")
+          "be decided and cannot be any more is blind and counts as an object. An alarm or a fault in them is an error. "
+          "More pairs must follow, as none that teaches is supervised. Without it, whatever has no texture reads undecidable, and a plain glove is no alarm")
       ->check(at_least_one())
       ->type_name("N");
   add_less_light(*command, options->settings.blind)->needs("--teach");

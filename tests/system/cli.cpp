@@ -660,14 +660,41 @@ TEST_CASE("--teach with no pair behind those that teach supervises nothing, and 
   check_bad_file(box, run_arguments() + std::vector<std::string>{"--teach", "1"}, "left0.png", "end after 1 pairs");
   CHECK(box.run(run_arguments("left*.png", "right*.png") + std::vector<std::string>{"--teach", "2", "--frames", "2"})
             .status == 2);
-  // This video does not say how many images it has.
+  // This video does not say how many images it has. Nothing lies on this skin, and the right images are nearly alike.
+  box.write("empty.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -40], [0, 1, 0], [0, 0, 1]]\n");
   record(box, 50);
-  const auto video = box.run(run_arguments("left.mkv", "right.mkv") + teach);
+  const auto video =
+      box.run(run_arguments("left.mkv", "right.mkv", "empty.yaml") + teach + std::vector<std::string>{"--still-scene"});
   CHECK(video.status == 3);
   CHECK_THAT(video.err, Catch::Contains("left.mkv: the images end after 5 pairs"));
   const auto summary = nlohmann::json::parse(box.read("out/incomplete/summary.json"));
   CHECK(summary["taught"]["pairs"] == kRecorded);
   CHECK(summary["frames"].size() == kRecorded);
+}
+
+TEST_CASE("--teach with an alarm or a fault in the pairs that teach: nothing is taught, and it is an error") {
+  Sandbox box;
+  with_pairs(box, kRecorded);
+  for (const int i : {0, 1, 3, 4}) {  // nothing is in the skin
+    save((box / ("right" + std::to_string(i) + ".png")).string(),
+         textured(200, 120, static_cast<std::uint64_t>(100 + i)));
+  }
+  int status = 3;
+  std::string message = "left2.png: pair 3 of --teach 4 has an alarm: nothing is taught";
+  SECTION("somebody comes") {}
+  SECTION("a camera is covered") {
+    status = 4;
+    message = "left2.png: pair 3 of --teach 4 has right_black";
+    save((box / "right2.png").string(), cv::Mat::zeros(120, 200, CV_8UC1));
+  }
+  const auto result = box.run(run_arguments("left*.png", "right*.png") + std::vector<std::string>{"--teach", "4"});
+  CAPTURE(result.err);
+  CHECK(result.status == status);
+  CHECK_THAT(result.err, Catch::Contains(message) && Catch::Contains("expected pairs of the empty zone"));
+  CHECK_FALSE(fs::exists(box / "out/summary.json"));
+  const auto summary = nlohmann::json::parse(box.read("out/incomplete/summary.json"));
+  CHECK(summary["frames"].size() == 3);
+  CHECK_FALSE(summary.contains("taught"));
 }
 
 TEST_CASE("--teach with a skin that moves: all of its way") {
