@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "commands.hpp"
 #include "horopter/base/error.hpp"
@@ -67,7 +68,15 @@ void write_blocks(Device& device, BlindSettings blind, bool teach) {
   write_checked(device, blocks_word(blind));
 }
 
-/// A frame with a fault or an alarm makes the machine forget: so many in a row. What ends early leaves the machine teaching.
+/// Of the last frame, if it teaches. One that does not may be an alarm because nothing is taught yet.
+bool shows_alarm(Device& device) {
+  const Faults faults{device.read(reg::frame_faults_cameras::kAddress),
+                      device.read(reg::frame_faults_machine::kAddress)};
+  return faults.has(Fault::teaching) && reg::frame_status::kSeen.get(device.read(reg::frame_status::kAddress)) != 0;
+}
+
+/// A frame with a fault or an alarm makes the machine forget: so many in a row. Where something comes in between, whoever it
+/// was may stay, and would be learned with the frames after it. What ends early leaves the machine teaching.
 void learn(Device& device, const BlindSettings& blind, std::uint32_t frames) {
   // A teaching that was under way, or done before, is no part of this one: TAUGHT keeps its number until a frame begins that
   // teaches after one that did not.
@@ -77,15 +86,29 @@ void learn(Device& device, const BlindSettings& blind, std::uint32_t frames) {
   Progress progress("teaching, frame");
   device.write(reg::faults_cameras::kAddress, 0xFFFFFFFFU);
   device.write(reg::faults_machine::kAddress, 0xFFFFFFFFU);
-  wait_for_frames(device, kTeaching, [&](std::uint32_t passed) {
-    if (passed < kHeard) return false;
-    const std::uint32_t taught = taught_frames(device);
-    progress.show(taught, frames);
-    if (taught >= frames) return true;
-    if (passed <= kPatienceFactor * frames + 20) return false;
+  const auto fault_names = [&] {
     const Faults faults{device.read(reg::faults_cameras::kAddress), device.read(reg::faults_machine::kAddress)};
     std::string names;
     for (const std::string& name : faults.without(Fault::teaching).names()) names += " " + name;
+    return names;
+  };
+  std::uint32_t taught_before = 0;
+  wait_for_frames(device, kTeaching, [&](std::uint32_t passed) {
+    if (passed < kHeard) return false;
+    const bool alarm = shows_alarm(device);
+    const std::uint32_t taught = taught_frames(device);
+    progress.show(taught, frames);
+    const bool forgot = taught < std::exchange(taught_before, taught);
+    if (alarm || forgot) {
+      const std::string names = fault_names();
+      throw DeviceError(fmt::format(
+          "while it learned there was{}{}: somebody may have come, and nothing counts as taught; {}; clear the zone and "
+          "teach again",
+          alarm || names.empty() ? " an alarm" : "", names, kTeaching));
+    }
+    if (taught >= frames) return true;
+    if (passed <= kPatienceFactor * frames + 20) return false;
+    const std::string names = fault_names();
     throw DeviceError(
         fmt::format("{} frames have passed, and {} in a row have not been without fault and alarm;{}{}; {}", passed,
                     frames, names.empty() ? " there was an alarm" : " faults:", names, kTeaching));
@@ -146,9 +169,9 @@ void add_teach(CLI::App& app, Outcome& outcome) {
   command->footer(
       "Where nothing has texture the machine cannot say what is in the skin. So it learns where that is while nobody is in\n"
       "the zone and the robot moves as it will. Afterwards a place that could be decided and cannot be any more is blind, and\n"
-      "counts as an object. While it learns, the machine is not safe. A frame with a fault or an alarm begins\n"
-      "it anew. It forgets when it is stopped, by an `upload` of another table or of other settings, too: then everything\n"
-      "that cannot be decided counts, until it is taught again.\n\n"
+      "counts as an object. While it learns, the machine is not safe. An alarm, or a fault after it has begun to learn, is an\n"
+      "error: nothing is taught, and the machine goes on teaching. It forgets when it is stopped, by an `upload` of another\n"
+      "table or of other settings, too: then everything that cannot be decided counts, until it is taught again.\n\n"
       "Example: horopter teach --engine serial:/dev/ttyUSB0 --frames 3000");
   command->callback([options, &outcome] { outcome.status = teach(*options); });
 }

@@ -389,10 +389,14 @@ TEST_CASE("Teaching ends when frames enough were good, and says why where they a
   for (const auto& r : reg::kRegisters) {
     if (r.address <= reg::build_compete::kAddress) words[r.address / 4] = machine->read(r.address);
   }
+  const auto start = [&](int teach_frames) {
+    return box.run(
+        {"teach", "--engine", "uio:" + (box / "registers").string(), "--frames", std::to_string(teach_frames)});
+  };
   const auto teach = [&](bool running) {
     words[reg::status::kAddress / 4] = reg::status::kRunning.put(running);
     box.write("registers", std::string(reinterpret_cast<const char*>(words.data()), 4 * words.size()));
-    return box.run({"teach", "--engine", "uio:" + (box / "registers").string(), "--frames", "3"});
+    return start(3);
   };
   const auto left_with = [&] { return static_cast<unsigned>(box.read("registers")[reg::blocks::kAddress]) & 3U; };
 
@@ -412,11 +416,13 @@ TEST_CASE("Teaching ends when frames enough were good, and says why where they a
   CHECK_THAT(silent.err, Catch::Contains("no frame was finished in 5 s; nothing is taught anew"));
   CHECK(left_with() == 1);
 
-  // Somebody who makes frames behind the registers: good ones, or of those one in four not.
+  // Somebody who makes frames behind the registers. Who comes does so behind the eighth frame, and stands still soon.
+  enum class Zone { empty, never_empty, alarm_at_the_end, somebody_comes, somebody_comes_between_looks };
   std::uint32_t taught = 0;
   bool taught_before = false;
-  const auto with_frames = [&](bool good, bool good_at_the_end) {
+  const auto with_frames = [&](Zone zone, int teach_frames = 3) {
     std::atomic<bool> ends = false;
+    const bool comes = zone == Zone::somebody_comes || zone == Zone::somebody_comes_between_looks;
     words[reg::status::kAddress / 4] = reg::status::kRunning.put(1);
     words[reg::taught::kAddress / 4] = taught;
     words[reg::blocks::kAddress / 4] = reg::blocks::kWatch.put(taught_before) | reg::blocks::kTeach.put(taught_before);
@@ -426,26 +432,34 @@ TEST_CASE("Teaching ends when frames enough were good, and says why where they a
       const auto put = [&](std::uint32_t address, std::uint32_t word) {
         REQUIRE(::pwrite(file, &word, sizeof word, address) == sizeof word);
       };
+      int alarms_left = comes ? 10 : 0;
       for (std::uint32_t sequence = 1; !ends; ++sequence) {
         std::uint32_t blocks = 0;
         REQUIRE(::pread(file, &blocks, sizeof blocks, reg::blocks::kAddress) == sizeof blocks);
         const bool teaching = (blocks & reg::blocks::kTeach.mask()) != 0;
-        const bool forgets = teaching ? !good && sequence % 3 == 0 : taught != 0 && !good_at_the_end;
+        const bool alarm = teaching && alarms_left > 0 && (taught >= 8 || alarms_left < 10);
+        if (alarm) --alarms_left;
+        const bool forgets =
+            teaching ? alarm || zone == Zone::never_empty : taught != 0 && zone == Zone::alarm_at_the_end;
         const bool anew = teaching && !taught_before;
         taught = forgets || anew ? 0 : taught + (taught_before ? 1 : 0);
         taught_before = teaching;
         put(reg::taught::kAddress, taught);
+        put(reg::faults_cameras::kAddress, 0);  // which the command has cleared
+        put(reg::faults_machine::kAddress, 0);
+        put(reg::frame_faults_machine::kAddress, teaching ? horopter::Faults(reg::Fault::teaching).machine() : 0);
+        put(reg::frame_status::kAddress, reg::frame_status::kSeen.put(alarm && zone == Zone::somebody_comes));
         put(reg::frame_sequence::kAddress, sequence);
         std::this_thread::sleep_for(std::chrono::milliseconds(30));
       }
       ::close(file);
     });
-    const auto result = box.run({"teach", "--engine", "uio:" + (box / "registers").string(), "--frames", "3"});
+    const auto result = start(teach_frames);
     ends = true;
     frames.join();
     return result;
   };
-  const auto good = with_frames(true, true);
+  const auto good = with_frames(Zone::empty);
   CHECK(good.status == 0);
   CHECK_THAT(good.out, Catch::Contains("taught by 3 frames"));
   CHECK(left_with() == 1);
@@ -453,19 +467,27 @@ TEST_CASE("Teaching ends when frames enough were good, and says why where they a
   for (const bool stopped_on_its_way : {false, true}) {
     taught = 500;
     taught_before = stopped_on_its_way;
-    CHECK(with_frames(true, true).status == 0);
+    CHECK(with_frames(Zone::empty).status == 0);
     CHECK(taught >= 3);
     CHECK(taught < 100);
     CHECK(left_with() == 1);
   }
-  const auto forgotten = with_frames(true, false);
+  const auto forgotten = with_frames(Zone::alarm_at_the_end);
   CHECK(forgotten.status == 4);
   CHECK_THAT(forgotten.err, Catch::Contains("all is forgotten; teach again"));
   CHECK(left_with() == 1);  // and all that is undecidable counts
-  const auto never = with_frames(false, true);
+  const auto never = with_frames(Zone::never_empty);
   CHECK(never.status == 4);
   CHECK_THAT(never.err, Catch::Contains("3 in a row have not been without fault and alarm"));
   CHECK(left_with() == 3);
+  for (const Zone zone : {Zone::somebody_comes, Zone::somebody_comes_between_looks}) {
+    CAPTURE(zone == Zone::somebody_comes);
+    const auto disturbed = with_frames(zone, 10);
+    CAPTURE(disturbed.err);
+    CHECK(disturbed.status == 4);
+    CHECK_THAT(disturbed.err, Catch::Contains("while it learned there was an alarm"));
+    CHECK(left_with() == 3);  // never safe by what it knows
+  }
 }
 
 TEST_CASE("A serial port without a Horopter board") {
