@@ -242,6 +242,12 @@ def check(page, tell, shoot):
     restart(page)
     page.log_out()
     page.log_in("emma")
+    # The question goes with the session of whoever was asked.
+    page.click("teach")
+    page.wait("a question", lambda: page.at("confirm").is_displayed())
+    page.driver.execute_script("document.getElementById('logout').click()")
+    page.wait("no question", lambda: not page.at("confirm").is_displayed())
+    page.log_in("emma")
     page.click("teach")
     page.at("confirm-looked").click()
     page.at("confirm-send").click()

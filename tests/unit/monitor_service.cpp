@@ -285,6 +285,27 @@ TEST_CASE("safe only after a restart by somebody, and after an alarm only after 
   CHECK(bench.recorder.names() == std::vector<std::string>{"noted", "released", "stopped", "released"});
 }
 
+TEST_CASE("a monitor that begins anew takes no restart from somebody who has looked at the one before") {
+  std::uint64_t seen = 0;
+  const auto wait_for_restart = [](Bench& bench) {
+    Status status;
+    for (int i = 0; i < 10 && status.restart != Restart::possible; ++i) status = bench.judge();
+    REQUIRE(status.restart == Restart::possible);
+    return status.stops;
+  };
+  {
+    Bench before;
+    seen = wait_for_restart(before);
+  }
+  Bench bench;
+  wait_for_restart(bench);
+  std::string why;
+  CHECK_FALSE(bench.service->restart({"anna", ""}, seen, why));
+  CHECK_THAT(why, Catch::Contains("since you looked"));
+  CHECK_FALSE(bench.judge().safe);
+  CHECK(bench.release().safe);
+}
+
 TEST_CASE("an alarm while it is not safe: told once, kept, and nobody restarts it who looked before") {
   Bench bench;
   Status seen;

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <random>
 #include <utility>
 
 #include "horopter/machine/inspection.hpp"
@@ -87,6 +88,8 @@ Service::Service(const Cell& cell, MakeMachine make_machine, int width, int heig
       look_(std::min(kLongestLook, state_.limit() / kLooksInLimit)),
       pairing_(rules_of(cell, width, height)) {
   status_.time = std::chrono::system_clock::now();
+  // What somebody was asked by the program before is no question of this one. JavaScript holds this number exactly.
+  status_.stops = std::random_device{}() & 0x7FFFFFFFU;
   status_.causes = status_.latched = causes_of(false, MonitorFault::starting, {});
   status_.restart_by_itself = cell_.settings.interlock.by_itself;
   for (const CameraCell& camera : cell_.cameras) {

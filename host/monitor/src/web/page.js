@@ -259,6 +259,7 @@ async function readSession() {
   at("who").textContent = session.user ? `${session.user}, ${session.role}` : session.may_look ? "viewer" : "";
   at("login-open").hidden = !session.login_possible || session.user !== null;
   at("logout").hidden = session.user === null;
+  if (session.user === null) at("confirm").close();  // who asked is gone, and with the session perhaps the monitor
   if (!session.may_look) {
     last = null;
     lastAsked = null;

@@ -64,7 +64,7 @@ struct Status {
   bool safe = false;        ///< as the outputs say it
   bool alarm = false;
   Restart restart = Restart::needed;
-  std::uint64_t stops = 0;  ///< so often it was no longer safe, or a restart no longer possible
+  std::uint64_t stops = 0;  ///< one more when it is no longer safe, or a restart no longer possible; begins anywhere
   bool restart_by_itself = false;
   std::vector<Cause> causes;   ///< of now; empty while safe
   std::vector<Cause> latched;  ///< of the last stop and since then, until the restart
