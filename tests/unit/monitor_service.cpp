@@ -423,6 +423,28 @@ TEST_CASE("a decision that hangs: not safe, whoever looks, and not by itself aga
   CHECK(bench.release().safe);
 }
 
+TEST_CASE("a decision that hangs behind a fault of the monitor's own: nobody is shown safe, and it is told") {
+  Bench bench(3s);
+  REQUIRE(bench.release().safe);
+  const auto stops = bench.service->status().stops;
+  bench.hold.held = true;
+  auto pair = bench.images();
+  pair.second.taken += 2ms;  // a skew
+  bench.give(std::move(pair));
+  CHECK(eventually([&] { return !bench.service->safe_state().at(Clock::now()).safe; }));
+  CHECK_FALSE(bench.service->status().safe);
+  REQUIRE(bench.recorder.wait_for_event("stopped"));
+  const Status status = bench.service->status();
+  CHECK_FALSE(status.safe);
+  CHECK(status.restart == Restart::needed);
+  CHECK(status.stops == stops + 1);
+  bench.hold.held = false;
+  CHECK_FALSE(bench.recorder.status_of(++bench.pairs).safe);
+  for (int i = 0; i < 5; ++i) CHECK_FALSE(bench.judge().safe);
+  CHECK(bench.release().safe);
+  CHECK(std::ranges::count(bench.recorder.names(), "stopped") == 1);
+}
+
 TEST_CASE("a decision that came too late, of images that are young: nobody is told that it was released") {
   Bench bench(3s);
   REQUIRE(bench.release().safe);

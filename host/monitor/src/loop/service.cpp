@@ -483,18 +483,27 @@ void Service::stop_by(const std::vector<Cause>& causes, FaultWords words) {
   publish(std::move(status), nullptr);
 }
 
-/// The decision may hang: then this thread says that it is not safe.
+/// The decision may hang: then this thread says that it is not safe. Where safe was taken away before, for a fault, the
+/// decision has its usual time to tell of it.
 void Service::watch() {
+  std::optional<Clock::time_point> untold_since;
   while (watching_) {
     std::this_thread::sleep_for(look_);
-    if (state_.at(Clock::now()).safe) continue;
+    if (state_.at(Clock::now()).safe) {
+      untold_since.reset();
+      continue;
+    }
     std::unique_lock telling(listeners_mutex_, std::try_to_lock);
-    Status before;
     Status status;
     {
       const std::lock_guard lock(status_mutex_);
-      if (!status_.safe || !state_.missed()) continue;
-      before = status_;
+      const auto now = Clock::now();
+      if (!status_.safe || state_.at(now).safe) {  // what both say at once: it may just have become safe
+        untold_since.reset();
+        continue;
+      }
+      if (!untold_since) untold_since = now;
+      if (!state_.missed() && now - *untold_since <= state_.limit()) continue;
       status_.time = std::chrono::system_clock::now();
       status_.safe = false;
       status_.restart = Restart::needed;
@@ -513,7 +522,12 @@ void Service::watch() {
 
 Status Service::status() const {
   const std::lock_guard lock(status_mutex_);
-  return status_;
+  Status status = status_;
+  if (status.safe && !state_.at(Clock::now()).safe) {  // the outputs know first
+    status.safe = false;
+    status.restart = Restart::needed;
+  }
+  return status;
 }
 
 MomentPtr Service::latest() const {
