@@ -217,6 +217,26 @@ TEST_CASE("a GigE Vision camera that is killed is lost, and comes back by itself
   CHECK(sink.wait([&](Sink& s) { return s.frames_[Side::left].size() > before + 2; }));
 }
 
+TEST_CASE("a GigE Vision camera that is not ours any more is lost, though it streams on") {
+  const FakeCamera camera = fake_camera("127.0.0.1", "C1");
+  const auto grabber = open_grabber(settings("gev:127.0.0.1"));
+  grab(*grabber, 2);
+  // Neither control nor exclusive access, and not free, with which it would stream no more.
+  constexpr guint64 kPrivilege = 0xA00;  // the register of GigE Vision
+  constexpr guint32 kOther = 4;
+  REQUIRE(arv_fake_camera_write_register(arv_gv_fake_camera_get_fake_camera(camera.get()), kPrivilege, kOther));
+  bool is_lost = false;
+  const auto give_up = Clock::now() + 20s;  // Aravis looks each second
+  while (!is_lost && Clock::now() < give_up) {
+    try {
+      CHECK(grabber->next(5s));
+    } catch (const CameraError&) {
+      is_lost = true;
+    }
+  }
+  CHECK(is_lost);
+}
+
 TEST_CASE("a live pipeline of GStreamer: times by one clock, grey, and errors in its words") {
   const std::string live = "gst:videotestsrc is-live=true ! video/x-raw,width=64,height=32,framerate=20/1";
   const auto left = open_grabber(settings(live));

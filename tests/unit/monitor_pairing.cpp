@@ -331,6 +331,13 @@ TEST_CASE("exposure may change where that is allowed, of the camera of which it 
   left = right = cameras.frame(1);
   left.exposure_us = right.exposure_us = 2000;
   CHECK(cameras.give(left, right) == Names{"right_exposure"});
+  // So may one that the camera does not tell any more, also where it was opened again.
+  CHECK(cameras.give(cameras.frame(2), cameras.frame(2)) == Names{"right_exposure"});
+  cameras.pairing.reconnected(Side::right);
+  CHECK(cameras.give(cameras.frame(3), cameras.frame(3)) == Names{"right_camera_lost", "right_exposure"});
+  left = right = cameras.frame(4);
+  right.exposure_us = 1000;
+  CHECK(cameras.give(left, right).empty());
 }
 
 TEST_CASE("pairs that nobody takes: two wait, older ones are dropped, counted, and a fault of the next one") {

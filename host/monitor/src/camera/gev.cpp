@@ -85,11 +85,10 @@ class GevGrabber : public Grabber {
         arv_stream_timeout_pop_buffer(stream_.get(), static_cast<guint64>(std::chrono::microseconds(patience).count())),
         give_back);
     const auto arrived = Clock::now();
-    if (buffer == nullptr) {
-      gone_ = lost_ || arrived - heard_ > silence_;
-      if (gone_) throw CameraError("the camera does not answer any more");
-      return std::nullopt;
-    }
+    // A camera that is somebody else's may stream on, and nobody knows what is set in it.
+    gone_ = lost_ || (buffer == nullptr && arrived - heard_ > silence_);
+    if (gone_) throw CameraError("the camera does not answer any more");
+    if (buffer == nullptr) return std::nullopt;
     heard_ = arrived;
     return frame_of(buffer.get(), arrived);
   }

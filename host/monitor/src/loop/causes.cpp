@@ -92,7 +92,7 @@ constexpr auto kRows = std::to_array<Row>({
     {"time_jump", true, "The {camera} camera's time jumped.", kClocks},
     {"size", true, "The {camera} camera's images have another size.",
      "Set the {camera} camera to the size for which the rig was calibrated."},
-    {"exposure", true, "The {camera} camera's exposure has changed.",
+    {"exposure", true, "The {camera} camera's exposure has changed, or cannot be read any more.",
      "Switch off the {camera} camera's automatic exposure, or allow it in cell.yaml (exposure_may_change)."},
     {"lost_packets", true, "Parts of the {camera} camera's images were lost on the way.", kLink},
     {"unpaired", true, "The {camera} camera gave an image to which the other camera gave none.",

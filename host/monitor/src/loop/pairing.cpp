@@ -82,9 +82,11 @@ void Pairing::check_facts(Side side, const CameraFrame& frame) {
   if (frame.image.width != rules_.width || frame.image.height != rules_.height) {
     faults_ |= of(side, MonitorFault::left_size);
   }
-  if (frame.exposure_us && !rules_.exposure_may_change.at(index(side))) {
+  if (!rules_.exposure_may_change.at(index(side))) {
     if (!here.exposure_us) here.exposure_us = frame.exposure_us;
-    if (std::abs(*frame.exposure_us - *here.exposure_us) > kExposureStep * *here.exposure_us) {
+    const auto &first_us = here.exposure_us, &now_us = frame.exposure_us;
+    // One that the camera does not tell any more may have changed.
+    if (first_us && (!now_us || std::abs(*now_us - *first_us) > kExposureStep * *first_us)) {
       faults_ |= of(side, MonitorFault::left_exposure);
     }
   }
