@@ -25,20 +25,13 @@ constexpr double kLargest_px = 1000, kSmallest_mm = 5, kLargest_mm = 2000;
 constexpr double kMostBeyondLimit = 0.5;  ///< of the skin: its border has always some
 constexpr double kUsual_mm = 40;          ///< a hand or an arm: what the usual limit is to find
 
-/// With the smallest windows that there are.
-double smallest_of_all_px() {
-  double smallest = kLargest_px;
-  for (const MachineProfile& profile : profiles()) smallest = std::min(smallest, smallest_object_px(profile));
-  return smallest;
-}
-
 void parse(const std::string& text, ObjectOption& option) {
   const bool in_mm = text.ends_with("mm");
   const std::string number = text.substr(0, text.size() - (in_mm || text.ends_with("px") ? 2 : 0));
   double value = 0;
   const bool is_number = CLI::detail::lexical_cast(number, value) && std::isfinite(value);
   const bool never = is_number && value == 0 && !in_mm;
-  const double smallest_px = smallest_of_all_px();
+  const double smallest_px = smallest_object_px();
   const double smallest = in_mm ? kSmallest_mm : smallest_px, largest = in_mm ? kLargest_mm : kLargest_px;
   if (!is_number || (!never && (value < smallest || value > largest))) {
     throw CLI::ValidationError(
@@ -136,7 +129,7 @@ double judged(const Judgeable& judgeable, const ShownLimit& limit) {
   return limit.in_mm2 ? judgeable.mm2 : static_cast<double>(judgeable.pixels);
 }
 
-/// What windows and majority leave something certain of, in whole mm.
+/// What is certain to be found, in whole mm.
 double smallest_mm(const PxPerMm& px, const MachineProfile& profile) {
   const double smallest_px = smallest_object_px(profile);
   const double mm = std::ceil(smallest_px / px.farthest);
@@ -148,10 +141,10 @@ void set_body(const ObjectOption& option, const PxPerMm& px, const MachineProfil
   settings.object_mm = *option.mm;
   settings.object_px = *option.mm * px.farthest;
   if (const double smallest_px = smallest_object_px(profile); !(settings.object_px >= smallest_px)) {
-    throw UsageError(
-        fmt::format("{:g} mm are {:.1f} px where the skin is farthest away; the smallest that windows and "
-                    "majority leave anything certain of is {:g} px, {:.0f} mm here",
-                    *option.mm, settings.object_px, smallest_px, smallest_mm(px, profile)));
+    throw UsageError(fmt::format(
+        "{:g} mm are {:.1f} px where the skin is farthest away; the smallest that is found for certain is {:g} "
+        "px, {:.0f} mm here",
+        *option.mm, settings.object_px, smallest_px, smallest_mm(px, profile)));
   }
 }
 
@@ -191,8 +184,8 @@ ObjectOption set_object(const ObjectOption& asked, const std::string& skin, cons
   if (const double smallest_px = smallest_object_px(profile);
       settings.object_px != 0 && settings.object_px < smallest_px) {
     throw UsageError(
-        fmt::format("an object of {:g} px: profile {} sees nothing certain of it, by its windows and majority; "
-                    "the smallest is {:g} px",
+        fmt::format("an object of {:g} px: profile {} may see less than half of it, by its windows and majority; the "
+                    "smallest is {:g} px",
                     settings.object_px, profile.name, smallest_px));
   }
   if (option.given && settings.object_px > side_px) {

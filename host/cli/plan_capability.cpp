@@ -386,8 +386,8 @@ void add_plan_capability(CLI::App& plan, Outcome& outcome) {
   command->footer(
       "A body is found when one image of its crossing (N with --alarm-frames) is certain to show enough of it: the part of its surface that is in\n"
       "the skin, in pixels, times the share of a disc of that width which windows and majority leave (measured, least of\n"
-      "many: host/src/plan/disc_table.def, made by test-discs), must reach the limit of --object. Cameras see the front of a\n"
-      "body only; its back does not count. Thickness is that for D95 of the rule's setting. A px is as many mm as in its\n"
+      "many: host/include/horopter/machine/disc_table.def, made by test-discs), must reach the limit of --object. Cameras\n"
+      "see the front of a body only; its back does not count. Thickness is that for D95 of the rule's setting. A px is as many mm as in its\n"
       "worst direction. The figures are for a body with texture, all of it before supervised skin, and a good frame.\n"
       "Other surfaces, and light that changes, are measured: host/src/plan/walk_table.def and\n"
       "hands_table.def, made by `horopter study walk`.\n"

@@ -268,7 +268,7 @@ TEST_CASE("--object in mm is that of the skin's file by its table alone; a table
   box.write("wall.yaml", "surface: {type: plane, point_mm: [0, 0, 1000], normal: [0.3, 0, -1]}\n");
   const auto object_px = [&](const std::string& skin, const std::vector<std::string>& more) {
     const auto result = box.run(run_arguments("left0.png", "right0.png", skin) + more +
-                                std::vector<std::string>{"--object", "240mm", "--json"});
+                                std::vector<std::string>{"--object", "260mm", "--json"});
     CAPTURE(skin, result.err);
     REQUIRE((result.status == 0 || result.status == 4));
     return nlohmann::json::parse(result.out)["object"]["px"].get<double>();
@@ -284,12 +284,12 @@ TEST_CASE("--object in mm is that of the skin's file by its table alone; a table
                                 std::vector<std::string>{"--object", size, "--json"});
     return nlohmann::json::parse(result.out)["object"];
   };
-  CHECK(limit_of("240mm")["limit"] == "area");
-  CHECK(limit_of("240mm")["area_mm2"].get<double>() == Approx(M_PI / 8 * 240 * 240).margin(0.001));
+  CHECK(limit_of("260mm")["limit"] == "area");
+  CHECK(limit_of("260mm")["area_mm2"].get<double>() == Approx(M_PI / 8 * 260 * 260).margin(0.001));
   CHECK(limit_of("60px")["limit"] == "pixels");
   CHECK_FALSE(limit_of("60px").contains("area_mm2"));
-  CHECK(by_skin < 48);  // 240 mm at 1 m
-  CHECK(by_skin > 32);
+  CHECK(by_skin < 52);   // 260 mm at 1 m
+  CHECK(by_skin >= 40);  // the smallest in `field`
   CHECK(object_px("wall.hmap", build) == Approx(by_skin).epsilon(0.02));
   REQUIRE(
       box.run(std::vector<std::string>{"map", "--skin", "skin.yaml", "-o", "none.hmap", "--size", "200x120"} + build)
@@ -325,13 +325,13 @@ TEST_CASE("Where nothing is asked for, a body of 40 mm is an alarm, or the small
   CHECK(usual("near.yaml")["mm"] == 40);
   CHECK(usual("near.hmap", {})["mm"] == 40);
   CHECK(usual("near.yaml")["area_mm2"].get<double>() == Approx(M_PI / 8 * 40 * 40).margin(0.001));
-  // 16 px are the smallest that the rule's windows leave anything of.
+  // 20 px are the smallest of which more than half is certain to be one object.
   plane("far", 1000);
   const auto far = usual("far.yaml");
-  CHECK(far["px"].get<double>() == Approx(16).margin(0.2));
-  CHECK(far["mm"] == 80);
-  CHECK(usual("far.hmap", {})["mm"].get<double>() == Approx(80).margin(1));
-  // At 0.4 m and at 8 m: what is 16 px there is more than 100 px here.
+  CHECK(far["px"].get<double>() == Approx(20).margin(0.2));
+  CHECK(far["mm"] == 100);
+  CHECK(usual("far.hmap", {})["mm"].get<double>() == Approx(100).margin(1));
+  // At 0.4 m and at 8 m: what is 20 px there is more than 100 px here.
   box.write(
       "deep.yaml",
       "surface: {type: planes, polygons_mm: [[[-150, -80, 400], [-20, -80, 400], [-20, 80, 400], [-150, 80, 400]], "
@@ -633,7 +633,7 @@ TEST_CASE("A rig that was designed and not measured is a warning wherever real i
     return warns(run_arguments("left0.png", "right0.png", skin) + more);
   };
   CHECK(run("wall.yaml", {"--rig", "plan/rig.yaml"}));
-  // 80 mm are 16 px there, but for the last bit: the usual body is one that is not refused.
+  // 100 mm are 20 px there, but for the last bit: the usual body is one that is not refused.
   const auto usual = box.run(run_arguments("left0.png", "right0.png", "wall.yaml") +
                              std::vector<std::string>{"--rig", "plan/rig.yaml"});
   CAPTURE(usual.err);

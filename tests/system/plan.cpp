@@ -226,9 +226,9 @@ TEST_CASE("plan capability: what is refused") {
     CHECK(result.status == 2);
     CHECK_THAT(result.err, Catch::Contains(message));
   };
-  refused({"--object", "12px"}, "expected 16 to 1000 px");
-  refused({"--object", "20px", "--profile", "field"}, "the smallest is 32 px");
-  refused({"--object", "6mm"}, "the smallest that windows and majority leave");
+  refused({"--object", "12px"}, "expected 20 to 1000 px");
+  refused({"--object", "39px", "--profile", "field"}, "the smallest is 40 px");
+  refused({"--object", "6mm"}, "the smallest that is found for certain is");
   refused({"--object", "0"}, "no body is an alarm by itself");
   refused({"--object", "900px"}, "does not fit into an image");
   refused({"--speed", "-1"}, "expected");

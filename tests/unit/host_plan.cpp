@@ -136,6 +136,13 @@ TEST_CASE("The smallest body: its cap in the skin is as many pixels as an object
     before = std::max(before, disc_share(Decision::thesis, px));
   }
   CHECK(before > 0.5);
+  // An alarm takes half a disc: of the smallest that may be asked for both rules show more.
+  for (const MachineProfile& profile : profiles()) {
+    CAPTURE(profile.name);
+    const double px_of_result = smallest_object_px(profile) / profile.subsample;
+    CHECK(disc_share(Decision::thesis, px_of_result) > 0.5);
+    CHECK(disc_share(Decision::compete, px_of_result) > 0.5);
+  }
   // Standing still, in a skin thicker than itself, a ball is a disc.
   Crossing crossing{Decision::thesis, Body::ball, 2000, 0, 1, 0};
   const double mm = smallest_body_mm(crossing, 500, 0.5);

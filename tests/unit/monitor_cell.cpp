@@ -133,6 +133,7 @@ TEST_CASE("what a cell must not say is refused: the file, the place, and what wa
       {good + "limits: {object: 40cm}\n", "5mm to 2000mm"},
       {good + "limits: {object: 40}\n", "5mm to 2000mm"},
       {good + "limits: {object: nanpx}\n", "5mm to 2000mm"},
+      {good + "limits: {object: 19px}\n", "20px to 1000px"},
       {good + "limits: {speed: 1}\n", "unknown key 'speed'"},
       {good + "limits: {alarm_frames: 3/2}\n", "as in 2/3"},
       {good + "limits: {alarm_frames: 2}\n", "as in 2/3"},

@@ -21,6 +21,21 @@ namespace {
 
 namespace reg = registers;
 
+/// Of discs as wide as this, and all that are wider, both rules show more than the half that is an alarm; px of the result.
+constexpr double kSmallestDisc_px = [] {
+  double smallest_px = 0;
+#define DISC(diameter_px, thesis, compete)    \
+  if (!((thesis) > 0.5 && (compete) > 0.5)) { \
+    smallest_px = 0;                          \
+  } else if (smallest_px == 0) {              \
+    smallest_px = diameter_px;                \
+  }
+#include "horopter/machine/disc_table.def"
+#undef DISC
+  return smallest_px;
+}();
+static_assert(kSmallestDisc_px > 0);
+
 /// Reads of MAP_STATUS before an upload that does not end is given up.
 constexpr int kStatusPolls = 100'000;
 
@@ -187,9 +202,10 @@ double object_area_limit_mm2(const Settings& settings) {
   return object_area_limit(settings) / double{hls::area_steps_per_mm2};
 }
 
-double smallest_object_px(const MachineProfile& profile) {
-  const int window = std::max({profile.dsad_window, profile.sum_rows, profile.sum_columns});
-  return (window + profile.majority_window) * profile.subsample;
+double smallest_object_px(const MachineProfile& profile) { return kSmallestDisc_px * profile.subsample; }
+
+double smallest_object_px() {
+  return smallest_object_px(*std::ranges::min_element(profiles(), {}, &MachineProfile::subsample));
 }
 
 std::string register_name(std::uint32_t address) {

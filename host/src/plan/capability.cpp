@@ -17,7 +17,7 @@ struct DiscShare {
 };
 constexpr auto kDiscs = std::to_array<DiscShare>({
 #define DISC(diameter_px, thesis, compete) {diameter_px, thesis, compete},
-#include "disc_table.def"
+#include "horopter/machine/disc_table.def"
 #undef DISC
 });
 

@@ -157,8 +157,10 @@ double half_disc_mm2(const Settings& settings);
 std::uint32_t object_area_limit(const Settings& settings);
 /// The same in mm².
 double object_area_limit_mm2(const Settings& settings);
-/// px of the left image across; of what is smaller the windows and the majority leave nothing certain.
+/// px of the left image across: half of what is smaller is not certain to be one object, as windows and majority leave too
+/// little of it (disc_table.def).
 double smallest_object_px(const MachineProfile& profile);
+double smallest_object_px();  ///< the least of all profiles
 
 class Monitor {
  public:

@@ -29,7 +29,7 @@ inline constexpr double kRodLength_mm = 150;
 inline constexpr double kLargestBody_mm = 1000;
 
 /// Least share of a textured disc on the skin that is one object, by its diameter in px of the result: measured, and
-/// interpolated. 0 for what is not larger than the rule's windows, see smallest_object_px.
+/// interpolated. 0 for what is not larger than the rule's windows.
 double disc_share(Decision decision, double diameter_px);
 
 /// What is asked of a place.

@@ -96,14 +96,16 @@ void read_cameras(Keys keys, Cell& cell) {
 
 void read_size(Keys& keys, Cell& cell) {
   if (!keys.has("object")) return;
-  const std::string expected = "16px to 1000px, 5mm to 2000mm, or 0";
+  const double smallest_px = smallest_object_px();
+  const std::string expected = fmt::format("{:g}px to 1000px, 5mm to 2000mm, or 0", smallest_px);
   const std::string text = keys.text("object", expected);
   const bool in_mm = text.ends_with("mm");
   const bool in_px = text.ends_with("px");
   double value = 0;
   const YAML::Node number(text.substr(0, text.size() - (in_mm || in_px ? 2 : 0)));
   if (!YAML::convert<double>::decode(number, value)) keys.fail("object", "", expected);
-  const bool good = in_mm ? value >= 5 && value <= 2000 : value == 0 || (in_px && value >= 16 && value <= 1000);
+  const bool good =
+      in_mm ? value >= 5 && value <= 2000 : value == 0 || (in_px && value >= smallest_px && value <= 1000);
   if (!good) keys.fail("object", "", expected);
   (in_mm ? cell.object_mm : cell.object_px) = value;
 }
