@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 #include "alarm_frames.hpp"
@@ -99,7 +101,7 @@ struct Session {
     supervisor = std::make_unique<Supervisor>(make_picture_device(options.engine, *profile), *profile, maps, settings);
   }
   std::vector<FrameResult> process(const NamedImage& left, const NamedImage& right) {
-    if (left.time && (moving || settings.alarm_frames.needed > 1)) check_time(left.name, *left.time);
+    check_time(left);
     return moving ? moving->process(left.image, right.image) : supervisor->process(left.image, right.image);
   }
   std::vector<TrackedObject> follow(int frame, const FrameResult& result) {
@@ -119,13 +121,41 @@ struct Session {
   }
 
   /// Where a skin's time, or how often a hand is seen, is reckoned by the images' numbers: whether they came then.
-  void check_time(const std::string& name, const VideoTime& time) const {
+  void check_time(const NamedImage& image) {
+    if (moving) check_time_is_known(image);
+    if (!image.time || (!moving && settings.alarm_frames.needed <= 1)) return;
+    const VideoTime& time = *image.time;
     if (time.left_out > 0) {  // by monitor::kLongestPeriods, too
-      throw FileError(name, "", fmt::format("images are missing before it: {}, by the video's times", time.left_out),
+      throw FileError(image.name, "",
+                      fmt::format("images are missing before it: {}, by the video's times", time.left_out),
                       "one each period");
     }
-    const double reckoned_s = static_cast<double>(time.index) * profile->fields_per_image() / results_per_s.value();
-    if (!moving || std::abs(time.time_s - reckoned_s) <= time.period_s / 2) return;
+    if (moving) check_schedule(image.name, time);
+  }
+
+  /// A skin's steps are planned for images that come when they are due. Nothing else is known of files of one image each.
+  static void check_time_is_known(const NamedImage& image) {
+    std::error_code error;
+    if (image.time || std::filesystem::is_regular_file(image.name, error)) return;
+    throw FileError(image.name, "", "nobody knows when it was taken, and the skin moves",
+                    "a video with times, or a file of each image");
+  }
+
+  void check_schedule(const std::string& name, const VideoTime& time) {
+    const int fields = profile->fields_per_image();
+    if (time.index == 0 && time_before_s) {
+      throw FileError(name, "", "this video begins after another one, nobody knows how much later, and the skin moves",
+                      "one video");
+    }
+    const double step_s = time.time_s - time_before_s.value_or(time.time_s);
+    time_before_s = time.time_s;
+    if (const double longest_s = fields / *results_per_s + kRounding_s; step_s > longest_s) {
+      throw FileError(name, "",
+                      fmt::format("it comes {:.3f} s after the image before it, by the video's times", step_s),
+                      fmt::format("{:.3f} s at most, for which the skin's steps are planned", longest_s));
+    }
+    const double reckoned_s = static_cast<double>(time.index) * fields / *results_per_s;
+    if (std::abs(time.time_s - reckoned_s) <= time.period_s / 2) return;
     throw FileError(name, "", fmt::format("it is of {:.3f} s by the video's times", time.time_s),
                     fmt::format("{:.3f} s, by its number and {:g} results a second", reckoned_s, *results_per_s));
   }
@@ -140,6 +170,8 @@ struct Session {
                       fmt::format("{:g}, as --frame-rate says", *options.results_per_s));
     }
     check_rate(first);
+    check_time_is_known(first);
+    if (first.time) skin.motion_limits.late_s = kRounding_s;
     d95_px = std::min(skin.motion_limits.tolerance_px, horopter::d95_px(settings));
     skin.motion_limits.tolerance_px = d95_px;
     MovingMaps compiled = compile_motion(skin, *profile, width, height, view_limits(*profile, settings.decision));
@@ -163,6 +195,9 @@ struct Session {
     follower = std::make_unique<ObjectFollower>(*profile, moving->maps().tables(), moving->maps().rig);
   }
 
+  /// A video's times may be whole ms, as Matroska's are.
+  static constexpr double kRounding_s = 1e-3;
+
   const MachineProfile* profile = nullptr;
   ObjectOption object;  ///< that is an alarm
   Settings settings;
@@ -176,6 +211,7 @@ struct Session {
   std::unique_ptr<MovingSupervisor> moving;  ///< instead, for a skin that moves
   std::unique_ptr<ObjectFollower> follower;
   std::optional<double> results_per_s;
+  std::optional<double> time_before_s;  ///< of a skin that moves: of the image before, in its video
 };
 
 /// In the skin or clear.

@@ -599,10 +599,25 @@ TEST_CASE("A video that comes at another rate than it is told is refused where t
   refused(run("wall.yaml", {"--frame-rate", "50"}), "left.mkv#0: the video has 25 results a second; expected 50");
   refused(run("moving.yaml", {}), "left.mkv#0: the video has 25 results a second; expected 50");
   CHECK(run("moving.yaml", {"--profile", "field"}).status != 3);  // two results of each image
-  // Images that come a little later, time and again: none is missing, and the skin would be ever earlier than its robot.
+  // None is missing, but an object goes farther in this time than the skin's steps are planned for.
+  record(box, 50);
+  CHECK(run("moving.yaml", {}).status != 3);
+  delay(box, 2, 8);
+  refused(run("moving.yaml", {}),
+          "left.mkv#2: it comes 0.028 s after the image before it, by the video's times; expected "
+          "0.021 s at most");
+  // Nor is it known how much later a second video begins.
+  record(box, 50);
+  const auto again = box.run({"run", "--left", "left.mkv", "left.mkv", "--right", "right.mkv", "right.mkv", "--skin",
+                              "moving.yaml", "--rig", "rig.yaml", "--still-scene", "--out", "out"});
+  refused(again, "left.mkv#0: this video begins after another one");
+  // Images that come a little earlier, time and again: the skin would be ever later than its robot.
+  for (int i = 1; i < kRecorded; ++i) delay(box, i, -8);
+  refused(run("moving.yaml", {}), "left.mkv#2: it is of 0.024 s by the video's times; expected 0.040 s");
+  // And such as come a little later.
   record(box, 50);
   for (int i = 1; i < kRecorded; ++i) delay(box, i, 8);
-  refused(run("moving.yaml", {}), "by the video's times; expected 0.0");
+  refused(run("moving.yaml", {}), "left.mkv#1: it comes 0.028 s after the image before it");
   // An alarm by more than one frame: a hand is seen once less for each image that is missing.
   const std::vector<std::string> two{"--alarm-frames", "2/3", "--frame-rate", "50"};
   CHECK(run("wall.yaml", two).status != 3);

@@ -137,6 +137,9 @@ TEST_CASE("An object too fast for the skin is refused, with the speed that is no
   const double below = std::stod(text.substr(text.rfind("below ") + 6));
   CHECK(refusal(*plane, {60, below * 1.005, 0.7}) != "");
   CHECK(refusal(*plane, {60, below * 0.995, 0.7}) == "");
+  // An image that may be late gives the object more time.
+  CHECK(refusal(*plane, {60, below * 0.995 / 1.06, 0.7, 1e-3}) == "");
+  CHECK(refusal(*plane, {60, below * 1.005 / 1.06, 0.7, 1e-3}) != "");
 }
 
 TEST_CASE("skin.yaml with motion; tables for fields in turn; the skin stays at the end") {

@@ -113,7 +113,7 @@ void check_thickness(const Watcher& watcher, const std::vector<SkinPoint>& place
                   "moves by {:.2f} mm between two of {} images a second: no step is small enough (object_speed_m_s "
                   "must be below {:.3f})",
                   time_s, across_mm, watcher.pixel(thinnest).x, watcher.pixel(thinnest).y, limits.object_speed_m_s,
-                  object_mm, limits.images_per_s, largest_speed_m_s(across_mm, limits.images_per_s)));
+                  object_mm, limits.images_per_s, largest_speed_m_s(across_mm, 1 / limits.longest_s())));
 }
 
 /// `make(tools(), i)` for each i below `count`, in several threads that have tools of their own. The results do not depend
@@ -169,7 +169,7 @@ std::size_t MovingMaps::step_of(std::size_t frame) const {
 std::vector<double> plan_motion(const CameraPair& cameras, const MovingSurface& surface, const MotionLimits& limits,
                                 const MachineProfile& profile, int image_width, int image_height) {
   const Watcher watcher(cameras, profile, limits.tolerance_px, image_width, image_height);
-  const double object_mm = limits.object_speed_m_s * 1e3 / limits.images_per_s;
+  const double object_mm = limits.object_speed_m_s * 1e3 * limits.longest_s();
   if (!(surface.end_s() * limits.images_per_s < kMostSteps)) {
     throw std::runtime_error(fmt::format("{:g} s with {:g} images a second: a table for each, and at most {} of them",
                                          surface.end_s(), limits.images_per_s, kMostSteps));

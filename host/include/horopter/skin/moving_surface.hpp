@@ -18,6 +18,9 @@ struct MotionLimits {
   double images_per_s = 0;        ///< frames, or fields, a second
   double object_speed_m_s = 0;    ///< of the fastest object that is not to be missed
   double tolerance_px = kD95_px;  ///< disparity tolerance D of 11.1, in pixels of the result
+  double late_s = 0;              ///< by which an image may come later after the one before
+
+  double longest_s() const { return 1 / images_per_s + late_s; }  ///< from one frame to the next
 };
 
 /// Thickness times images a second (footnote to Table 11.1): a faster object can pass between two images.
