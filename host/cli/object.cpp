@@ -259,4 +259,19 @@ std::string object_text(const ObjectOption& option, const Settings& settings, co
   return text;
 }
 
+nlohmann::ordered_json object_json(const Settings& settings, const MachineProfile& profile,
+                                   const Judgeable& judgeable) {
+  nlohmann::ordered_json object{{"px", std::round(10 * settings.object_px) / 10},
+                                {"pixels", object_limit(settings, profile)},
+                                {"judgeable_pixels", judgeable.pixels}};
+  const ShownLimit limit = shown_limit(settings, profile);
+  object["limit"] = limit.in_mm2 ? "area" : "pixels";
+  if (limit.in_mm2) {
+    object["mm"] = settings.object_mm;
+    object["area_mm2"] = limit.least;
+    object["judgeable_mm2"] = std::round(judgeable.mm2);
+  }
+  return object;
+}
+
 }  // namespace horopter::cli

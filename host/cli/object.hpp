@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,5 +52,7 @@ Judgeable check_object_limit(const ObjectOption& option, const std::string& skin
 /// where a table says it.
 std::string object_text(const ObjectOption& option, const Settings& settings, const MachineProfile& profile,
                         const Judgeable& judgeable = {});
+/// The same for programs.
+nlohmann::ordered_json object_json(const Settings& settings, const MachineProfile& profile, const Judgeable& judgeable);
 
 }  // namespace horopter::cli

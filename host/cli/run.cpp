@@ -315,17 +315,8 @@ nlohmann::ordered_json begin_summary(Session& session, const RunOptions& options
     fmt::print(
         "unproven: clear means only that the images do not agree; both cameras are not shown to see the place\n");
   }
-  summary["object"] = {{"px", std::round(10 * session.settings.object_px) / 10},
-                       {"pixels", object_limit(session.settings, *session.profile)},
-                       {"judgeable_pixels", session.judgeable.pixels},
-                       {"in_mm", session.follower->in_mm()}};
-  const double area_limit_mm2 = object_area_limit_mm2(session.settings);
-  summary["object"]["limit"] = area_limit_mm2 > 0 ? "area" : "pixels";
-  if (area_limit_mm2 > 0) {
-    summary["object"]["mm"] = session.settings.object_mm;
-    summary["object"]["area_mm2"] = area_limit_mm2;
-    summary["object"]["judgeable_mm2"] = std::round(session.judgeable.mm2);
-  }
+  summary["object"] = object_json(session.settings, *session.profile, session.judgeable);
+  summary["object"]["in_mm"] = session.follower->in_mm();
   if (session.results_per_s) summary["frame_rate_per_s"] = *session.results_per_s;
   if (print) {
     fmt::print("object: {}{}\n", object_text(session.object, session.settings, *session.profile, session.judgeable),

@@ -142,15 +142,17 @@ ExitStatus upload(const UploadOptions& options) {
                                          maps.image_height, settings);
   check_alarm_frames(options.file(), wanted.rig, *build.profile, maps.image_width, maps.image_height,
                      options.results_per_s, settings);
-  check_object_limit(object, options.file(), maps.tables(), *build.profile, settings);
+  const Judgeable judgeable = check_object_limit(object, options.file(), maps.tables(), *build.profile, settings);
   const LoadReport report = load(*device, build, maps, settings, options.stop_first);
   if (options.json) {
     auto json = report_json(options, build, report);
+    json["object"] = object_json(settings, *build.profile, judgeable);
     if (thickness) json.update(thickness->json());
     report_rows(settings.decision, !maps.rig.empty(), json, true);
     std::puts(json_text(json).c_str());
   } else {
     print_report(options, build, report);
+    fmt::print("object    {}\n", object_text(object, settings, *build.profile, judgeable));
     if (thickness) fmt::print("skin      {}\n", thickness->text(settings));
     nlohmann::ordered_json unused;
     report_rows(settings.decision, !maps.rig.empty(), unused, false);

@@ -344,8 +344,13 @@ TEST_CASE("Where nothing is asked for, a body of 40 mm is an alarm, or the small
   const auto uploaded = box.run({"upload", "--engine", "native", "--map", "near.hmap", "--json"});
   CAPTURE(uploaded.err);
   REQUIRE(uploaded.status == 0);
-  const auto names = nlohmann::json::parse(uploaded.out)["changed"];
+  const auto report = nlohmann::json::parse(uploaded.out);
+  const auto names = report["changed"];
   CHECK(std::ranges::find(names, "OBJECT_AREA_LIMIT") != names.end());
+  CHECK(report["object"]["limit"] == "area");
+  CHECK(report["object"]["mm"] == 40);
+  CHECK_THAT(box.run({"upload", "--engine", "native", "--map", "near.hmap"}).out,
+             Catch::Contains("\nobject    40 mm, an area of "));
 }
 
 TEST_CASE("An object that is larger than the skin is refused where it was asked for, and said where it was not") {
