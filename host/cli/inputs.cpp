@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <limits>
 #include <ranges>
+#include <utility>
 
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
@@ -245,6 +246,16 @@ const MachineProfile& choose_profile(const std::string& profile, const std::stri
   }
   check_image_size(file, width, height, *chosen);
   return *chosen;
+}
+
+calib::Rig read_rig(const std::string& path) {
+  calib::RigFile file = calib::load_rig(path);
+  for (const std::string& text : file.warnings) {
+    // Of these, who uses the cameras says what comes of them, or refuses the cameras.
+    if (text.starts_with("image_size_unknown") || text.starts_with("left_right_exchanged")) continue;
+    warn(text);
+  }
+  return std::move(file.rig);
 }
 
 std::optional<calib::Rig> read_rig_option(const std::string& path) {

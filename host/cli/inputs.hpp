@@ -30,6 +30,8 @@ std::string largest_image();
 /// in the file, where it does not.
 const MachineProfile& choose_profile(const std::string& profile, const std::string& file, const std::string& place,
                                      int width, int height);
+/// A rig from rig.yaml, or another format that calib::load_rig knows; its warnings are said. Throws FileError.
+calib::Rig read_rig(const std::string& path);
 /// The cameras of --rig; nothing where the option is not given. Throws FileError.
 std::optional<calib::Rig> read_rig_option(const std::string& path);
 /// The first two cameras, as left and right one. Throws FileError where there are not two, or they are exchanged.

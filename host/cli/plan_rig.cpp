@@ -424,7 +424,7 @@ void check_place_of_rig(const RigOptions& options) {
   std::error_code error;
   if (options.out.empty() || !options.rig.empty() || !std::filesystem::exists(file, error)) return;
   try {
-    if (read_rig(file.string()).world == kDesignedWorld) return;
+    if (calib::load_rig(file).rig.world == kDesignedWorld) return;
   } catch (const FileError&) {  // no rig at all
   }
   throw FileError(file.string(), "", "this file is not of `plan rig`, which would replace it by the designed rig",

@@ -186,6 +186,17 @@ TEST_CASE("A rig without image size is taken for images that it may be of") {
   check_bad_file(box, run(), "skin.yaml", "has its centre at (199.5, 119.5) px");
 }
 
+TEST_CASE("What a rig of another program may lack is a warning of whoever uses it") {
+  const Watched box;
+  const std::string matrix =
+      ": !!opencv-matrix\n   rows: 3\n   cols: 3\n   dt: d\n   data: [ 200., 0., 99.5, 0., 200., 59.5, 0., 0., 1. ]\n";
+  box.write("rig.yaml", "%YAML:1.0\n---\nlength_unit: mm\nimage_width: 200\nimage_height: 120\nM1" + matrix + "M2" +
+                            matrix + "R: [ 0., 0., 0. ]\nT: [ -50., 0., 0. ]\n");
+  const std::string lacks = "no_distortion: rig.yaml: no distortion coefficients beside M1";
+  for (const Arguments& arguments : {run(), kMap, kThickness, kDistance}) check_warned(box, arguments, lacks);
+  CHECK_THAT(box.run(kPlanRig).err, Catch::Contains(lacks));
+}
+
 TEST_CASE("A table of some rig is said to be unchecked without --rig") {
   const Watched box;
   REQUIRE(box.run(kMap + Arguments{"-o", "skin.hmap"}).status == 0);

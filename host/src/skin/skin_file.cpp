@@ -358,8 +358,6 @@ calib::Rig two_cameras(Keys& root, const calib::Rig& rig) {
 
 }  // namespace
 
-calib::Rig read_rig(const std::filesystem::path& path) { return calib::load_rig(path).rig; }
-
 SkinFile load_skin(const std::filesystem::path& path, Point centre, const calib::Rig* rig) {
   const std::string file = path.string();
   const YAML::Node root_node = load(path, "a skin: `surface:` with a `type`");

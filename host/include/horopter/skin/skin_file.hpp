@@ -26,9 +26,6 @@ struct SkinFile {
   std::string rig;  ///< text of rig.yaml of the two cameras; empty for a skin that needs none
 };
 
-/// A rig from rig.yaml, or another format that calib::load_rig knows. Throws FileError.
-calib::Rig read_rig(const std::filesystem::path& path);
-
 /// Reads skin.yaml; `skin_file_help()` says what may stand in it. `centre` is the centre of the left image: a
 /// homography is used on that side of its horizon. `rig` is needed by surfaces, and not used by homographies and
 /// correspondences. Throws FileError with the line, UsageError where a rig is needed.
