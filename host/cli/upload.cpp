@@ -136,6 +136,7 @@ ExitStatus upload(const UploadOptions& options) {
   check_rule(build, options.settings.decision);
   const MapSet maps = maps_for(options, wanted, build);
   Settings settings = options.settings;
+  settings.results_per_s = options.results_per_s;
   const auto thickness = set_thickness(options.thickness, options.file(), wanted.rig, *build.profile, maps.image_width,
                                        maps.image_height, settings);
   const ObjectOption object = set_object(options.object, options.file(), wanted.rig, *build.profile, maps.image_width,
@@ -181,8 +182,11 @@ void add_upload(CLI::App& app, Outcome& outcome) {
   add_object(*command, options->object);
   add_alarm_frames(*command, options->settings.alarm_frames);
   command
-      ->add_option("--frame-rate", options->results_per_s,
-                   "Results a second, frames or fields of profile field; for --alarm-frames")
+      ->add_option(
+          "--frame-rate", options->results_per_s,
+          "Results a second, frames or fields of profile field: for --alarm-frames, and for the machine's TIMEOUT, after "
+          "which cameras are silent or results late. It is the time of two results (default: of the two largest "
+          "frames of the profile, without a pause)")
       ->check(within(0.1, 10'000, "a second"))
       ->type_name("HZ");
   command

@@ -1325,6 +1325,79 @@ TEST_CASE("An upload finds a place beside the table in use without a fault, and 
   }
 }
 
+TEST_CASE("An upload sets what no setting decides, too, but for what raises an interrupt") {
+  const MachineProfile& profile = find_profile("vga");
+  const auto device = make_native_device(profile);
+  Settings settings = Settings{}.without_proof();
+  for (const std::uint32_t address : {reg::timeout::kAddress, reg::black_level::kAddress, reg::white_level::kAddress,
+                                      reg::constant_limit::kAddress}) {
+    device->write(address, 1);
+  }
+  device->write(reg::irq_enable::kAddress, 3);
+  const auto upload = [&] { load(*device, find_build(*device), maps_beside(), settings, false, kNoFrames); };
+  upload();
+  CHECK(device->read(reg::timeout::kAddress) == 2 * 640 * 480);
+  CHECK(device->read(reg::black_level::kAddress) == reg::black_level::kReset);
+  CHECK(device->read(reg::white_level::kAddress) == reg::white_level::kReset);
+  CHECK(device->read(reg::constant_limit::kAddress) == reg::constant_limit::kReset);
+  CHECK(device->read(reg::irq_enable::kAddress) == 3);
+  settings.results_per_s = 50;
+  upload();
+  CHECK(device->read(reg::timeout::kAddress) == 1'007'000);  // 40 ms of 25.175 MHz
+  // So does a run.
+  auto passing = std::make_unique<Passing>("vga");
+  passing->write(reg::timeout::kAddress, 1);
+  Monitor monitor(std::move(passing), profile, Settings{}.without_proof());
+  monitor.start(kWidth, kHeight, 8);
+  CHECK(monitor.device().read(reg::timeout::kAddress) == 2 * 640 * 480);
+}
+
+/// Of one register the parity alone may fall over: it reads as before, and is a fault until it is written.
+class Spoiled : public Passing {
+ public:
+  Spoiled() : Passing("vga") {}
+  void spoil(std::uint32_t address) { address_ = address; }
+  [[nodiscard]] bool is_spoiled() const { return address_ != kNone; }
+  std::uint32_t read(std::uint32_t address) override {
+    const auto value = Passing::read(address);
+    if (!is_spoiled()) return value;
+    if (address == reg::faults_machine::kAddress) return value | reg::faults_machine::kSettings.mask();
+    if (address == reg::status::kAddress) return (value & ~reg::status::kSafe.mask()) | reg::status::kUnsafe.mask();
+    return value;
+  }
+  void write(std::uint32_t address, std::uint32_t value) override {
+    Passing::write(address, value);
+    if (address == address_) address_ = kNone;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+  std::uint32_t address_ = kNone;
+};
+
+TEST_CASE("An upload mends a register of which the parity alone fell over, and names none that has changed") {
+  Spoiled device;
+  const Build build = find_build(device);
+  Settings settings = Settings{}.without_proof();
+  settings.interlock.by_itself = true;
+  const auto upload = [&] { return load(device, build, maps_beside(), settings, false, std::chrono::milliseconds(1)); };
+  upload();
+  unsigned seed = 0;
+  for (int frame = 0; frame < 3; ++frame) good_frame(device, ++seed);
+  REQUIRE(read_status(device).safe());
+  CHECK_FALSE(upload().stopped);
+  const std::uint32_t address = GENERATE(reg::sum_limit::kAddress, reg::interlock::kAddress);
+  const bool runs = GENERATE(true, false);
+  CAPTURE(address, runs);
+  device.spoil(address);
+  if (!runs) device.write(reg::control::kAddress, 0);
+  const LoadReport report = upload();
+  CHECK_FALSE(device.is_spoiled());
+  CHECK(report.stopped == runs);
+  CHECK(report.changed.empty());
+  CHECK(read_status(device).running());
+}
+
 TEST_CASE("Another limit on undecidable pixels stops the machine before the upload, which may fail or be killed") {
   Deaf device;
   const Build build = find_build(device);

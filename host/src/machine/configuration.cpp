@@ -151,6 +151,15 @@ RegisterWord alarm_frames_word(const AlarmFrames& frames) {
                                            reg::alarm_frames::kOf.put(static_cast<std::uint32_t>(frames.of))};
 }
 
+RegisterWord timeout_word(Device& device, const MachineProfile& profile, const Settings& settings) {
+  std::uint32_t clocks = usual_timeout_clocks(profile);
+  if (settings.results_per_s) {
+    const double per_s = 1e3 * reg::build_clock::kKhz.get(device.read(reg::build_clock::kAddress));
+    clocks = static_cast<std::uint32_t>(std::clamp(std::ceil(2 / *settings.results_per_s * per_s), 1.0, 4294967295.0));
+  }
+  return {reg::timeout::kAddress, clocks};
+}
+
 RegisterWord feedback_word(Device& device, double feedback_ms) {
   const double clocks = feedback_ms * reg::build_clock::kKhz.get(device.read(reg::build_clock::kAddress));
   if (!(clocks >= 0 && clocks < 4294967295.0)) {
@@ -208,6 +217,10 @@ double smallest_object_px() {
   return smallest_object_px(*std::ranges::min_element(profiles(), {}, &MachineProfile::subsample));
 }
 
+std::uint32_t usual_timeout_clocks(const MachineProfile& profile) {
+  return 2 * static_cast<std::uint32_t>(profile.width * profile.height);
+}
+
 std::string register_name(std::uint32_t address) {
   const auto found = std::ranges::find(reg::kRegisters, address, &reg::Register::address);
   std::string name(found->name);
@@ -238,6 +251,11 @@ std::vector<RegisterWord> configuration(Device& device, const MachineProfile& pr
   words.push_back(alarm_frames_word(settings.alarm_frames));
   words.push_back(feedback_word(device, settings.interlock.feedback_ms));
   words.push_back({reg::mode::kAddress, reg::mode::kLive.put(settings.live)});
+  words.push_back(timeout_word(device, profile, settings));
+  // What a driver left in these would stay for ever.
+  words.push_back({reg::black_level::kAddress, reg::black_level::kReset});
+  words.push_back({reg::white_level::kAddress, reg::white_level::kReset});
+  words.push_back({reg::constant_limit::kAddress, reg::constant_limit::kReset});
   add_limits(words, profile, settings, geometry);
   add_proof(words, settings.proof, on_skin_limits(profile, settings, geometry));
   const bool compete = settings.decision == Decision::compete;

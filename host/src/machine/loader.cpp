@@ -121,6 +121,12 @@ bool must_stop_for(Device& device, const std::vector<LoadReport::Table>& tables)
   return std::ranges::find(tables, in_use, &LoadReport::Table::crc) == tables.end();
 }
 
+/// A bit of a register, or its parity alone, fell over: a fault until it is written.
+bool has_spoiled_register(Device& device) {
+  return reg::faults_machine::kSettings.get(device.read(reg::faults_machine::kAddress)) != 0 &&
+         !says_safe(device.read(reg::status::kAddress));
+}
+
 /// MAP_UNDECIDABLE_LIMIT is that of the table uploaded last. Each table has a limit of its own: where frames are made with
 /// another one than those that come, it says nothing of what is set.
 bool is_other_limit(Device& device, const std::vector<LoadReport::Table>& tables, std::uint32_t before,
@@ -197,14 +203,18 @@ LoadReport load(Device& device, const Build& build, const MapSet& maps, const Se
     upload_all(device, build, maps, slots, settings);
 
     // Whether the machine watches for what goes blind is decided by who teaches it.
-    std::erase_if(words, [&](const RegisterWord& word) {
-      return word.address == reg::blocks::kAddress || device.read(word.address) == word.value;
-    });
-    if (!words.empty() || must_stop_for(device, report.tables)) stop();
+    std::erase_if(words, [](const RegisterWord& word) { return word.address == reg::blocks::kAddress; });
     if (other_limit) report.changed.push_back(register_name(reg::map_undecidable_limit::kAddress));
+    bool differs = false;
     for (const RegisterWord& word : words) {
-      write_checked(device, word);
+      if (device.read(word.address) == word.value) continue;
+      differs = true;
       report.changed.push_back(register_name(word.address));
+    }
+    if (differs || must_stop_for(device, report.tables) || has_spoiled_register(device)) stop();
+    // All of them: of one whose parity alone fell over the value is right.
+    if (!running) {
+      for (const RegisterWord& word : words) write_checked(device, word);
     }
     if (running) state = kNotKnown;
     write_checked(device, {reg::table_select::kAddress, static_cast<std::uint32_t>(report.tables.front().slot)});

@@ -10,6 +10,7 @@
 
 #include "horopter/base/crc32.hpp"
 #include "horopter/base/error.hpp"
+#include "horopter/machine/configuration.hpp"
 #include "horopter/machine/registers.hpp"
 #include "horopter/machine/setting_registers.hpp"
 #include "stages/engine.hpp"
@@ -95,6 +96,7 @@ NativeDevice::NativeDevice(const MachineProfile& profile, bool live)
   stored(reg::width::kAddress) = static_cast<std::uint32_t>(profile.width);
   stored(reg::height::kAddress) = static_cast<std::uint32_t>(profile.height);
   stored(reg::lookahead::kAddress) = static_cast<std::uint32_t>(defaults.lookahead);
+  stored(reg::timeout::kAddress) = usual_timeout_clocks(profile);
   stored(reg::table_select::kAddress) = kNoTable;
   stored(reg::interlock::kAddress) = reg::interlock::kReset;
   stored(reg::alarm_frames::kAddress) = reg::alarm_frames::kReset;

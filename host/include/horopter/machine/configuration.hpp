@@ -25,10 +25,13 @@ struct FrameGeometry {
   int lookahead = 0;
 };
 
-/// The registers that geometry and settings decide, all but those of the tables; some are locked while the machine runs.
-/// Of AGREEMENT_LIMITS, which is read, only a part is decided. Throws UsageError where a setting has no such value.
+/// The registers that geometry and settings decide, and those that no setting does, but for IRQ_ENABLE, which is a driver's,
+/// and those of the tables; some are locked while the machine runs. Of AGREEMENT_LIMITS, which is read, only a part is decided. Throws UsageError where a setting has no such value.
 std::vector<RegisterWord> configuration(Device& device, const MachineProfile& profile, const Settings& settings,
                                         FrameGeometry geometry);
+
+/// TIMEOUT after reset: the time of two of the largest frames without a pause.
+std::uint32_t usual_timeout_clocks(const MachineProfile& profile);
 
 /// As registers.md has it: SUM_LIMIT. The address must be that of a register.
 std::string register_name(std::uint32_t address);

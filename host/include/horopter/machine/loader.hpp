@@ -27,8 +27,9 @@ struct LoadReport {
 };
 
 /// First the tables, beside the one in use, which stays in use. Only when they are there, complete, by their CRCs, the
-/// settings, and the selection of the first table. Where a setting changes, the machine is stopped in between (it says
-/// not safe): no frame is made by old settings and a new table, or the other way round. All is read back.
+/// settings, and the selection of the first table. Where a setting changes, or a bit of a register fell over (fault
+/// `settings`), the machine is stopped in between (it says not safe): no frame is made by old settings and a new table, or
+/// the other way round. Into a machine that is stopped all settings are written. All is read back.
 /// The limit on undecidable pixels belongs to its table: it is a setting where frames are made with the same one. Where it
 /// changes, the machine is stopped before the tables.
 ///

@@ -78,6 +78,8 @@ struct Settings {
   int still_limit = hls::StageSettings{}.still_limit;
   /// Segments that must have texture, that one camera twice is told; 0 = never.
   int one_camera_segments = hls::StageSettings{}.one_camera_segments;
+  /// Results a second that the cameras give; a machine without one for the time of two has a fault (register TIMEOUT).
+  std::optional<double> results_per_s;
 
   /// The rule alone, for pictures that are no sequence of two cameras: a pixel is clear where they do not agree.
   Settings without_proof() const {
