@@ -450,15 +450,7 @@ Supervised supervise(const RunOptions& options, Session& session, PairSource& pa
   return done;
 }
 
-ExitStatus run(const RunOptions& options) {
-  if (options.frames != 0 && options.frames <= options.teach) {
-    throw UsageError(
-        fmt::format("--frames {} with --teach {}: no pair that teaches is supervised; expected more frames",
-                    options.frames, options.teach));
-  }
-  if (!options.profile.empty()) find_profile(options.profile);
-  OutputDirectory output(options.out, is_result);
-  output.set_aside("summary.json");
+ExitStatus run_into(OutputDirectory& output, const RunOptions& options) {
   const auto rig = read_rig_option(options.rig);
   check_skin_file(options.skin);
   PairSource pairs(options.left, options.right, options.pair_by_order ? PairNumbers::ignored : PairNumbers::must_agree);
@@ -496,6 +488,23 @@ ExitStatus run(const RunOptions& options) {
   std::fprintf(stderr, "horopter: at least one frame has a fault; see `faults` in %s/summary.json\n",
                options.out.c_str());
   return ExitStatus::fault;
+}
+
+ExitStatus run(const RunOptions& options) {
+  if (options.frames != 0 && options.frames <= options.teach) {
+    throw UsageError(
+        fmt::format("--frames {} with --teach {}: no pair that teaches is supervised; expected more frames",
+                    options.frames, options.teach));
+  }
+  if (!options.profile.empty()) find_profile(options.profile);
+  OutputDirectory output(options.out, is_result);
+  output.set_aside("summary.json");
+  try {
+    return run_into(output, options);
+  } catch (const UsageError&) {  // as if nothing had been asked for
+    output.put_back();
+    throw;
+  }
 }
 
 }  // namespace

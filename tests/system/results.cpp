@@ -53,6 +53,22 @@ TEST_CASE("The summary of an earlier run never stands beside a run that failed")
   for (const std::string& other : others) CHECK(fs::exists(box / other));
 }
 
+TEST_CASE("An option that cannot be, of these images, changes no results") {
+  Sandbox box;
+  with_pairs(box);
+  const auto arguments = run_arguments();
+  REQUIRE(box.run(arguments).status == 0);
+  const auto files = box.files();
+  const auto summary = box.read("out/summary.json");
+  for (const std::vector<std::string>& wrong : std::vector<std::vector<std::string>>{
+           {"--alarm-frames", "2/3"}, {"--object", "900px"}, {"--profile", "field", "--decision", "compete"}}) {
+    CAPTURE(wrong);
+    CHECK(box.run(arguments + wrong).status == 2);
+    CHECK(box.files() == files);
+    CHECK(box.read("out/summary.json") == summary);
+  }
+}
+
 TEST_CASE("A bad image at the end: earlier results stay, what was made is kept apart and marked") {
   Sandbox box;
   with_pairs(box, 3);

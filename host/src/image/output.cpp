@@ -221,11 +221,20 @@ void OutputDirectory::discard() {
 void OutputDirectory::set_aside(const std::string& file_name) {
   set_aside_.push_back(file_name);
   std::error_code error;
-  if (fs::exists(path_ / file_name, error)) fs::rename(path_ / file_name, path_ / ("earlier-" + file_name), error);
+  if (fs::exists(path_ / file_name, error)) {
+    fs::rename(path_ / file_name, path_ / ("earlier-" + file_name), error);
+    if (!error) moved_.push_back(file_name);
+  }
   if (error) {
     throw FileError((path_ / file_name).string(), "",
                     "this file of an earlier run cannot be renamed (" + error.message() + ")", "a writable place");
   }
+}
+
+void OutputDirectory::put_back() noexcept {
+  std::error_code error;
+  for (const std::string& name : moved_) fs::rename(path_ / ("earlier-" + name), path_ / name, error);
+  moved_.clear();
 }
 
 void OutputDirectory::write(const std::string& file_name, std::span<const std::uint8_t> bytes) {

@@ -50,6 +50,8 @@ class OutputDirectory {
   /// A file of an earlier run that nobody must take for one of this run, should it fail or be killed: from now on, and
   /// until commit(), it is called earlier-…
   void set_aside(const std::string& file_name);
+  /// Takes back set_aside(): there is no run.
+  void put_back() noexcept;
   /// Throws FileError where the file cannot be written, or `file_name` is not that of a file in the directory itself.
   void write(const std::string& file_name, std::span<const std::uint8_t> bytes);
   void write(const std::string& file_name, std::string_view text);
@@ -70,6 +72,7 @@ class OutputDirectory {
   IsResult is_result_;
   std::vector<std::string> file_names_;
   std::vector<std::string> set_aside_;
+  std::vector<std::string> moved_;  ///< of these, those that there were
   std::vector<std::filesystem::path> made_;  ///< parent directories that this object made
   std::recursive_mutex mutex_;
   std::optional<BeforeEnding> before_ending_;
