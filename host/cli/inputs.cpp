@@ -288,6 +288,23 @@ CameraPair first_pair(const calib::Rig& rig, const std::string& file) {
 
 void check_skin_file(const std::string& path) { read_file(path, kSkinExpected); }
 
+SkinFiles::SkinFiles(std::string skin) : skin_(std::move(skin)), checksum_(checksum()) {}
+
+std::uint32_t SkinFiles::checksum() const {
+  Crc32 crc;
+  try {
+    add_skin_files(skin_, kSkinExpected, crc);
+  } catch (const FileError&) {  // who reads it for what it is says more
+  }
+  return crc.value();
+}
+
+void SkinFiles::check_unchanged() const {
+  if (checksum() == checksum_) return;
+  throw FileError(skin_, "", "it, or a mesh that it names, was changed after it was first read",
+                  "files that stay as they are until the program has begun; begin it again");
+}
+
 bool is_table(const std::string& skin) { return horopter::is_table(read_file(skin, kSkinExpected)); }
 
 SkinFile load_skin_for(const std::string& skin, const std::optional<calib::Rig>& rig, int image_width,

@@ -45,6 +45,21 @@ struct NamedFile {
 void check_outputs(const std::vector<NamedFile>& outputs, const std::vector<NamedFile>& inputs);
 /// There and not empty; contents are checked by load_or_compile_maps.
 void check_skin_file(const std::string& path);
+
+/// A skin's files, which are read several times: those that are used must be those that were checked.
+class SkinFiles {
+ public:
+  explicit SkinFiles(std::string skin);
+  /// Throws FileError where one of them is not as it was.
+  void check_unchanged() const;
+
+ private:
+  [[nodiscard]] std::uint32_t checksum() const;
+
+  std::string skin_;
+  std::uint32_t checksum_;
+};
+
 /// A table (.hmap), not a skin.yaml. Throws FileError where there is neither.
 bool is_table(const std::string& skin);
 /// A skin.yaml, not a table (.hmap), whose skin moves.

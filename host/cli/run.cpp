@@ -453,6 +453,7 @@ Supervised supervise(const RunOptions& options, Session& session, PairSource& pa
 ExitStatus run_into(OutputDirectory& output, const RunOptions& options) {
   const auto rig = read_rig_option(options.rig);
   check_skin_file(options.skin);
+  const SkinFiles skin_files(options.skin);
   PairSource pairs(options.left, options.right, options.pair_by_order ? PairNumbers::ignored : PairNumbers::must_agree);
   for (const std::string& text : pairs.warnings()) warn(text);
   if (const auto count = pairs.count()) check_pairs_follow(options, *count);
@@ -460,6 +461,7 @@ ExitStatus run_into(OutputDirectory& output, const RunOptions& options) {
   if (!pair) throw FileError(options.left.front(), "", "there is no image", "at least one");
 
   Session session(options, rig, pair->left);
+  skin_files.check_unchanged();
   auto summary = begin_summary(session, options);
   if (options.teach != 0) {
     session.monitor().teach(true);

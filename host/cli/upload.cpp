@@ -44,6 +44,7 @@ struct UploadOptions {
 struct Wanted {
   std::optional<MapSet> table;  ///< a file of its own
   std::optional<calib::Rig> rig;
+  std::optional<SkinFiles> files;
 };
 
 Wanted read_files(const UploadOptions& options) {
@@ -51,6 +52,7 @@ Wanted read_files(const UploadOptions& options) {
   Wanted wanted;
   wanted.rig = read_rig_option(options.rig);
   check_skin_file(options.file());
+  wanted.files.emplace(options.file());
   if (is_table(options.file())) wanted.table = load_maps(options.file());
   if (!options.map.empty() && !wanted.table) {
     throw FileError(options.map, "", "this is no table", "a table made by `horopter map`, or --skin for a skin.yaml");
@@ -144,6 +146,7 @@ ExitStatus upload(const UploadOptions& options) {
   check_alarm_frames(options.file(), wanted.rig, *build.profile, maps.image_width, maps.image_height,
                      options.results_per_s, settings);
   const Judgeable judgeable = check_object_limit(object, options.file(), maps.tables(), *build.profile, settings);
+  wanted.files->check_unchanged();
   const LoadReport report = load(*device, build, maps, settings, options.stop_first);
   if (options.json) {
     auto json = report_json(options, build, report);

@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdlib>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "horopter/base/profile.hpp"
@@ -64,6 +67,53 @@ TEST_CASE("uio: live cameras, judged by a machine that is somewhere") {
     return event["safe"] == false && event["alarm"] == true && event["objects"].size() == 1 &&
            event["causes"][0]["name"] == "alarm";
   }));
+}
+
+namespace {
+
+/// A machine beside which somebody saves the skin as soon as it is asked for something.
+class SavedBeside : public horopter::Device {
+ public:
+  explicit SavedBeside(const Sandbox& box)
+      : box_(box), device_(horopter::make_native_device(horopter::find_profile("vga"))) {}
+  std::uint32_t read(std::uint32_t address) override {
+    if (!std::exchange(saved_, true)) box_.write("skin.yaml", box_.read("skin.yaml") + "# changed\n");
+    return device_->read(address);
+  }
+  void write(std::uint32_t address, std::uint32_t value) override { device_->write(address, value); }
+  void send(const horopter::Image& left, const horopter::Image& right) override { device_->send(left, right); }
+  horopter::FrameStreams receive() override { return device_->receive(); }
+  std::string_view engine() const override { return "saved beside"; }
+  bool counts_cycles() const override { return false; }
+
+ private:
+  const Sandbox& box_;
+  std::unique_ptr<horopter::Device> device_;
+  bool saved_ = false;
+};
+
+}  // namespace
+
+TEST_CASE("uio: a skin that is changed while it is read is not used") {
+  const auto folder = opencv_images();
+  if (!folder) return;
+  const Sandbox box;
+  box.write("skin.yaml", "surface:\n  type: homography\n  matrix: [[1, 0, -10], [0, 1, 0], [0, 0, 1]]\n");
+  const std::string command = GENERATE("upload", "run");
+  CAPTURE(command);
+  UioMachine machine(box, std::make_unique<SavedBeside>(box));
+  Arguments arguments{command, "--engine", machine.engine(), "--skin", "skin.yaml"};
+  if (command == "run") {
+    arguments = arguments + Arguments{"--left",    (*folder / "left01.jpg").string(),
+                                      "--right",   (*folder / "right01.jpg").string(),
+                                      "--out",     "out",
+                                      "--unproven"};
+  }
+  const auto result = machine.run(arguments);
+  INFO(result.err);
+  CHECK(result.status == 3);
+  CHECK_THAT(result.err, Catch::Contains("skin.yaml: it, or a mesh that it names, was changed"));
+  CHECK(machine.frames() == 0);
 }
 
 TEST_CASE("uio: the pictures of the chessboards are those of the native engine") {

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "horopter/base/crc32.hpp"
 #include "horopter/base/error.hpp"
 #include "horopter/base/file.hpp"
 #include "horopter/calib/rig.hpp"
@@ -16,6 +15,7 @@
 #include "horopter/map/map.hpp"
 #include "horopter/map/map_json.hpp"
 #include "horopter/map/table_facts.hpp"
+#include "horopter/skin/skin_file.hpp"
 
 namespace horopter {
 
@@ -149,6 +149,17 @@ bool is_table(std::span<const std::uint8_t> file) {
   std::uint32_t magic = 0;
   for (std::size_t i = 0; i < std::min(sizeof magic, file.size()); ++i) magic |= std::uint32_t{file[i]} << (8 * i);
   return magic == kMagic;
+}
+
+void add_skin_files(const std::filesystem::path& skin, const std::string& expected, Crc32& crc) {
+  const auto add = [&](std::span<const std::uint8_t> bytes) {
+    crc.add_word(static_cast<std::uint32_t>(bytes.size()));
+    crc.add(bytes);
+  };
+  const auto bytes = read_file(skin, expected);
+  add(bytes);
+  if (is_table(bytes)) return;
+  for (const std::filesystem::path& mesh : files_named_in(skin)) add(read_file(mesh, expected));
 }
 
 MapSet load_maps(const std::filesystem::path& path) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "horopter/base/crc32.hpp"
 #include "horopter/base/profile.hpp"
 #include "horopter/hls/table_format.hpp"
 #include "horopter/image/image.hpp"
@@ -171,6 +172,8 @@ void save_maps(const MapSet& maps, const std::filesystem::path& path);
 MapSet load_maps(const std::filesystem::path& path);
 /// Whether a file with these bytes means to be one.
 bool is_table(std::span<const std::uint8_t> file);
+/// Adds the bytes of a table, or of a skin.yaml and the meshes that it names. Throws FileError, which says `expected`.
+void add_skin_files(const std::filesystem::path& skin, const std::string& expected, Crc32& crc);
 
 /// Thickness of the skin along the left line of sight, of each pixel of the table's scan, row by row; NaN where it is
 /// not supervised, or no neighbour is. `tolerance_px`: disparity tolerance D of 11.1, in pixels of the frame.

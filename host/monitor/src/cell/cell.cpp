@@ -262,14 +262,10 @@ std::uint32_t checksum_of(const Cell& cell, std::span<const std::uint8_t> own) {
     crc.add_word(static_cast<std::uint32_t>(bytes.size()));
     crc.add(bytes);
   };
-  const auto read = [](const std::filesystem::path& path) { return read_file(path, "a file of the cell"); };
+  const std::string expected = "a file of the cell";
   add(own);
-  if (!cell.rig.empty()) add(read(cell.rig));
-  const auto skin = read(cell.skin);
-  add(skin);
-  if (!is_table(skin)) {
-    for (const std::filesystem::path& mesh : files_named_in(cell.skin)) add(read(mesh));
-  }
+  if (!cell.rig.empty()) add(read_file(cell.rig, expected));
+  add_skin_files(cell.skin, expected, crc);
   return crc.value();
 }
 
