@@ -109,7 +109,7 @@ void read_map(std::string_view bytes) {
   std::vector<std::uint32_t> words(bytes.size() / 4 + 4);
   std::memcpy(words.data(), bytes.data(), bytes.size());
   words[0] = 0x50414D48;
-  words[1] = 2;
+  words[1] = 3;
   words[2] = static_cast<std::uint32_t>(words.size());
   for (std::size_t first = 8; first + 4 < words.size(); ++first) {
     // A table's own CRC, where one begins.

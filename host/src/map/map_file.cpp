@@ -22,7 +22,7 @@ namespace horopter {
 namespace {
 
 constexpr std::uint32_t kMagic = 0x50414D48;  // "HMAP", least significant byte first
-constexpr std::uint32_t kVersion = 2;
+constexpr std::uint32_t kVersion = 3;         // of 2 areas of steep places were too small
 constexpr std::size_t kNameWords = 4;
 constexpr std::size_t kHeaderWords = 3 + kNameWords + 3;  // magic, version, words in all, name, width, height, tables
 
@@ -109,8 +109,15 @@ void check_maps(const MapSet& set, const std::string& file, const std::string& e
     }
   }
   if (set.rig.empty()) return;
-  const auto cameras = calib::rig_from_yaml(set.rig, file + ": its rig").cameras.size();
-  if (cameras != 2) fail("its rig", fmt::format("{} cameras", cameras));
+  const auto cameras = calib::rig_from_yaml(set.rig, file + ": its rig").cameras;
+  if (cameras.size() != 2) fail("its rig", fmt::format("{} cameras", cameras.size()));
+  const CameraPair pair(cameras[0], cameras[1]);
+  for (std::size_t i = 0; i < set.maps.size(); ++i) {
+    constexpr double kRounding_px = 1.0 / 32;  // of a control point
+    const auto& [table, report] = set.maps[i];
+    if (table.facts().areas.empty() || areas_may_be_true(table, pair, report.error_largest_px + kRounding_px)) continue;
+    fail(fmt::format("table {}", i), "areas that are smaller than its rig and control points say");
+  }
 }
 
 }  // namespace
@@ -164,13 +171,14 @@ void add_skin_files(const std::filesystem::path& skin, const std::string& expect
 
 MapSet load_maps(const std::filesystem::path& path) {
   const std::string file = path.string();
-  const std::string expected = "a mapping table made by `horopter map` (.hmap, version 2)";
+  const std::string expected = fmt::format("a mapping table made by `horopter map` (.hmap, version {})", kVersion);
   const auto bytes = read_file(path, expected);
   std::vector<std::uint32_t> words(bytes.size() / 4);
   for (std::size_t i = 0; i < words.size() * 4; ++i) words[i / 4] |= std::uint32_t{bytes[i]} << (i % 4 * 8);
   if (words.empty() || words[0] != kMagic) throw FileError(file, "byte 0", "not a mapping table", expected);
   if (words.size() > 1 && words[1] != kVersion) {
-    throw FileError(file, "byte 4", fmt::format("version {}", words[1]), expected);
+    throw FileError(file, "byte 4", fmt::format("version {}; make the map again with `horopter map`", words[1]),
+                    expected);
   }
   if (words.size() < kHeaderWords + 1 || bytes.size() < std::size_t{words[2]} * 4) {
     throw FileError(file, fmt::format("byte {}", bytes.size()), "the file is truncated",

@@ -141,6 +141,47 @@ Facts facts_of(const MapTable& table, const MachineProfile& profile) {
   return facts;
 }
 
+bool areas_may_be_true(const MapTable& table, const CameraPair& cameras, double error_px) {
+  const Facts& facts = table.facts();
+  const ScanGeometry& geometry = table.geometry();
+  const int subsample = facts.subsample;
+  const auto columns = static_cast<std::size_t>(Facts::blocks(geometry.width / subsample));
+  const calib::Camera& left = cameras.left();
+  for (int y = 0; y < geometry.height; y += kStep_px) {
+    for (int x = 0; x < geometry.width / subsample; x += kStep_px) {
+      Point source;
+      bool seen = true;
+      for (int i = 0; seen && i < subsample; ++i) {
+        const auto expanded = table.expand(subsample * x + i, y);
+        seen = expanded.has_value();
+        if (!seen) break;
+        source.x += std::ldexp(static_cast<double>(expanded->x), -MapTable::kFractionBits) / subsample;
+        source.y += std::ldexp(static_cast<double>(expanded->y), -MapTable::kFractionBits) / subsample;
+      }
+      const Point pixel = geometry.to_frame({subsample * x + 0.5 * (subsample - 1), static_cast<double>(y)});
+      Matrix2d slope;
+      const auto undistorted = left.model.undistort({pixel.x, pixel.y}, &slope);
+      if (!seen || !undistorted) continue;
+      // The nearest place that the pixel may see.
+      double distance = std::numeric_limits<double>::infinity();
+      const double norm = undistorted->homogeneous().norm();
+      for (const auto& [dx, dy] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}, {0, 0}}) {
+        const auto place =
+            cameras.place_mm(pixel, geometry.to_frame({source.x + dx * error_px, source.y + dy * error_px}));
+        if (place) distance = std::min(distance, (*place - left.world_to_camera.centre()).norm() / norm);
+      }
+      if (!std::isfinite(distance)) continue;
+      const double least_mm2 =
+          distance * distance * std::abs(slope.determinant()) / norm * subsample * geometry.row_step();
+      const std::size_t block = static_cast<std::size_t>(y >> hls::table::area_block_log2) * columns +
+                                static_cast<std::size_t>(x >> hls::table::area_block_log2);
+      constexpr double kCode = 15.0 / 16;  // one code less, for rounding
+      if (hls::table::decode_area(facts.areas.at(block)) < kCode * least_mm2) return false;
+    }
+  }
+  return true;
+}
+
 /// What is known of the fine samples' areas, and the largest of each block. Areas: 0 where nothing is met.
 struct SkinScale::Areas {
   explicit Areas(const SkinScale& scale)

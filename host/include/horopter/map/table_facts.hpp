@@ -19,6 +19,11 @@ namespace horopter {
 /// How many pixels the profile's rules can judge, by the table's control points; areas and shifts are not known.
 hls::table::Facts facts_of(const MapTable& table, const MachineProfile& profile);
 
+/// Whether no area is smaller than what a pixel of its block sees of a surface that faces it, by control points and rig. The
+/// true one is as large, or larger: how the surface lies, control points do not tell exactly enough. `error_px`: by which
+/// the table's sources may be off.
+bool areas_may_be_true(const MapTable& table, const CameraPair& cameras, double error_px);
+
 /// What one pixel sees of a skin before two cameras. What does not depend on the skin is computed once.
 class SkinScale {
  public:
