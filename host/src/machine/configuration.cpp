@@ -28,7 +28,7 @@ constexpr double kSmallestDisc_px = [] {
   if (!((thesis) > 0.5 && (compete) > 0.5)) { \
     smallest_px = 0;                          \
   } else if (smallest_px == 0) {              \
-    smallest_px = diameter_px;                \
+    smallest_px = (diameter_px);              \
   }
 #include "horopter/machine/disc_table.def"
 #undef DISC

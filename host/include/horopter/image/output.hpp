@@ -72,7 +72,7 @@ class OutputDirectory {
   IsResult is_result_;
   std::vector<std::string> file_names_;
   std::vector<std::string> set_aside_;
-  std::vector<std::string> moved_;  ///< of these, those that there were
+  std::vector<std::string> moved_;           ///< of these, those that there were
   std::vector<std::filesystem::path> made_;  ///< parent directories that this object made
   std::recursive_mutex mutex_;
   std::optional<BeforeEnding> before_ending_;
