@@ -438,15 +438,15 @@ TEST_CASE("What a skin can show of an object is its area, also where another par
       text += (i == 0 ? "" : ", ") + patch(-40 + i * (width_mm + 10), -150, width_mm, 250, 600);
     return text;
   };
-  // At 1800 mm 40 mm have 1/9 of the pixels that they have at 600 mm.
-  const std::string far = ", " + patch(0, 350, 200, 100, 1800);
+  // At 1550 mm 40 mm have 1/7 of the pixels that they have at 600 mm.
+  const std::string far = ", " + patch(0, 350, 200, 100, 1550);
   const auto says = Catch::Contains("of this skin an object of 40 mm shows less than it takes for an alarm");
   CHECK_THAT(warned(strips(30, 7)), says);
   CHECK_THAT(warned(strips(30, 7) + far), says);
   CHECK_THAT(warned(strips(90, 2)), !Catch::Contains("parted by gaps"));
   CHECK_THAT(warned(strips(90, 2) + far), !Catch::Contains("parted by gaps"));
   // 40 × 40 px, of which about 500 are judged, and a strip that is narrower than the windows.
-  check_bad_file(box, upload(patch(60, -15, 30, 30, 600) + ", " + patch(0, 350, 200, 30, 1800)), "skin.yaml",
+  check_bad_file(box, upload(patch(60, -15, 30, 30, 600) + ", " + patch(0, 350, 200, 30, 1550)), "skin.yaml",
                  "one of 40 mm across takes 628 mm2");
 }
 
