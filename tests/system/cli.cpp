@@ -345,7 +345,7 @@ TEST_CASE("Where nothing is asked for, a body of 40 mm is an alarm, or the small
   CAPTURE(uploaded.err);
   REQUIRE(uploaded.status == 0);
   const auto report = nlohmann::json::parse(uploaded.out);
-  const auto names = report["changed"];
+  const auto& names = report["changed"];
   CHECK(std::ranges::find(names, "OBJECT_AREA_LIMIT") != names.end());
   CHECK(report["object"]["limit"] == "area");
   CHECK(report["object"]["mm"] == 40);
