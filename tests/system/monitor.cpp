@@ -280,6 +280,10 @@ TEST_CASE("MQTT: a state that is kept, a last will, and a broker that goes is na
   SECTION("a broker that goes and comes: the stop that nobody heard is told, before the state") {
     Running monitor = box.start();
     REQUIRE(monitor.event("released").is_object());
+    {
+      Running early(box, listen("cells/3/#"), "early");
+      REQUIRE(eventually([&] { return last_state(early).value("safe", false); }));  // `released` is told
+    }
     broker.end(SIGKILL);
     REQUIRE(monitor.event("stopped", [](const json& event) { return has_cause(event, "output"); }).is_object());
     monitor.send(SIGSTOP);  // until somebody listens
