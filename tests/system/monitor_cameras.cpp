@@ -231,7 +231,8 @@ TEST_CASE("a GigE Vision camera that is not ours any more is lost, though it str
     try {
       const bool came = grabber->next(5s).has_value();
       CHECK(came);
-    } catch (const CameraError&) {
+    } catch (const CameraError& error) {
+      CHECK_THAT(error.what(), Catch::Contains("is not ours any more"));
       is_lost = true;
     }
   }

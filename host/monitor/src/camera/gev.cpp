@@ -86,8 +86,10 @@ class GevGrabber : public Grabber {
         give_back);
     const auto arrived = Clock::now();
     // A camera that is somebody else's may stream on, and nobody knows what is set in it.
-    gone_ = lost_ || (buffer == nullptr && arrived - heard_ > silence_);
-    if (gone_) throw CameraError("the camera does not answer any more");
+    const bool silent = buffer == nullptr && arrived - heard_ > silence_;
+    gone_ = lost_ || silent;
+    if (lost_) throw CameraError("the camera is not ours any more: it does not answer, or another program controls it");
+    if (silent) throw CameraError("the camera sends no images any more");
     if (buffer == nullptr) return std::nullopt;
     heard_ = arrived;
     return frame_of(buffer.get(), arrived);
