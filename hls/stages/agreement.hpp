@@ -491,18 +491,19 @@ class Agreement {
       region_down_.look();
     }
 #endif
-    if (row == 0) {
-      new_frame_ = true;
-      region_down_.begin(count, u<2>(0));
-      region_fresh_ = true;
-    }
+    if (row == 0) new_frame_ = true;
+    static_assert(lag > 2);
     if (row > lag - 2) {  // the region of the row that is compared
       const bool next = region_down_.at_end();
       region_fresh_ = next;
       if (next) region_row_ = early_region_row_;
       region_down_.take();
-    } else if (!draws_late_) {  // the last region that was judged is theirs, too
-      region_row_ = 0;
+    } else {
+      if (!draws_late_) region_row_ = 0;  // the last region that was judged is theirs, too
+      if (row == 0) {
+        region_down_.begin(count, u<2>(0));
+        region_fresh_ = true;
+      }
     }
   }
 

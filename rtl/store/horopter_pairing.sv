@@ -79,6 +79,8 @@ module horopter_pairing #(
   logic base_odd_q[2];  // parity of the two
   logic [1:0] cut_q;
   logic doubtful_q;  // the count of the images is in doubt
+  logic live_q;  // constant out of reset; its register lies far away
+  always_ff @(posedge clk_i) live_q <= live_i;
 
   logic [1:0] urgent_q, can_join_q, joins, may_open, opens, missed_q, absent, given_up;
   logic next_slot, can_open_q, done_q;
@@ -91,7 +93,7 @@ module horopter_pairing #(
     can_open_q <= rst_ni && (!open_q || ended_q == 2'b11) && !busy_q[next_slot] && opens == 2'b00;
     for (int unsigned c = 0; c < 2; c++) begin
       // In live mode a frame is joined only near its start (one without rows: any time).
-      can_join_q[c] <= rst_ni && open_q && !joined_q[c] && (!live_i || empty_i[c] || (near_i[1-c] && joined_q[1-c] && !ended_q[1-c]));
+      can_join_q[c] <= rst_ni && open_q && !joined_q[c] && (!live_q || empty_i[c] || (near_i[1-c] && joined_q[1-c] && !ended_q[1-c]));
     end
   end
   assign joins = start_i & can_join_q & ~joined_q & ~missed_q;
@@ -103,12 +105,12 @@ module horopter_pairing #(
   // A frame that a camera will not deliver (any more). With back-pressure silence counts from the opening of the frame,
   // which the framer knows one clock later. It joins no more; if it has joined in the clock of the decision, it is there.
   always_comb begin
-    for (int unsigned c = 0; c < 2; c++) given_up[c] = silent_i[c] && (!live_i || far_i[1-c] || ended_q[1-c]);
+    for (int unsigned c = 0; c < 2; c++) given_up[c] = silent_i[c] && (!live_q || far_i[1-c] || ended_q[1-c]);
   end
   always_ff @(posedge clk_i) begin
     for (int unsigned c = 0; c < 2; c++)
       missed_q[c] <= rst_ni && open_q && !open_o && !joined_q[c] && !missed_q[c]
-          && (given_up[c] || (live_i && (start_i[c] || urgent_q[1-c] || deep_i[1-c])));
+          && (given_up[c] || (live_q && (start_i[c] || urgent_q[1-c] || deep_i[1-c])));
   end
   assign absent = missed_q & ~joined_q;
 
@@ -132,7 +134,7 @@ module horopter_pairing #(
       left_ended_q <= 2'b00;
       right_ended_q <= 2'b00;
     end else begin
-      if (!live_i && (broken_i != 2'b00 || absent != 2'b00)) doubtful_q <= 1'b1;
+      if (!live_q && (broken_i != 2'b00 || absent != 2'b00)) doubtful_q <= 1'b1;
 
       if (free_i) begin
         busy_q[read_slot_i] <= 1'b0;
@@ -145,7 +147,7 @@ module horopter_pairing #(
       for (int unsigned c = 0; c < 2; c++) begin
         if (joins[c]) begin
           joined_q[c] <= 1'b1;
-          if (live_i && !empty_i[c] && far_i[1-c]) skew_o <= 1'b1;
+          if (live_q && !empty_i[c] && far_i[1-c]) skew_o <= 1'b1;
         end
         if (frame_done_i[c]) ended_q[c] <= 1'b1;
         if (absent[c]) begin
@@ -155,7 +157,7 @@ module horopter_pairing #(
           if (!gone_i[c]) skew_o <= 1'b1;
         end
         // Live: the other camera's next frame is here and this one is still in the last.
-        if (live_i && open_q && joined_q[c] && !ended_q[c] && !frame_done_i[c] && !cut_q[c] && urgent_q[1-c]
+        if (live_q && open_q && joined_q[c] && !ended_q[c] && !frame_done_i[c] && !cut_q[c] && urgent_q[1-c]
             && joined_q[1-c] && ended_q[1-c]) begin
           cut_q[c] <= 1'b1;
           skew_o <= 1'b1;

@@ -82,8 +82,8 @@ module horopter_agreement (
   assign difference_3634 = 7'h0 - {1'b0, cfg_patch_limit_i};
   logic not_3826;
   assign not_3826 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_3863;
-  assign difference_3863 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic [6:0] difference_3884;
+  assign difference_3884 = 7'h0 - {1'b0, cfg_height_i[8:3]};
   logic [5:0] sum_4143;
   assign sum_4143 = {2'h0, cfg_height_i[8:5]} + 6'h3f;
   logic [7:0] select_4144;
@@ -199,16 +199,16 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:197
   logic so;
   assign so = run_phase_q == 3'h6;
-  // hls/stages/agreement.hpp:633
+  // hls/stages/agreement.hpp:634
   logic equal_590;
   assign equal_590 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:605
   logic or_591;
   assign or_591 = so | equal_590;
-  // hls/stages/agreement.hpp:602
+  // hls/stages/agreement.hpp:603
   logic [7:0] sum_592;
   assign sum_592 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:605
   logic [7:0] select_593;
   assign select_593 = run_shift_q[5] ? x_q : sum_592;
   logic less_594;
@@ -216,10 +216,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:227
   logic not_595;
   assign not_595 = ~less_594;
-  // hls/stages/agreement.hpp:624
+  // hls/stages/agreement.hpp:625
   logic equal_604;
   assign equal_604 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:625
+  // hls/stages/agreement.hpp:626
   logic equal_605;
   assign equal_605 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:150
@@ -227,10 +227,10 @@ module horopter_agreement (
   assign and_606 = equal_605 & not_595;
   logic select_608;
   assign select_608 = or_591 ? not_595 : (equal_604 ? not_595 : and_606);
-  // hls/stages/agreement.hpp:808
+  // hls/stages/agreement.hpp:809
   logic [7:0] x;
   assign x = x_q + 8'hfd;
-  // hls/stages/agreement.hpp:806
+  // hls/stages/agreement.hpp:807
   logic [6:0] sum_621;
   assign sum_621 = {1'b0, last_q} + 7'h3;
   // hls/stages/agreement.hpp:150
@@ -238,10 +238,10 @@ module horopter_agreement (
   assign and_626 = equal_604 & (age_q[2] & (ends_cell_q & (~({1'b0, sum_621} < select_593))));
   logic select_627;
   assign select_627 = or_591 ? not_595 : and_626;
-  // hls/stages/agreement.hpp:831
+  // hls/stages/agreement.hpp:832
   logic [5:0] right;
   assign right = sum_592[5:0] + 6'h3d;
-  // hls/stages/agreement.hpp:730
+  // hls/stages/agreement.hpp:731
   logic not_662;
   assign not_662 = ~or_591;
   // hls/stages/agreement.hpp:150
@@ -347,95 +347,95 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:469
   logic and_2504;
   assign and_2504 = and_559 & equal_2503;
-  // hls/stages/agreement.hpp:533
+  // hls/stages/agreement.hpp:534
   logic select_2507;
   assign select_2507 = (and_2504 | (~ends_cell_q)) ? and_2504 : ends_q;
-  // hls/stages/agreement.hpp:539
+  // hls/stages/agreement.hpp:540
   logic [2:0] now;
   assign now = select_2507 ? (and_2504 ? 3'h1 : following_phase_q) : run_phase_q;
-  // hls/stages/agreement.hpp:544
+  // hls/stages/agreement.hpp:545
   logic [5:0] select_2511;
   assign select_2511 = select_2507 ? (and_2504 ? 6'h0 : following_shift_q) : run_shift_q;
   logic select_2514;
   assign select_2514 = select_2507 ? (following_last_shift_q & (~and_2504)) : run_last_shift_q;
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:618
   logic and_2517;
   assign and_2517 = run_last_shift_q & equal_604;
-  // hls/stages/agreement.hpp:626
+  // hls/stages/agreement.hpp:627
   logic select_2519;
   assign select_2519 = equal_604 ? (~run_last_shift_q) : equal_605;
-  // hls/stages/agreement.hpp:630
+  // hls/stages/agreement.hpp:631
   logic equal_2520;
   assign equal_2520 = run_phase_q == 3'h1;
   logic not_2523;
   assign not_2523 = ~select_2519;
-  // hls/stages/agreement.hpp:633
+  // hls/stages/agreement.hpp:634
   logic equal_2525;
   assign equal_2525 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:618
   logic and_2526;
   assign and_2526 = final_row_q & so;
-  // hls/stages/agreement.hpp:630
+  // hls/stages/agreement.hpp:631
   logic [1:0] select_2527;
   assign select_2527 = equal_2525 ? 2'h1 : {2{and_2526}};
   logic [2:0] select_2529;
   assign select_2529 = (and_2517 | (select_2519 | equal_2520)) ? (equal_2520 ? 3'h2 : {not_2523, {2{select_2519}}}) : (equal_590 ? 3'h6 : {select_2527[0], select_2527});
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:618
   logic and_2532;
   assign and_2532 = select_2519 & ({plan_shift_q[5], plan_shift_q} == {1'b0, least_q});
-  // hls/stages/agreement.hpp:640
+  // hls/stages/agreement.hpp:641
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
   logic [6:0] select_2535;
   assign select_2535 = (plan_shift_q[5] & select_2519) ? value : 7'h0;
   logic [1:0] or_2536;
   assign or_2536 = {2{so}} | select_2535[5:4];
-  // hls/stages/agreement.hpp:643
+  // hls/stages/agreement.hpp:644
   logic [7:0] select_2537;
   assign select_2537 = select_2519 ? plan_columns_q : 8'h0;
   logic [6:0] or_2540;
   assign or_2540 = select_2537[6:0] | ((equal_2520 | equal_2525) ? whole_q : 7'h0);
   logic [1:0] or_2541;
   assign or_2541 = {2{and_2517}} | or_2540[3:2];
-  // hls/stages/agreement.hpp:644
+  // hls/stages/agreement.hpp:645
   logic [6:0] or_2543;
   assign or_2543 = {or_2540[6:4], or_2541, or_2540[1:0]} | (equal_590 ? drawn_q : 7'h0);
   logic [4:0] or_2544;
   assign or_2544 = {5{so}} | {or_2543[6], or_2543[3:0]};
-  // hls/stages/agreement.hpp:650
+  // hls/stages/agreement.hpp:651
   logic not_2548;
   assign not_2548 = ~run_shift_q[5];
   logic [6:0] difference_2550;
   assign difference_2550 = {1'b0, last_q} - {1'b0, least_q};
   logic [7:0] select_2551;
   assign select_2551 = equal_604 ? ({{7{not_2548}}, 1'b1} + run_span_q) : {difference_2550[6], difference_2550};
-  // hls/stages/agreement.hpp:533
+  // hls/stages/agreement.hpp:534
   logic [6:0] select_2555;
   assign select_2555 = and_2504 ? 7'h0 : following_lowest_q;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:537
   logic [7:0] select_2557;
   assign select_2557 = select_2507 ? {select_2555[6], select_2555} : (x_q + {7'h0, ends_cell_q});
   logic [7:0] select_2560;
   assign select_2560 = select_2507 ? (and_2504 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [5:0] select_2568;
   assign select_2568 = and_559 ? (equal_2503 ? ((5'he < last[5:1]) ? 6'h1d : last) : least_q) : least_q;
   // hls/stages/agreement.hpp:481
   logic [4:0] sum_2569;
   assign sum_2569 = {1'b0, last[5:2]} + 5'h3;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [6:0] select_2571;
   assign select_2571 = and_559 ? (equal_2503 ? {sum_2569, last[1:0]} : whole_q) : whole_q;
   // hls/stages/agreement.hpp:482
   logic [4:0] sum_2572;
   assign sum_2572 = {1'b0, last[5:2]} + 5'h1;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [6:0] select_2574;
   assign select_2574 = and_559 ? (equal_2503 ? {sum_2572, last[1:0]} : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:541
+  // hls/stages/agreement.hpp:542
   logic select_2588;
   assign select_2588 = (ends_cell_q | select_2507) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_604 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:537
   logic and_2592;
   assign and_2592 = (~select_2507) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:484
@@ -497,7 +497,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:465
   logic [4:0] select_3019;
   assign select_3019 = equal_2503 ? (select_3017 + {4'h0, equal_3012}) : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_3024;
   assign select_3024 = and_559 ? (equal_2503 ? ((6'h4 < row) & equal_3012) : patches_chooses_q) : patches_chooses_q;
   logic [4:0] select_3026;
@@ -561,7 +561,7 @@ module horopter_agreement (
   logic [4:0] select_3122;
   assign select_3122 = or_3091 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
-  // Memory fresh, 47 x 33, DISTANCE 12, hls/stages/agreement.hpp:1404; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory fresh, 47 x 33, DISTANCE 12, hls/stages/agreement.hpp:1405; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -580,7 +580,7 @@ module horopter_agreement (
     if (en_i) fresh_rdata_q <= fresh_mem[fresh_raddr];
   end
 
-  // Memory left, 47 x 85, DISTANCE 12, hls/stages/agreement.hpp:1405; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 47 x 85, DISTANCE 12, hls/stages/agreement.hpp:1406; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -599,7 +599,7 @@ module horopter_agreement (
     if (en_i) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 47 x 99, DISTANCE 12, hls/stages/agreement.hpp:1406; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 47 x 99, DISTANCE 12, hls/stages/agreement.hpp:1407; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -618,7 +618,7 @@ module horopter_agreement (
     if (en_i) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 47 x 62, DISTANCE 12, hls/stages/agreement.hpp:1407; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 47 x 62, DISTANCE 12, hls/stages/agreement.hpp:1408; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1042,10 +1042,10 @@ module horopter_agreement (
   // hls/stages/census.hpp:127
   logic and_533;
   assign and_533 = sample_pair_whole_s1_q & and_532_s1_q;
-  // hls/stages/agreement.hpp:678
+  // hls/stages/agreement.hpp:679
   logic equal_578;
   assign equal_578 = row_q == 6'h0;
-  // hls/stages/agreement.hpp:1107
+  // hls/stages/agreement.hpp:1108
   logic equal_579;
   assign equal_579 = x_s1_q == 8'h0;
   // hls/stages/agreement.hpp:260
@@ -1060,7 +1060,7 @@ module horopter_agreement (
   // hls/stages/moments.hpp:149
   logic [11:0] address;
   assign address = moments_other_field_second_q ? (place + 12'h66d) : place;
-  // hls/stages/agreement.hpp:1022
+  // hls/stages/agreement.hpp:1023
   logic not_587;
   assign not_587 = ~equal_586_s1_q;
   // hls/stages/agreement.hpp:202
@@ -1072,31 +1072,31 @@ module horopter_agreement (
   // hls/stages/moments.hpp:149
   logic not_598;
   assign not_598 = ~(12'h66c < place);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_602;
   assign and_602 = not_587 & (not_589 & (equal_590_s1_q & (inside_v & not_598)));
-  // hls/stages/agreement.hpp:985
+  // hls/stages/agreement.hpp:986
   logic and_617;
   assign and_617 = (or_591_s1_q & (left_rdata_q[67] & not_595_s1_q)) & (late_q | (~(row_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:976
+  // hls/stages/agreement.hpp:977
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
-  // hls/stages/agreement.hpp:977
+  // hls/stages/agreement.hpp:978
   logic [7:0] found;
   assign found = x_s1_q + {{2{shift[5]}}, shift};
-  // hls/stages/agreement.hpp:978
+  // hls/stages/agreement.hpp:979
   logic [5:0] select_636;
   assign select_636 = ({2'h0, last_s1_q} < found) ? 6'h0 : found[5:0];
-  // hls/stages/agreement.hpp:1014
+  // hls/stages/agreement.hpp:1015
   logic less_649;
   assign less_649 = 6'h2 < row_q;
-  // hls/stages/agreement.hpp:1016
+  // hls/stages/agreement.hpp:1017
   logic and_659;
   assign and_659 = (or_591_s1_q & (right_codes_rdata_q[58] & not_595_s1_q)) & less_649;
-  // hls/stages/agreement.hpp:679
+  // hls/stages/agreement.hpp:680
   logic or_763;
   assign or_763 = late_q | (~equal_578);
-  // hls/stages/agreement.hpp:681
+  // hls/stages/agreement.hpp:682
   logic and_764;
   assign and_764 = left_rdata_q[12] & or_763;
   logic and_765;
@@ -1105,7 +1105,7 @@ module horopter_agreement (
   assign and_766 = left_rdata_q[48] & or_763;
   logic and_767;
   assign and_767 = left_rdata_q[66] & or_763;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:683
   logic and_768;
   assign and_768 = right_codes_rdata_q[12] & or_763;
   logic and_769;
@@ -1127,7 +1127,7 @@ module horopter_agreement (
   assign select_780 = less_594_s1_q ? 12'h0 : left_rdata_q[47:36];
   logic [11:0] select_781;
   assign select_781 = less_594_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_785;
   assign select_785 = and_778 ? (and_779 ? (~(select_780 ^ select_781)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1146,7 +1146,7 @@ module horopter_agreement (
   assign select_803 = less_594_s1_q ? 12'h0 : left_rdata_q[65:54];
   logic [11:0] select_804;
   assign select_804 = less_594_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_808;
   assign select_808 = and_801 ? (and_802 ? (~(select_803 ^ select_804)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1163,7 +1163,7 @@ module horopter_agreement (
   assign select_820 = less_594_s1_q ? 12'h0 : left_rdata_q[83:72];
   logic [11:0] select_821;
   assign select_821 = less_594_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_825;
   assign select_825 = and_818 ? (and_819 ? (~(select_820 ^ select_821)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1305,7 +1305,7 @@ module horopter_agreement (
   assign select_1022 = equal_604_s1_q ? {and_1021, xor_1020, parity_1014, parity_993, xor_948, xor_853} : 6'h0;
   logic [5:0] column;
   assign column = or_591_s1_q ? 6'h0 : select_1022;
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1033;
   assign select_1033 = (slot_s1_q[0] ? and_819 : and_802) ? (~(select_780 ^ (slot_s1_q[0] ? select_821 : select_804))) : 12'h0;
   logic [11:0] select_1034;
@@ -1322,7 +1322,7 @@ module horopter_agreement (
   assign and_1050 = right_codes_rdata_q[85] & not_595_s1_q;
   logic [11:0] select_1052;
   assign select_1052 = less_594_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1056;
   assign select_1056 = (slot_s1_q[0] ? and_1050 : and_819) ? (~(select_803 ^ (slot_s1_q[0] ? select_1052 : select_821))) : 12'h0;
   logic [11:0] select_1057;
@@ -1332,12 +1332,12 @@ module horopter_agreement (
   assign parity_1060 = ^select_1057[8:6];
   logic parity_1063;
   assign parity_1063 = ^select_1057[11:9];
-  // hls/stages/agreement.hpp:744
+  // hls/stages/agreement.hpp:745
   logic select_1068;
   assign select_1068 = slot_s1_q[0] ? (right_codes_rdata_q[98] & not_595_s1_q) : and_1050;
   logic [11:0] select_1070;
   assign select_1070 = slot_s1_q[0] ? (less_594_s1_q ? 12'h0 : right_codes_rdata_q[97:86]) : select_1052;
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1074;
   assign select_1074 = and_818 ? (select_1068 ? (~(select_820 ^ select_1070)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1482,16 +1482,16 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:222
   logic and_1279;
   assign and_1279 = right_codes_rdata_q[27] & not_595_s1_q;
-  // hls/stages/agreement.hpp:744
+  // hls/stages/agreement.hpp:745
   logic select_1280;
   assign select_1280 = slot_s1_q[0] ? (right_codes_rdata_q[12] & not_595_s1_q) : and_1279;
   // hls/stages/agreement.hpp:222
   logic [11:0] select_1282;
   assign select_1282 = less_594_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
-  // hls/stages/agreement.hpp:744
+  // hls/stages/agreement.hpp:745
   logic [11:0] select_1283;
   assign select_1283 = slot_s1_q[0] ? (less_594_s1_q ? 12'h0 : right_codes_rdata_q[11:0]) : select_1282;
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1287;
   assign select_1287 = and_778 ? (select_1280 ? (~(select_780 ^ select_1283)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1501,7 +1501,7 @@ module horopter_agreement (
   assign parity_1296 = ^select_1287[8:6];
   logic parity_1299;
   assign parity_1299 = ^select_1287[11:3];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1307;
   assign select_1307 = (slot_s1_q[0] ? and_1279 : and_779) ? (~(select_803 ^ (slot_s1_q[0] ? select_1282 : select_781))) : 12'h0;
   logic [11:0] select_1308;
@@ -1511,7 +1511,7 @@ module horopter_agreement (
   assign parity_1311 = ^select_1308[8:6];
   logic parity_1314;
   assign parity_1314 = ^select_1308[11:9];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1322;
   assign select_1322 = (slot_s1_q[0] ? and_779 : and_802) ? (~(select_820 ^ (slot_s1_q[0] ? select_781 : select_804))) : 12'h0;
   logic [11:0] select_1323;
@@ -1655,7 +1655,7 @@ module horopter_agreement (
   assign select_1520 = equal_604_s1_q ? {and_1519, xor_1518, parity_1512, parity_1491, xor_1446, xor_1351} : 6'h0;
   logic [5:0] column_3;
   assign column_3 = or_591_s1_q ? 6'h0 : select_1520;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_1588;
   assign and_1588 = ends_cell_s1_q & inside_v;
   logic and_1590;
@@ -1673,7 +1673,7 @@ module horopter_agreement (
   assign select_1720 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
   assign change = ($signed(10'h0) < $signed(select_1720[16:7])) ? 8'h7f : select_1720[7:0];
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic equal_1805;
   assign equal_1805 = x_s1_q[6:0] == 7'h70;
   // hls/stages/moments.hpp:153
@@ -1790,10 +1790,10 @@ module horopter_agreement (
   // hls/stages/division.hpp:34
   logic [5:0] sum_2006;
   assign sum_2006 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:1304
+  // hls/stages/agreement.hpp:1305
   logic not_2069;
   assign not_2069 = ~sample_pair_first_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2388;
   assign select_2388 = equal_586_s1_q ? (moments_other_field_second_q ^ equal_1805) : moments_other_field_second_q;
   // hls/stages/agreement.hpp:465
@@ -1802,7 +1802,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:472
   logic and_2603;
   assign and_2603 = proven_q & less_2602;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_2607;
   assign select_2607 = and_559_s1_q ? (equal_2503_s1_q ? (and_2603 & (row_s1_q[5:1] == 5'h0)) : late_q) : late_q;
   // hls/stages/agreement.hpp:473
@@ -1811,7 +1811,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:474
   logic and_2609;
   assign and_2609 = and_2603 & equal_2608;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic and_2877;
   assign and_2877 = and_559_s1_q & (equal_2503_s1_q & equal_2608);
   // hls/stages/registration.hpp:128
@@ -1881,26 +1881,26 @@ module horopter_agreement (
   logic select_3572;
   assign select_3572 = equal_1788_s1_q ? (less_1973 & (equal_1975 & or_1976)) : patches_read_searches_q;
   // hls/stages/agreement.hpp:206
-  logic [8:0] select_3876;
-  assign select_3876 = so_s1_q ? (and_2887 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
+  logic [8:0] select_3874;
+  assign select_3874 = so_s1_q ? (and_2887 ? region_across_next_q : region_across_rest_q) : {columns_begin_rest_q[7], columns_begin_rest_q};
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3878;
-  assign sum_3878 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
+  logic [8:0] sum_3876;
+  assign sum_3876 = region_across_rest_q + {{2{region_across_back_q[6]}}, region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3879;
-  assign select_3879 = sum_2006[5] ? {1'b1, sum_2006[4:0], region_across_rest_q[2:0]} : sum_3878;
+  logic [8:0] select_3877;
+  assign select_3877 = sum_2006[5] ? {1'b1, sum_2006[4:0], region_across_rest_q[2:0]} : sum_3876;
   // hls/stages/agreement.hpp:465
-  logic [7:0] select_3881;
-  assign select_3881 = equal_2503_s1_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
-  logic [6:0] select_3884;
-  assign select_3884 = equal_2503_s1_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
-  // hls/stages/agreement.hpp:1164
+  logic [7:0] select_3879;
+  assign select_3879 = equal_2503_s1_q ? (8'hf0 - {2'h0, cfg_width_i[8:3]}) : columns_begin_rest_q;
+  logic [6:0] select_3882;
+  assign select_3882 = equal_2503_s1_q ? (7'h8 - {1'b0, cfg_width_i[8:3]}) : columns_begin_back_q;
+  // hls/stages/agreement.hpp:1165
   logic equal_3934;
   assign equal_3934 = x_s1_q[6:0] == 7'h7f;
   // hls/stages/agreement.hpp:279
   logic and_4109;
   assign and_4109 = (~drew_q) & (done_q | said_q);
-  // hls/stages/agreement.hpp:1305
+  // hls/stages/agreement.hpp:1306
   logic select_4112;
   assign select_4112 = sample_pair_first_q ? done_q : proven_q;
   // hls/stages/agreement.hpp:279
@@ -1962,7 +1962,7 @@ module horopter_agreement (
     if (en_i) moments_memory_rdata_q <= moments_memory_mem[moments_memory_raddr];
   end
 
-  // Memory best_right, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1408; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory best_right, 47 x 29, DISTANCE 12, hls/stages/agreement.hpp:1409; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -1981,7 +1981,7 @@ module horopter_agreement (
     if (en_i) best_right_rdata_q <= best_right_mem[best_right_raddr];
   end
 
-  // Memory shown_right, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1409; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory shown_right, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1410; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2000,7 +2000,7 @@ module horopter_agreement (
     if (en_i) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory left_turns, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1410; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory left_turns, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1411; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2019,7 +2019,7 @@ module horopter_agreement (
     if (en_i) left_turns_rdata_q <= left_turns_mem[left_turns_raddr];
   end
 
-  // Memory right_turns, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1410; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory right_turns, 47 x 2, DISTANCE 12, hls/stages/agreement.hpp:1411; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2094,7 +2094,7 @@ module horopter_agreement (
     if (en_i) patches_rows_rdata_q <= patches_rows_mem[patches_rows_raddr];
   end
 
-  // Memory seen_columns, 47 x 18, DISTANCE 12, hls/stages/agreement.hpp:1439; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory seen_columns, 47 x 18, DISTANCE 12, hls/stages/agreement.hpp:1440; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2239,11 +2239,11 @@ module horopter_agreement (
       patches_step_q <= or_3091_s1_q ? 7'h0 : (patches_step_q + 7'h1);
       patches_read_searches_q <= select_3572;
       patches_bands_chosen_q <= equal_586_s1_q ? select_1806 : patches_bands_chosen_q;
-      region_across_rest_q <= select_3876;
+      region_across_rest_q <= select_3874;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3879;
-      columns_begin_rest_q <= and_559_s1_q ? select_3881 : columns_begin_rest_q;
-      columns_begin_back_q <= and_559_s1_q ? select_3884 : columns_begin_back_q;
+      region_across_next_q <= select_3877;
+      columns_begin_rest_q <= and_559_s1_q ? select_3879 : columns_begin_rest_q;
+      columns_begin_back_q <= and_559_s1_q ? select_3882 : columns_begin_back_q;
       done_q <= sample_pair_whole_q ? (not_2069 & and_4109) : and_4109;
       proven_q <= sample_pair_whole_q ? select_4114 : proven_q;
       drew_q <= so_s1_q;
@@ -2805,16 +2805,16 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:277
   logic and_577;
   assign and_577 = sample_pair_whole_s2_q & select_576;
-  // hls/stages/agreement.hpp:988
+  // hls/stages/agreement.hpp:989
   logic select_631;
   assign select_631 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
-  // hls/stages/agreement.hpp:989
+  // hls/stages/agreement.hpp:990
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:1002
+  // hls/stages/agreement.hpp:1003
   logic [8:0] difference_641;
   assign difference_641 = {2'h0, chosen} - {1'b0, x_s2_q};
-  // hls/stages/agreement.hpp:1003
+  // hls/stages/agreement.hpp:1004
   logic [9:0] sum_642;
   assign sum_642 = {difference_641[8], difference_641} + 10'h1;
   // hls/stages/agreement.hpp:248
@@ -2987,65 +2987,65 @@ module horopter_agreement (
   // hls/stages/moments.hpp:33
   logic [6:0] sum_758;
   assign sum_758 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
-  // hls/stages/agreement.hpp:817
+  // hls/stages/agreement.hpp:818
   logic or_775;
   assign or_775 = shift_first_s2_q | (~shift_not_right_q);
-  // hls/stages/agreement.hpp:818
+  // hls/stages/agreement.hpp:819
   logic select_777;
   assign select_777 = or_775 ? shift_first_s2_q : (~age_s2_q[1]);
-  // hls/stages/agreement.hpp:788
+  // hls/stages/agreement.hpp:789
   logic [5:0] select_1024;
   assign select_1024 = age_s2_q[3] ? middle_sum_columns_values_6_q : 6'h0;
   logic [6:0] difference_1025;
   assign difference_1025 = {1'b0, column_s2_q} - {1'b0, select_1024};
   logic [7:0] sum_1027;
   assign sum_1027 = {difference_1025[6], difference_1025} + (age_s2_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:766
   logic [7:0] select_1028;
   assign select_1028 = slot_s2_q[0] ? chosen_score_q : sum_1027;
-  // hls/stages/agreement.hpp:788
+  // hls/stages/agreement.hpp:789
   logic [6:0] difference_1274;
   assign difference_1274 = {1'b0, sums_0_columns_values_0_q} - {1'b0, select_1273_s2_q};
-  // hls/stages/agreement.hpp:759
+  // hls/stages/agreement.hpp:760
   logic equal_1275;
   assign equal_1275 = {age_s2_q[0], slot_s2_q[0]} == 2'h0;
-  // hls/stages/agreement.hpp:788
+  // hls/stages/agreement.hpp:789
   logic [7:0] sum_1277;
   assign sum_1277 = {difference_1274[6], difference_1274} + (equal_1275 ? 8'h0 : sums_0_sum_sums_values_1_q);
   logic [6:0] difference_1523;
   assign difference_1523 = {1'b0, sums_1_columns_values_0_q} - {1'b0, select_1522_s2_q};
   logic [7:0] sum_1525;
   assign sum_1525 = {difference_1523[6], difference_1523} + (equal_1275 ? 8'h0 : sums_1_sum_sums_values_1_q);
-  // hls/stages/agreement.hpp:761
+  // hls/stages/agreement.hpp:762
   logic less_1526;
   assign less_1526 = sum_1277 < sum_1525;
   logic [7:0] select_1527;
   assign select_1527 = less_1526 ? sum_1525 : sum_1277;
   logic less_1528;
   assign less_1528 = select_1028 < select_1527;
-  // hls/stages/agreement.hpp:811
+  // hls/stages/agreement.hpp:812
   logic [7:0] of_best;
   assign of_best = shift_allowed_q ? (less_1528 ? select_1527 : select_1028) : 8'h0;
-  // hls/stages/agreement.hpp:818
+  // hls/stages/agreement.hpp:819
   logic or_1532;
   assign or_1532 = select_777 | (best_left_rdata_s2_q[16:9] < of_best);
-  // hls/stages/agreement.hpp:823
+  // hls/stages/agreement.hpp:824
   logic [5:0] select_1533;
   assign select_1533 = or_1532 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
-  // hls/stages/agreement.hpp:730
+  // hls/stages/agreement.hpp:731
   logic not_1534;
   assign not_1534 = ~slot_s2_q[0];
-  // hls/stages/agreement.hpp:762
+  // hls/stages/agreement.hpp:763
   logic [1:0] select_1535;
   assign select_1535 = less_1526 ? {slot_s2_q[0], not_1534} : 2'h0;
   logic [2:0] select_1537;
   assign select_1537 = less_1528 ? {select_1535, not_1534} : (slot_s2_q[0] ? chosen_place_q : 3'h2);
-  // hls/stages/agreement.hpp:823
+  // hls/stages/agreement.hpp:824
   logic [2:0] select_1538;
   assign select_1538 = or_1532 ? select_1537 : best_left_rdata_s2_q[8:6];
   logic [7:0] select_1539;
   assign select_1539 = or_1532 ? of_best : best_left_rdata_s2_q[16:9];
-  // hls/stages/agreement.hpp:820
+  // hls/stages/agreement.hpp:821
   logic equal_1540;
   assign equal_1540 = select_1537 == 3'h1;
   logic or_1543;
@@ -3054,71 +3054,71 @@ module horopter_agreement (
   assign select_1545 = or_1543 ? before_0_q : before_1_q;
   logic [7:0] select_1546;
   assign select_1546 = equal_1540 ? (or_1543 ? sum_1277 : {7'h0, shift_not_right_q}) : select_1545;
-  // hls/stages/agreement.hpp:823
+  // hls/stages/agreement.hpp:824
   logic [7:0] select_1547;
   assign select_1547 = or_1532 ? select_1546 : best_left_rdata_s2_q[24:17];
   logic [7:0] select_1550;
   assign select_1550 = or_1532 ? (equal_1540 ? select_1545 : (or_1543 ? sum_1525 : before_2_q)) : best_left_rdata_s2_q[32:25];
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:790
   logic [5:0] before_v;
   assign before_v = age_s2_q[1] ? middle_sum_columns_values_3_q : 6'h0;
-  // hls/stages/agreement.hpp:790
+  // hls/stages/agreement.hpp:791
   logic [6:0] sum_1552;
   assign sum_1552 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
   logic [6:0] sum_1553;
   assign sum_1553 = {1'b0, before_v} + sum_1552;
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:766
   logic [6:0] select_1554;
   assign select_1554 = slot_s2_q[0] ? chosen_near_q : sum_1553;
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:790
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[1] ? sums_0_columns_values_8_q : 6'h0;
-  // hls/stages/agreement.hpp:790
+  // hls/stages/agreement.hpp:791
   logic [6:0] sum_1556;
   assign sum_1556 = {1'b0, sums_0_columns_values_4_q} + {1'b0, sums_0_columns_values_6_q};
   logic [6:0] sum_1557;
   assign sum_1557 = {1'b0, before_v_2} + sum_1556;
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:790
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[1] ? sums_1_columns_values_8_q : 6'h0;
-  // hls/stages/agreement.hpp:790
+  // hls/stages/agreement.hpp:791
   logic [6:0] sum_1559;
   assign sum_1559 = {1'b0, sums_1_columns_values_4_q} + {1'b0, sums_1_columns_values_6_q};
   logic [6:0] sum_1560;
   assign sum_1560 = {1'b0, before_v_3} + sum_1559;
-  // hls/stages/agreement.hpp:761
+  // hls/stages/agreement.hpp:762
   logic [6:0] select_1562;
   assign select_1562 = (sum_1557 < sum_1560) ? sum_1560 : sum_1557;
-  // hls/stages/agreement.hpp:812
+  // hls/stages/agreement.hpp:813
   logic [6:0] of_near;
   assign of_near = shift_allowed_q ? ((select_1554 < select_1562) ? select_1562 : select_1554) : 7'h0;
-  // hls/stages/agreement.hpp:823
+  // hls/stages/agreement.hpp:824
   logic less_1566;
   assign less_1566 = best_left_rdata_s2_q[39:33] < of_near;
-  // hls/stages/agreement.hpp:827
+  // hls/stages/agreement.hpp:828
   logic [6:0] select_1568;
   assign select_1568 = select_777 ? of_near : (less_1566 ? of_near : best_left_rdata_s2_q[39:33]);
   logic [5:0] select_1570;
   assign select_1570 = select_777 ? run_shift_s2_q : (less_1566 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
   logic [7:0] select_1573;
   assign select_1573 = (run_shift_s2_q == 6'h3f) ? of_best : (select_777 ? 8'h0 : best_left_rdata_s2_q[53:46]);
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:829
   logic [7:0] select_1576;
   assign select_1576 = (run_shift_s2_q == 6'h1) ? of_best : (select_777 ? 8'h0 : best_left_rdata_s2_q[61:54]);
-  // hls/stages/agreement.hpp:833
+  // hls/stages/agreement.hpp:834
   logic select_1579;
   assign select_1579 = or_775 ? shift_first_s2_q : equal_1578_s2_q;
-  // hls/stages/agreement.hpp:834
+  // hls/stages/agreement.hpp:835
   logic or_1581;
   assign or_1581 = select_1579 | (best_right_rdata_q[7:0] < of_best);
-  // hls/stages/agreement.hpp:838
+  // hls/stages/agreement.hpp:839
   logic [7:0] select_1582;
   assign select_1582 = or_1581 ? of_best : best_right_rdata_q[7:0];
   logic [6:0] select_1583;
   assign select_1583 = or_1581 ? x_s2_2_q : best_right_rdata_q[14:8];
   logic or_1585;
   assign or_1585 = select_1579 | (best_right_rdata_q[21:15] < of_near);
-  // hls/stages/agreement.hpp:842
+  // hls/stages/agreement.hpp:843
   logic [6:0] select_1586;
   assign select_1586 = or_1585 ? of_near : best_right_rdata_q[21:15];
   logic [6:0] select_1587;
@@ -3126,7 +3126,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:150
   logic and_1601;
   assign and_1601 = or_591_s2_q & (not_595_s2_q & (and_644 & or_1598_s2_q));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_1602;
   assign and_1602 = not_589_s2_q & and_1601;
   logic and_1605;
@@ -3134,7 +3134,7 @@ module horopter_agreement (
   // hls/stages/moments.hpp:85
   logic and_1609;
   assign and_1609 = moments_has_before_q & moments_memory_rdata_q[0];
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1016
   logic and_1610;
   assign and_1610 = not_598_s2_q & and_1609;
   logic and_1613;
@@ -3142,30 +3142,30 @@ module horopter_agreement (
   // hls/stages/moments.hpp:85
   logic and_1618;
   assign and_1618 = moments_has_before_q & moments_memory_rdata_q[2];
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1016
   logic and_1619;
   assign and_1619 = not_598_s2_q & and_1618;
   logic and_1622;
   assign and_1622 = not_598_s2_q & (and_1618 & (moments_memory_rdata_q[3] ^ and_661_s2_q));
-  // hls/stages/agreement.hpp:1144
+  // hls/stages/agreement.hpp:1145
   logic equal_1623;
   assign equal_1623 = x_s2_q[6:4] == 3'h7;
-  // hls/stages/agreement.hpp:1207
+  // hls/stages/agreement.hpp:1208
   logic [1:0] quarter;
   assign quarter = x_s2_q[1:0] + 2'h1;
   // hls/stages/registration.hpp:147
   logic all;
   assign all = x_s2_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:1145
+  // hls/stages/agreement.hpp:1146
   logic [1:0] select_1626;
   assign select_1626 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [3:0] select_1628;
   assign select_1628 = equal_1623 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_1626});
   // hls/stages/registration.hpp:107
   logic [1:0] sum_1629;
   assign sum_1629 = slot_s2_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [3:0] select_1630;
   assign select_1630 = equal_586_s2_q ? select_1628 : {sum_1629, lower_half_s2_q, registration_of_right_q};
   // hls/stages/patches.hpp:217
@@ -3185,12 +3185,12 @@ module horopter_agreement (
   assign equal_1643 = x_s2_q[5:0] == 6'h35;
   logic equal_1645;
   assign equal_1645 = x_s2_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1207
+  // hls/stages/agreement.hpp:1208
   logic and_1649;
   assign and_1649 = (~equal_1639) & ((~equal_1641) & ((~equal_1643) & (~equal_1645)));
   logic and_1653;
   assign and_1653 = (~equal_1631) & ((~equal_1633) & ((~equal_1635) & ((~equal_1637) & and_1649)));
-  // hls/stages/agreement.hpp:1145
+  // hls/stages/agreement.hpp:1146
   logic less_1654;
   assign less_1654 = x_s2_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
@@ -3199,7 +3199,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:160
   logic or_1658;
   assign or_1658 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:1022
+  // hls/stages/agreement.hpp:1023
   logic [4:0] sum_1663;
   assign sum_1663 = {1'b0, last_s2_q[5:2]} + 5'h1;
   // hls/stages/agreement.hpp:263
@@ -3213,7 +3213,7 @@ module horopter_agreement (
   assign sum_1669 = {2'h0, slot_s2_q} + 5'h1f;
   logic and_1671;
   assign and_1671 = half_ends & ({{3{sum_1669[4]}}, sum_1669} < 8'h3);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_1672;
   assign and_1672 = drew_q & and_1671;
   logic select_1673;
@@ -3236,13 +3236,13 @@ module horopter_agreement (
   assign select_1705 = row_starts_s2_q ? select_1702 : patches_fetch_q;
   logic equal_1706;
   assign equal_1706 = select_1705 == 2'h0;
-  // hls/stages/agreement.hpp:1031
+  // hls/stages/agreement.hpp:1032
   logic [6:0] sum_1710;
   assign sum_1710 = x_s2_q[7:1] + 7'h7f;
   // hls/stages/patches.hpp:103
   logic right_3;
   assign right_3 = {3'h0, last_s2_q[5:1]} < {sum_1710, x_s2_q[0]};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_1714;
   assign and_1714 = not_587_s2_q & (drew_q & (ends_cell_s2_q & right_3));
   // hls/stages/registration.hpp:83
@@ -3302,10 +3302,10 @@ module horopter_agreement (
   // hls/stages/patches.hpp:106
   logic [9:0] sum_1752;
   assign sum_1752 = {sum_1750[9], sum_1750[9:1]} + 10'h1;
-  // hls/stages/agreement.hpp:1031
+  // hls/stages/agreement.hpp:1032
   logic and_1755;
   assign and_1755 = ($signed(9'h0) < $signed(sum_1750[9:1])) & (~($signed({5'h0, last_s2_q}) < $signed({sum_1752, sum_1750[0]})));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_1758;
   assign and_1758 = ends_cell_s2_q & (and_1739 & ((~(and_1743 | or_1747)) & and_1755));
   logic and_1760;
@@ -3316,7 +3316,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:351
   logic select_1763;
   assign select_1763 = and_1762 ? and_1760 : patches_choice_valid_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [7:0] select_1766;
   assign select_1766 = equal_586_s2_q ? 8'h0 : (drew_q ? (ends_cell_s2_q ? {sum_1710, x_s2_q[0]} : 8'h0) : 8'h0);
   logic [5:0] select_1770;
@@ -3330,13 +3330,13 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
   assign slope = equal_1716 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_1772[12:7])) ? 8'h7f : select_1775);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [7:0] select_1780;
   assign select_1780 = equal_586_s2_q ? 8'h0 : (drew_q ? (ends_cell_s2_q ? slope : 8'h0) : 8'h0);
   // hls/stages/patches.hpp:113
   logic equal_1782;
   assign equal_1782 = {sum_1710[6:5], last_s2_q[5:1], x_s2_q[0]} == {2'h0, sum_1710[4:0], last_s2_q[0]};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_1786;
   assign and_1786 = not_587_s2_q & (drew_q & (ends_cell_s2_q & (and_1743 | equal_1782)));
   // hls/stages/patches.hpp:351
@@ -3360,28 +3360,28 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:206
   logic [7:0] select_1993;
   assign select_1993 = drew_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:1065
+  // hls/stages/agreement.hpp:1066
   logic or_1996;
   assign or_1996 = select_1993[7] | (~({select_1993[5], select_1993[3], select_1993[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1064
+  // hls/stages/agreement.hpp:1065
   logic or_1999;
   assign or_1999 = select_1993[7] | (~({select_1993[6], select_1993[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:1063
+  // hls/stages/agreement.hpp:1064
   logic or_2002;
   assign or_2002 = select_1993[7] | (~(select_1993[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [5:0] select_2003;
   assign select_2003 = equal_586_s2_q ? x_s2_q[5:0] : {region_row_q, or_2002, or_1999, or_1996};
-  // hls/stages/agreement.hpp:1144
+  // hls/stages/agreement.hpp:1145
   logic not_2004;
   assign not_2004 = ~equal_1623;
-  // hls/stages/agreement.hpp:1071
+  // hls/stages/agreement.hpp:1072
   logic equal_2008;
   assign equal_2008 = x_s2_q == {2'h0, last_s2_q};
-  // hls/stages/agreement.hpp:1073
+  // hls/stages/agreement.hpp:1074
   logic or_2009;
   assign or_2009 = (~sum_2006_s2_q) | equal_2008;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2012;
   assign and_2012 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & or_2009));
   // hls/stages/agreement.hpp:150
@@ -3396,61 +3396,61 @@ module horopter_agreement (
   assign and_2044 = inside_v_s2_q & and_2033;
   logic explained;
   assign explained = inside_v_s2_q & and_646;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1028
   logic select_2046;
   assign select_2046 = slot_s2_q[2] ? shown_shown_q : and_646;
   // hls/stages/agreement.hpp:263
   logic shown;
   assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2046);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1028
   logic select_2049;
   assign select_2049 = slot_s2_q[2] ? shown_nearer_q : and_1601;
   // hls/stages/agreement.hpp:263
   logic near;
   assign near = inside_v_s2_q & (select_2046 ? select_2049 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:1301
+  // hls/stages/agreement.hpp:1302
   logic select_2052;
   assign select_2052 = done_s2_q ? write_half_q : read_half_q;
-  // hls/stages/agreement.hpp:1305
+  // hls/stages/agreement.hpp:1306
   logic select_2053;
   assign select_2053 = left_first_s2_q ? select_2052 : read_half_q;
   logic or_2054;
   assign or_2054 = left_first_s2_q | line_ended_q;
-  // hls/stages/agreement.hpp:1306
+  // hls/stages/agreement.hpp:1307
   logic [8:0] select_2055;
   assign select_2055 = or_2054 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1307
+  // hls/stages/agreement.hpp:1308
   logic [9:0] select_2057;
   assign select_2057 = left_first_s2_q ? 10'h1 : (or_2054 ? {rows_passed_q[8:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1310
+  // hls/stages/agreement.hpp:1311
   logic and_2058;
   assign and_2058 = select_2055[8] & select_2057[9];
   // hls/stages/agreement.hpp:441
   logic next_row;
   assign next_row = and_2058 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1321
+  // hls/stages/agreement.hpp:1322
   logic [5:0] select_2061;
   assign select_2061 = next_row ? cfg_width_i[8:3] : 6'h0;
   logic [10:0] select_2063;
   assign select_2063 = left_first_s2_q ? 11'h0 : (seen_base_q + {5'h0, select_2061});
-  // hls/stages/agreement.hpp:1332
+  // hls/stages/agreement.hpp:1333
   logic equal_2064;
   assign equal_2064 = seen_x_q == 3'h7;
   logic [7:0] select_2066;
   assign select_2066 = and_2058 ? 8'h0 : (seen_column_q + {7'h0, equal_2064});
-  // hls/stages/agreement.hpp:1339
+  // hls/stages/agreement.hpp:1340
   logic [10:0] index;
   assign index = select_2063 + {3'h0, select_2066};
-  // hls/stages/agreement.hpp:1291
+  // hls/stages/agreement.hpp:1292
   logic [11:0] sum_2068;
   assign sum_2068 = {1'b0, {2{select_2053}}, 2'h0, {2{select_2053}}, 1'b0, {2{select_2053}}, 1'b0, select_2053} + {1'b0, index};
   // hls/stages/agreement.hpp:441
   logic and_2071;
   assign and_2071 = not_2069_s2_q & (began_q | and_2058);
-  // hls/stages/agreement.hpp:1333
+  // hls/stages/agreement.hpp:1334
   logic [2:0] select_2073;
   assign select_2073 = and_2058 ? 3'h0 : (seen_x_q + 3'h1);
-  // hls/stages/agreement.hpp:1338
+  // hls/stages/agreement.hpp:1339
   logic and_2075;
   assign and_2075 = and_2071 & (select_2073 == 3'h0);
   logic less_2076;
@@ -3463,17 +3463,17 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:279
   logic select_2080;
   assign select_2080 = and_1985_s2_q ? (left_first_s2_q ? and_2077 : and_2078) : and_2078;
-  // hls/stages/agreement.hpp:1127
+  // hls/stages/agreement.hpp:1128
   logic select_2082;
   assign select_2082 = draws_late_q ? read_half_q : write_half_q;
   logic [7:0] sum_2083;
   assign sum_2083 = {2'h0, x_s2_q[7:2]} + 8'hff;
   logic [10:0] index_2;
   assign index_2 = {sum_2083[7], sum_2083, x_s2_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1291
+  // hls/stages/agreement.hpp:1292
   logic [11:0] sum_2085;
   assign sum_2085 = {1'b0, {2{select_2082}}, 2'h0, {2{select_2082}}, 1'b0, {2{select_2082}}, 1'b0, select_2082} + {1'b0, index_2};
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2086;
   assign and_2086 = seen_columns_rdata_q[14] & inside_v_s2_q;
   logic and_2087;
@@ -3482,18 +3482,18 @@ module horopter_agreement (
   assign and_2088 = seen_columns_rdata_q[5] & inside_v_s2_q;
   logic and_2089;
   assign and_2089 = seen_columns_rdata_q[0] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1102
+  // hls/stages/agreement.hpp:1103
   logic [1:0] sum_2091;
   assign sum_2091 = {1'b0, and_2088} + ({1'b0, textured} + {1'b0, and_2089});
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, and_2086} + ({2'h0, and_2087} + {1'b0, sum_2091});
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic [7:0] select_2100;
   assign select_2100 = inside_v_s2_q ? (sum_2006_s2_q ? select_1993 : {select_1993[6:0], 1'b0}) : select_1993;
-  // hls/stages/agreement.hpp:1065
+  // hls/stages/agreement.hpp:1066
   logic or_2103;
   assign or_2103 = select_2100[7] | (~({select_2100[5], select_2100[3], select_2100[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2120;
   assign and_2120 = seen_columns_rdata_q[16] & inside_v_s2_q;
   logic and_2121;
@@ -3502,12 +3502,12 @@ module horopter_agreement (
   assign and_2122 = seen_columns_rdata_q[8] & inside_v_s2_q;
   logic and_2123;
   assign and_2123 = seen_columns_rdata_q[3] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1104
+  // hls/stages/agreement.hpp:1105
   logic [1:0] sum_2125;
   assign sum_2125 = {1'b0, and_2122} + ({1'b0, shown} + {1'b0, and_2123});
   logic [2:0] shown_2;
   assign shown_2 = {2'h0, and_2120} + ({2'h0, and_2121} + {1'b0, sum_2125});
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2136;
   assign and_2136 = seen_columns_rdata_q[17] & inside_v_s2_q;
   logic and_2137;
@@ -3516,18 +3516,18 @@ module horopter_agreement (
   assign and_2138 = seen_columns_rdata_q[9] & inside_v_s2_q;
   logic and_2139;
   assign and_2139 = seen_columns_rdata_q[4] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1105
+  // hls/stages/agreement.hpp:1106
   logic [1:0] sum_2141;
   assign sum_2141 = {1'b0, and_2138} + ({1'b0, near} + {1'b0, and_2139});
   logic [2:0] near_2;
   assign near_2 = {2'h0, and_2136} + ({2'h0, and_2137} + {1'b0, sum_2141});
-  // hls/stages/agreement.hpp:1126
+  // hls/stages/agreement.hpp:1127
   logic not_2152;
   assign not_2152 = ~(x_s2_q[7:2] == 6'h0);
-  // hls/stages/agreement.hpp:1127
+  // hls/stages/agreement.hpp:1128
   logic not_2154;
   assign not_2154 = ~({1'b0, sum_1663, last_s2_q[1:0]} < x_s2_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2158;
   assign select_2158 = less_2150_s2_q ? (not_2152 & not_2154) : ((draws_late_q & not_2152) & not_2154);
   logic and_2161;
@@ -3543,7 +3543,7 @@ module horopter_agreement (
   assign select_2219 = sample_pair_whole_s2_q ? (and_557_s2_q ? select_572 : averager_mask_q) : averager_mask_q;
   logic select_2221;
   assign select_2221 = sample_pair_whole_s2_q ? (and_557_s2_q ? select_576 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [8:0] select_2222;
   assign select_2222 = and_559_s2_q ? select_565 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2223;
@@ -3697,19 +3697,19 @@ module horopter_agreement (
   assign select_2321 = equal_1805_s2_q ? moments_other_field_before_1_q : moments_before_1_q;
   logic select_2323;
   assign select_2323 = equal_1805_s2_q ? moments_other_field_has_before_q : moments_has_before_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [13:0] select_2327;
   assign select_2327 = equal_586_s2_q ? ((select_2321 < select_2319) ? select_2319 : select_2321) : moments_most_before_q;
   // hls/stages/moments.hpp:153
   logic [14:0] sum_2328;
   assign sum_2328 = {1'b0, moments_most_before_q} + 15'h3;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2331;
   assign select_2331 = equal_586_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2328)) : moments_left_begins_q;
   // hls/stages/moments.hpp:153
   logic [14:0] sum_2332;
   assign sum_2332 = {1'b0, sum_2318} + 15'h3;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2335;
   assign select_2335 = equal_586_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2332)) : moments_left_alone_q;
   logic select_2338;
@@ -3719,7 +3719,7 @@ module horopter_agreement (
   // hls/stages/moments.hpp:153
   logic [14:0] sum_2342;
   assign sum_2342 = {1'b0, sum_2316} + 15'h3;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2345;
   assign select_2345 = equal_586_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2342)) : moments_right_alone_q;
   logic select_2348;
@@ -3730,7 +3730,7 @@ module horopter_agreement (
   // hls/stages/moments.hpp:59
   logic select_2352;
   assign select_2352 = moments_ended_q ? moments_other_field_out_of_step_q : out_of_step;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2360;
   assign and_2360 = not_587_s2_q & (not_589_s2_q & (equal_590_s2_q & (inside_v_s2_q & and_1613)));
   logic and_2364;
@@ -3746,7 +3746,7 @@ module horopter_agreement (
   // hls/stages/moments.hpp:107
   logic and_2376;
   assign and_2376 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [13:0] select_2381;
   assign select_2381 = equal_586_s2_q ? (equal_1805_s2_q ? sum_2316 : moments_other_field_before_0_q) : moments_other_field_before_0_q;
   logic [13:0] select_2383;
@@ -3765,7 +3765,7 @@ module horopter_agreement (
   assign difference_2412 = {1'b0, select_569} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
   assign contrast_2 = {8'h0, difference_2412[9]} + (difference_2412[8:0] ^ {9{difference_2412[9]}});
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_2611;
   assign select_2611 = and_559_s2_q ? (equal_2503_s2_q ? and_2609_s2_q : draws_late_q) : draws_late_q;
   // hls/stages/agreement.hpp:240
@@ -3783,24 +3783,24 @@ module horopter_agreement (
   assign select_2618 = slot_s2_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
   logic [7:0] select_2622;
   assign select_2622 = slot_s2_q[0] ? 8'h0 : sum_1027;
-  // hls/stages/agreement.hpp:761
+  // hls/stages/agreement.hpp:762
   logic less_2623;
   assign less_2623 = select_2622 < select_1527;
   // hls/stages/agreement.hpp:240
   logic [6:0] select_2625;
   assign select_2625 = slot_s2_q[0] ? 7'h0 : sum_1553;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic not_2630;
   assign not_2630 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
   logic less_2631;
   assign less_2631 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic and_2638;
   assign and_2638 = and_559_s2_q & (equal_694_s2_q & equal_2503_s2_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2643;
   assign and_2643 = ends_cell_s2_q & (inside_v_s2_q & (and_2640_s2_q & not_2017_s2_q));
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2667;
   assign and_2667 = seen_columns_rdata_q[15] & inside_v_s2_q;
   logic and_2668;
@@ -3809,21 +3809,21 @@ module horopter_agreement (
   assign and_2669 = seen_columns_rdata_q[7] & inside_v_s2_q;
   logic and_2670;
   assign and_2670 = seen_columns_rdata_q[2] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1103
+  // hls/stages/agreement.hpp:1104
   logic [1:0] sum_2672;
   assign sum_2672 = {1'b0, and_2669} + ({1'b0, explained} + {1'b0, and_2670});
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, and_2667} + ({2'h0, and_2668} + {1'b0, sum_2672});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2708;
   assign and_2708 = ends_cell_s2_q & (inside_v_s2_q & (not_2017_s2_q & (and_2640_s2_q & and_2033)));
-  // hls/stages/agreement.hpp:996
+  // hls/stages/agreement.hpp:997
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
-  // hls/stages/agreement.hpp:997
+  // hls/stages/agreement.hpp:998
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
-  // hls/stages/agreement.hpp:998
+  // hls/stages/agreement.hpp:999
   logic [7:0] difference_2733;
   assign difference_2733 = best_left_rdata_s2_q[16:9] - lower;
   logic less_2736;
@@ -3831,7 +3831,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:248
   logic and_2739;
   assign and_2739 = not_595_s2_q & (((and_2031_s2_q & and_644) & equal_2729_s2_q) & (~less_2736));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2743;
   assign and_2743 = ends_cell_s2_q & (inside_v_s2_q & ((or_591_s2_q & and_2739) & not_2017_s2_q));
   // hls/stages/agreement.hpp:150
@@ -3849,10 +3849,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:150
   logic [1:0] select_2755;
   assign select_2755 = or_591_s2_q ? select_2754 : 2'h0;
-  // hls/stages/agreement.hpp:1041
+  // hls/stages/agreement.hpp:1042
   logic and_2757;
   assign and_2757 = and_646 & (select_2752[0] & select_2755[0]);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2761;
   assign and_2761 = ends_cell_s2_q & (inside_v_s2_q & (not_2017_s2_q & (select_2752[1] & and_2757)));
   logic and_2763;
@@ -3906,7 +3906,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:258
   logic [4:0] select_2797;
   assign select_2797 = drew_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [7:0] select_2799;
   assign select_2799 = equal_586_s2_q ? registration_slope_here_q : (drew_q ? slope : registration_slope_here_q);
   logic [10:0] select_2801;
@@ -3944,7 +3944,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:205
   logic less_2855;
   assign less_2855 = $signed(difference_2840) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2863;
   assign select_2863 = drew_q ? (equal_2802 ? right_2 : registration_of_right_q) : registration_of_right_q;
   logic select_2866;
@@ -3952,13 +3952,13 @@ module horopter_agreement (
   // hls/stages/registration.hpp:269
   logic [3:0] select_2871;
   assign select_2871 = (sum_1629 == 2'h2) ? (registration_fresh_q & (~select_1676)) : registration_fresh_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [3:0] select_2873;
   assign select_2873 = drew_q ? (and_1671 ? select_2871 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
   logic [3:0] select_2875;
   assign select_2875 = and_2638 ? 4'hf : (equal_586_s2_q ? registration_fresh_q : select_2873);
-  // hls/stages/agreement.hpp:1145
+  // hls/stages/agreement.hpp:1146
   logic [1:0] quarter_2;
   assign quarter_2 = all ? x_s2_q[1:0] : select_1626;
   // hls/stages/registration.hpp:258
@@ -3983,7 +3983,7 @@ module horopter_agreement (
   assign select_3035 = right_3 ? last_s2_q[5:1] : 5'h0;
   logic [5:0] from;
   assign from = {1'b0, of_32} + {1'b0, select_3035};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3040;
   assign and_3040 = drew_q & (ends_cell_s2_q & (~({sum_1710, x_s2_q[0]} < {2'h0, from})));
   // hls/stages/patches.hpp:157
@@ -4322,57 +4322,51 @@ module horopter_agreement (
   assign select_3606 = equal_1788_s2_q ? (patches_read_first_q ? patches_read_far_q : select_3604) : patches_peak_far_q;
   logic [9:0] select_3609;
   assign select_3609 = equal_1788_s2_q ? (equal_3607_s2_q ? sum_3190 : patches_peak_size_q) : patches_peak_size_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_3859;
   assign select_3859 = equal_586_s2_q ? shown_shown_q : (drew_q ? select_2046 : shown_shown_q);
   logic select_3861;
   assign select_3861 = equal_586_s2_q ? shown_nearer_q : (drew_q ? select_2049 : shown_nearer_q);
-  // hls/stages/agreement.hpp:499
-  logic [8:0] select_3864;
-  assign select_3864 = equal_694_s2_q ? {{2{difference_3863[6]}}, difference_3863} : region_down_rest_q;
-  // hls/stages/division.hpp:18
-  logic [7:0] sum_3865;
-  assign sum_3865 = select_3864[8:1] + 8'h3;
+  // hls/stages/division.hpp:34
+  logic [7:0] sum_3863;
+  assign sum_3863 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:465
+  logic [2:0] select_3866;
+  assign select_3866 = less_3862_s2_q ? (sum_3863[7] ? region_row_q : next_region_row_q) : (and_2609_s2_q ? region_row_q : 3'h0);
+  // hls/stages/agreement.hpp:531
   logic [2:0] select_3868;
-  assign select_3868 = less_3862_s2_q ? (sum_3865[7] ? region_row_q : next_region_row_q) : (and_2609_s2_q ? region_row_q : 3'h0);
-  // hls/stages/agreement.hpp:530
-  logic [2:0] select_3870;
-  assign select_3870 = and_559_s2_q ? (equal_2503_s2_q ? select_3868 : region_row_q) : region_row_q;
-  // hls/stages/agreement.hpp:798
-  logic [7:0] select_3874;
-  assign select_3874 = equal_586_s2_q ? select_1993 : (drew_q ? (ends_cell_s2_q ? select_2100 : select_1993) : 8'h1);
+  assign select_3868 = and_559_s2_q ? (equal_2503_s2_q ? select_3866 : region_row_q) : region_row_q;
+  // hls/stages/agreement.hpp:799
+  logic [7:0] select_3872;
+  assign select_3872 = equal_586_s2_q ? select_1993 : (drew_q ? (ends_cell_s2_q ? select_2100 : select_1993) : 8'h1);
   // hls/stages/agreement.hpp:465
+  logic [8:0] select_3885;
+  assign select_3885 = equal_694_s2_q ? {{2{difference_3884[6]}}, difference_3884} : region_down_rest_q;
   logic [8:0] select_3887;
-  assign select_3887 = equal_2503_s2_q ? (less_3862_s2_q ? region_down_next_q : select_3864) : region_down_rest_q;
-  // hls/stages/agreement.hpp:499
+  assign select_3887 = equal_2503_s2_q ? (less_3862_s2_q ? region_down_next_q : select_3885) : region_down_rest_q;
   logic [6:0] select_3890;
   assign select_3890 = equal_694_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:530
   logic [6:0] select_3892;
-  assign select_3892 = and_559_s2_q ? (equal_2503_s2_q ? select_3890 : region_down_back_q) : region_down_back_q;
-  // hls/stages/division.hpp:34
-  logic [7:0] sum_3893;
-  assign sum_3893 = region_down_rest_q[8:1] + 8'h3;
+  assign select_3892 = equal_2503_s2_q ? (less_3862_s2_q ? region_down_back_q : select_3890) : region_down_back_q;
   // hls/stages/division.hpp:35
   logic [8:0] sum_3894;
   assign sum_3894 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
   logic [8:0] select_3895;
-  assign select_3895 = sum_3893[7] ? {1'b1, sum_3893[6:0], region_down_rest_q[0]} : sum_3894;
+  assign select_3895 = sum_3863[7] ? {1'b1, sum_3863[6:0], region_down_rest_q[0]} : sum_3894;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3865[7];
+  assign next = ~sum_3863[7];
   // hls/stages/agreement.hpp:465
   logic select_3899;
   assign select_3899 = equal_2503_s2_q ? (less_3862_s2_q ? next : (region_fresh_q | equal_694_s2_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:206
   logic or_3904;
   assign or_3904 = segment_starts_q | not_589_s2_q;
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic select_3907;
   assign select_3907 = inside_v_s2_q ? (sum_2006_s2_q ? (equal_2008 & or_2009) : or_2009) : or_3904;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_3910;
   assign select_3910 = equal_586_s2_q ? or_3904 : (drew_q ? (ends_cell_s2_q ? select_3907 : or_3904) : or_3904);
   logic select_4078;
@@ -4392,10 +4386,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:465
   logic [10:0] select_4095;
   assign select_4095 = equal_2503_s2_q ? (or_4092_s2_q ? (map_row_q + {5'h0, map_width_q}) : 11'h0) : map_row_q;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [5:0] select_4098;
   assign select_4098 = and_559_s2_q ? (equal_2503_s2_q ? cfg_width_i[8:3] : map_width_q) : map_width_q;
-  // hls/stages/agreement.hpp:1301
+  // hls/stages/agreement.hpp:1302
   logic xor_4099;
   assign xor_4099 = write_half_q ^ done_s2_q;
   // hls/stages/agreement.hpp:443
@@ -4416,7 +4410,7 @@ module horopter_agreement (
   assign select_4127 = left_first_s2_q ? and_2071 : (and_1985_s2_q ? and_2071 : began_q);
   logic [2:0] select_4130;
   assign select_4130 = left_first_s2_q ? select_2073 : (and_1985_s2_q ? select_2073 : seen_x_q);
-  // hls/stages/agreement.hpp:1331
+  // hls/stages/agreement.hpp:1332
   logic [2:0] select_4135;
   assign select_4135 = left_first_s2_q ? 3'h0 : (and_2058 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q);
   // hls/stages/agreement.hpp:279
@@ -4484,7 +4478,7 @@ module horopter_agreement (
     if (en_i) patches_choices_rdata_q <= patches_choices_mem[patches_choices_raddr];
   end
 
-  // Memory regions, 64 x 30, DISTANCE 12, hls/stages/agreement.hpp:1430; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 12, hls/stages/agreement.hpp:1431; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4503,7 +4497,7 @@ module horopter_agreement (
     if (en_i) regions_rdata_q <= regions_mem[regions_raddr];
   end
 
-  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:1443; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory map, 3290 x 2, DISTANCE 16, hls/stages/agreement.hpp:1444; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:3289];
@@ -4946,11 +4940,11 @@ module horopter_agreement (
       patches_peak_size_q <= select_3609;
       shown_shown_q <= select_3859;
       shown_nearer_q <= select_3861;
-      region_row_q <= select_3870;
+      region_row_q <= select_3868;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_3874;
+      region_columns_q <= select_3872;
       region_down_rest_q <= and_559_s2_q ? select_3887 : region_down_rest_q;
-      region_down_back_q <= select_3892;
+      region_down_back_q <= and_559_s2_q ? select_3892 : region_down_back_q;
       region_down_next_q <= select_3895;
       region_fresh_q <= and_559_s2_q ? select_3899 : region_fresh_q;
       segment_starts_q <= select_3910;
@@ -5778,44 +5772,44 @@ module horopter_agreement (
   assign select_1991 = select_1982[0] ? {patches_best_column_q, patches_best_differing_q} : {4'h0, and_1990_s3_q, 1'b0, select_1987_s3_q, left_pixel_q};
   logic [14:0] select_1992;
   assign select_1992 = select_1982[1] ? {select_1983[12:8], patches_sums_values_0_q[9:8], select_1983[7:0]} : select_1991;
-  // hls/stages/agreement.hpp:910
+  // hls/stages/agreement.hpp:911
   logic [5:0] select_2020;
   assign select_2020 = segment_started_q ? segment_textured_q : 6'h0;
-  // hls/stages/agreement.hpp:911
+  // hls/stages/agreement.hpp:912
   logic [5:0] sum_2021;
   assign sum_2021 = {5'h0, and_2019_s3_q} + select_2020;
-  // hls/stages/agreement.hpp:1076
+  // hls/stages/agreement.hpp:1077
   logic [9:0] sum_2023;
   assign sum_2023 = {4'h0, sum_2021} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
-  // hls/stages/agreement.hpp:910
+  // hls/stages/agreement.hpp:911
   logic [5:0] select_2026;
   assign select_2026 = segment_started_q ? segment_explained_q : 6'h0;
-  // hls/stages/agreement.hpp:911
+  // hls/stages/agreement.hpp:912
   logic [5:0] sum_2027;
   assign sum_2027 = {5'h0, and_2025_s3_q} + select_2026;
-  // hls/stages/agreement.hpp:1077
+  // hls/stages/agreement.hpp:1078
   logic [9:0] sum_2029;
   assign sum_2029 = {4'h0, sum_2027} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
-  // hls/stages/agreement.hpp:910
+  // hls/stages/agreement.hpp:911
   logic [5:0] select_2037;
   assign select_2037 = segment_started_q ? segment_nearer_q : 6'h0;
-  // hls/stages/agreement.hpp:912
+  // hls/stages/agreement.hpp:913
   logic [5:0] sum_2038;
   assign sum_2038 = {5'h0, and_2036_s3_q} + select_2037;
-  // hls/stages/agreement.hpp:1078
+  // hls/stages/agreement.hpp:1079
   logic [9:0] sum_2040;
   assign sum_2040 = {4'h0, sum_2038} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
-  // hls/stages/agreement.hpp:1109
+  // hls/stages/agreement.hpp:1110
   logic [2:0] select_2094;
   assign select_2094 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
   logic [3:0] difference_2095;
   assign difference_2095 = {1'b0, textured_2_s3_q} - {1'b0, select_2094};
   logic [4:0] t;
   assign t = {difference_2095[3], difference_2095} + (equal_579_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1115
+  // hls/stages/agreement.hpp:1116
   logic equal_2098;
   assign equal_2098 = t[4:1] == 4'h0;
-  // hls/stages/agreement.hpp:1116
+  // hls/stages/agreement.hpp:1117
   logic not_2110;
   assign not_2110 = ~region_row_s3_q[2];
   logic [2:0] select_2111;
@@ -5828,29 +5822,29 @@ module horopter_agreement (
   assign select_2114 = or_2106_s3_q ? {select_2113[11], 1'b0, select_2113[10], 1'b0, select_2113[9], 1'b0, select_2113[8], 1'b0, select_2113[7], 1'b0, select_2113[6], 1'b0, select_2113[5], 1'b0, select_2113[4], 1'b0, select_2113[3], 1'b0, select_2113[2], 1'b0, select_2113[1], 1'b0, select_2113[0], 1'b0} : {1'b0, select_2113[11], 1'b0, select_2113[10], 1'b0, select_2113[9], 1'b0, select_2113[8], 1'b0, select_2113[7], 1'b0, select_2113[6], 1'b0, select_2113[5], 1'b0, select_2113[4], 1'b0, select_2113[3], 1'b0, select_2113[2], 1'b0, select_2113[1], 1'b0, select_2113[0]};
   logic [47:0] select_2115;
   assign select_2115 = or_2103_s3_q ? {select_2114[23], 1'b0, select_2114[22], 1'b0, select_2114[21], 1'b0, select_2114[20], 1'b0, select_2114[19], 1'b0, select_2114[18], 1'b0, select_2114[17], 1'b0, select_2114[16], 1'b0, select_2114[15], 1'b0, select_2114[14], 1'b0, select_2114[13], 1'b0, select_2114[12], 1'b0, select_2114[11], 1'b0, select_2114[10], 1'b0, select_2114[9], 1'b0, select_2114[8], 1'b0, select_2114[7], 1'b0, select_2114[6], 1'b0, select_2114[5], 1'b0, select_2114[4], 1'b0, select_2114[3], 1'b0, select_2114[2], 1'b0, select_2114[1], 1'b0, select_2114[0], 1'b0} : {1'b0, select_2114[23], 1'b0, select_2114[22], 1'b0, select_2114[21], 1'b0, select_2114[20], 1'b0, select_2114[19], 1'b0, select_2114[18], 1'b0, select_2114[17], 1'b0, select_2114[16], 1'b0, select_2114[15], 1'b0, select_2114[14], 1'b0, select_2114[13], 1'b0, select_2114[12], 1'b0, select_2114[11], 1'b0, select_2114[10], 1'b0, select_2114[9], 1'b0, select_2114[8], 1'b0, select_2114[7], 1'b0, select_2114[6], 1'b0, select_2114[5], 1'b0, select_2114[4], 1'b0, select_2114[3], 1'b0, select_2114[2], 1'b0, select_2114[1], 1'b0, select_2114[0]};
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2119;
   assign and_2119 = good_known_q & (~((good_q & select_2115) == 48'h0));
-  // hls/stages/agreement.hpp:1111
+  // hls/stages/agreement.hpp:1112
   logic [2:0] select_2128;
   assign select_2128 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
   logic [3:0] difference_2129;
   assign difference_2129 = {1'b0, shown_2_s3_q} - {1'b0, select_2128};
   logic [4:0] around;
   assign around = {difference_2129[3], difference_2129} + (equal_579_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1118
+  // hls/stages/agreement.hpp:1119
   logic [5:0] sum_2132;
   assign sum_2132 = {1'b0, around} + {2'h0, around[4:1]};
   logic is_seen;
   assign is_seen = equal_2098 ? and_2119 : (~({sum_2132, around[0]} < {2'h0, t}));
-  // hls/stages/agreement.hpp:1112
+  // hls/stages/agreement.hpp:1113
   logic [2:0] select_2144;
   assign select_2144 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
   logic [3:0] difference_2145;
   assign difference_2145 = {1'b0, near_2_s3_q} - {1'b0, select_2144};
   logic [4:0] n;
   assign n = {difference_2145[3], difference_2145} + (equal_579_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1128
+  // hls/stages/agreement.hpp:1129
   logic and_2149;
   assign and_2149 = is_seen & ({1'b0, around[4:1]} < n);
   // hls/stages/agreement.hpp:277
@@ -5897,7 +5891,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:286
   logic [11:0] sum_2297;
   assign sum_2297 = sum_2293_s3_q + {2'h0, sum_2296_s3_q};
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [11:0] select_2299;
   assign select_2299 = and_559_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_2300;
@@ -5920,13 +5914,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:325
   logic [19:0] sum_2311;
   assign sum_2311 = census_left_misses_q + {{17{and_2310}}, and_2309, 1'b0, and_2309};
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [19:0] select_2313;
   assign select_2313 = and_559_s3_q ? (equal_2304_s3_q ? 20'h0 : sum_2311) : census_left_misses_q;
   // hls/stages/agreement.hpp:277
   logic [27:0] select_2393;
   assign select_2393 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_2396;
   assign select_2396 = and_559_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:373
@@ -6069,78 +6063,78 @@ module horopter_agreement (
   assign select_2499 = equal_2432_s3_q ? select_2498 : sharpness_comparing_less_contrast_1_q;
   logic select_2500;
   assign select_2500 = so_s3_q ? select_2499 : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_2647;
   assign select_2647 = and_2638_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2645_s3_q});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2650;
   assign and_2650 = not_587_s3_q & (so_s3_q & (ends_cell_s3_q & and_2019_s3_q));
   logic and_2655;
   assign and_2655 = not_587_s3_q & (so_s3_q & (ends_cell_s3_q & and_2025_s3_q));
   logic and_2660;
   assign and_2660 = not_587_s3_q & (so_s3_q & (ends_cell_s3_q & and_2036_s3_q));
-  // hls/stages/agreement.hpp:1110
+  // hls/stages/agreement.hpp:1111
   logic [2:0] select_2675;
   assign select_2675 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
   logic [3:0] difference_2676;
   assign difference_2676 = {1'b0, explained_2_s3_q} - {1'b0, select_2675};
   logic [4:0] e;
   assign e = {difference_2676[3], difference_2676} + (equal_579_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1117
+  // hls/stages/agreement.hpp:1118
   logic [5:0] sum_2679;
   assign sum_2679 = {1'b0, e} + {2'h0, e[4:1]};
-  // hls/stages/agreement.hpp:1122
+  // hls/stages/agreement.hpp:1123
   logic not_2683;
   assign not_2683 = ~(equal_2098 ? and_2119 : (~({sum_2679, e[0]} < {2'h0, t})));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2686;
   assign and_2686 = ends_cell_s3_q & (not_2666_s3_q & (centres_values_1_textured_s3_q & not_2683));
   logic and_2688;
   assign and_2688 = not_587_s3_q & (so_s3_q & and_2686);
-  // hls/stages/agreement.hpp:1148
+  // hls/stages/agreement.hpp:1149
   logic less_2691;
   assign less_2691 = region_row_s3_q < x_s3_q[5:3];
   logic [9:0] select_2692;
   assign select_2692 = less_2691 ? 10'h0 : regions_rdata_q[9:0];
   logic [9:0] select_2695;
   assign select_2695 = less_2691 ? 10'h0 : regions_rdata_q[19:10];
-  // hls/stages/agreement.hpp:1149
+  // hls/stages/agreement.hpp:1150
   logic [10:0] sum_2696;
   assign sum_2696 = {1'b0, select_2695} + {3'h0, select_2695[9:2]};
   logic and_2698;
   assign and_2698 = (~(select_2692[9:4] == 6'h0)) & ({sum_2696, select_2695[1:0]} < {3'h0, select_2692});
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [9:0] select_2701;
   assign select_2701 = x_s3_q[6] ? (equal_1623_s3_q ? 10'h0 : (and_2698 ? select_2692 : 10'h0)) : 10'h0;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [9:0] select_2702;
   assign select_2702 = equal_586_s3_q ? select_2701 : 10'h0;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_2704;
   assign select_2704 = and_2638_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2702});
   logic [13:0] select_2712;
   assign select_2712 = and_2638_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2710_s3_q});
-  // hls/stages/agreement.hpp:1126
+  // hls/stages/agreement.hpp:1127
   logic and_2714;
   assign and_2714 = not_2666_s3_q & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2717;
   assign and_2717 = not_587_s3_q & (so_s3_q & (ends_cell_s3_q & and_2714));
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_2719;
   assign select_2719 = and_2638_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2717});
-  // hls/stages/agreement.hpp:1126
+  // hls/stages/agreement.hpp:1127
   logic and_2721;
   assign and_2721 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_2683);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2725;
   assign and_2725 = not_587_s3_q & (so_s3_q & (ends_cell_s3_q & (not_2666_s3_q & and_2721)));
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_2727;
   assign select_2727 = and_2638_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2725});
   logic [13:0] select_2747;
   assign select_2747 = and_2638_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_2745_s3_q});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [7:0] select_2824;
   assign select_2824 = so_s3_q ? (equal_1716_s3_q ? (and_2806_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
   logic [7:0] select_2825;
@@ -6148,7 +6142,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:134
   logic [13:0] select_2827;
   assign select_2827 = and_2805_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_2825[7]}}, select_2825});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2830;
   assign and_2830 = not_587_s3_q & (so_s3_q & (and_2806_s3_q & equal_1716_s3_q));
   // hls/stages/registration.hpp:134
@@ -6157,7 +6151,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic and_2834;
   assign and_2834 = and_2806_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [1:0] select_2836;
   assign select_2836 = so_s3_q ? (equal_1716_s3_q ? {and_2834, and_2806_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_2837;
@@ -6165,7 +6159,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:184
   logic [6:0] sum_2838;
   assign sum_2838 = registration_half_votes_down_q + {{5{select_2837[1]}}, select_2837};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [1:0] select_2844;
   assign select_2844 = so_s3_q ? (equal_1716_s3_q ? {and_2842_s3_q, and_2806_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_2845;
@@ -6176,7 +6170,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic and_2849;
   assign and_2849 = and_2806_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [1:0] select_2851;
   assign select_2851 = so_s3_q ? (equal_1716_s3_q ? {and_2849, and_2806_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_2852;
@@ -6184,7 +6178,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:184
   logic [6:0] sum_2853;
   assign sum_2853 = registration_half_half_votes_down_q + {{5{select_2852[1]}}, select_2852};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [1:0] select_2858;
   assign select_2858 = so_s3_q ? (equal_1716_s3_q ? {and_2856_s3_q, and_2806_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_2859;
@@ -6192,37 +6186,37 @@ module horopter_agreement (
   // hls/stages/registration.hpp:185
   logic [6:0] sum_2860;
   assign sum_2860 = registration_half_half_votes_up_q + {{5{select_2859[1]}}, select_2859};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2893;
   assign and_2893 = equal_586_s3_q & (x_s3_q[6] & (not_2004_s3_q & less_1654_s3_q));
-  // hls/stages/agreement.hpp:1146
+  // hls/stages/agreement.hpp:1147
   logic [11:0] select_2900;
   assign select_2900 = or_1658_s3_q ? 12'h0 : (equal_2898_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [11:0] select_2903;
   assign select_2903 = x_s3_q[6] ? (equal_1623_s3_q ? 12'h0 : (less_1654_s3_q ? select_2900 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [11:0] select_2904;
   assign select_2904 = equal_586_s3_q ? select_2903 : 12'h0;
   // hls/stages/registration.hpp:153
   logic and_2905;
   assign and_2905 = x_s3_q[1] & all_s3_q;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_2908;
   assign and_2908 = not_2004_s3_q & (less_1654_s3_q & ({and_2905, x_s3_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2910;
   assign and_2910 = equal_586_s3_q & (x_s3_q[6] & and_2908);
   // hls/stages/registration.hpp:252
   logic [13:0] sum_2912;
   assign sum_2912 = {{2{select_2904[11]}}, select_2904} + (and_2910 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:1146
+  // hls/stages/agreement.hpp:1147
   logic [11:0] select_2915;
   assign select_2915 = or_1658_s3_q ? 12'h0 : (equal_2898_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [11:0] select_2918;
   assign select_2918 = x_s3_q[6] ? (equal_1623_s3_q ? 12'h0 : (less_1654_s3_q ? select_2915 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [11:0] select_2919;
   assign select_2919 = equal_586_s3_q ? select_2918 : 12'h0;
   // hls/stages/registration.hpp:253
@@ -6231,10 +6225,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:150
   logic not_2923;
   assign not_2923 = ~all_s3_q;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_2926;
   assign and_2926 = not_2004_s3_q & (less_1654_s3_q & (x_s3_q[2:0] == {all_s3_q, not_2923, 1'b0}));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2932;
   assign and_2932 = equal_586_s3_q & (x_s3_q[6] & (not_2004_s3_q & (less_1654_s3_q & all_s3_q)));
   // hls/stages/registration.hpp:246
@@ -6244,10 +6238,10 @@ module horopter_agreement (
   assign less_2934 = $signed({9'h1, {2{not_2933}}, and_2932}) < $signed(registration_up_q[13:2]);
   logic select_2935;
   assign select_2935 = (equal_586_s3_q & (x_s3_q[6] & and_2926)) ? less_2934 : registration_enough_q;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_2939;
   assign and_2939 = x_s3_q[6] & (not_2004_s3_q & (less_1654_s3_q & (x_s3_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2940;
   assign and_2940 = equal_586_s3_q & and_2939;
   // hls/stages/registration.hpp:242
@@ -6258,22 +6252,22 @@ module horopter_agreement (
   // hls/stages/registration.hpp:159
   logic equal_2945;
   assign equal_2945 = x_s3_q[2:0] == 3'h7;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2949;
   assign and_2949 = equal_586_s3_q & (x_s3_q[6] & (not_2004_s3_q & (less_1654_s3_q & equal_2945)));
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_2956;
   assign and_2956 = x_s3_q[6] & (not_2004_s3_q & (less_1654_s3_q & (x_s3_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
   logic equal_2959;
   assign equal_2959 = x_s3_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_2962;
   assign and_2962 = not_2004_s3_q & (less_1654_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_2959));
   // hls/stages/registration.hpp:244
   logic and_2966;
   assign and_2966 = (equal_586_s3_q & (x_s3_q[6] & and_2962)) & (less_2943 | less_2941);
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_2971;
   assign and_2971 = not_2004_s3_q & (less_1654_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_2959)));
   // hls/stages/registration.hpp:244
@@ -6493,34 +6487,34 @@ module horopter_agreement (
   assign and_3701 = not_3670 & and_3694;
   logic [7:0] sum_3702;
   assign sum_3702 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_3701};
-  // hls/stages/agreement.hpp:1252
+  // hls/stages/agreement.hpp:1253
   logic equal_3703;
   assign equal_3703 = x_s3_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1146
+  // hls/stages/agreement.hpp:1147
   logic less_3704;
   assign less_3704 = x_s3_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3708;
   assign and_3708 = equal_586_s3_q & (x_s3_q[6] & (not_2004_s3_q & (equal_3703 & less_3704)));
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3713;
   assign and_3713 = x_s3_q[6] & (not_2004_s3_q & (less_3704 & (x_s3_q[2:0] == 3'h1)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3714;
   assign and_3714 = equal_586_s3_q & and_3713;
   // hls/stages/patches.hpp:638
   logic [7:0] or_3716;
   assign or_3716 = (and_3708 ? patches_quarters_0_places_q : 8'h0) | (and_3714 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3720;
   assign and_3720 = x_s3_q[6] & (not_2004_s3_q & (less_3704 & (x_s3_q[2:0] == 3'h2)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3721;
   assign and_3721 = equal_586_s3_q & and_3720;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3727;
   assign and_3727 = x_s3_q[6] & (not_2004_s3_q & (less_3704 & (x_s3_q[2:0] == 3'h3)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3728;
   assign and_3728 = equal_586_s3_q & and_3727;
   // hls/stages/patches.hpp:638
@@ -6529,7 +6523,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:203
   logic select_3734;
   assign select_3734 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3738;
   assign and_3738 = equal_586_s3_q & (x_s3_q[6] & (not_2004_s3_q & (less_3704 & select_3734)));
   // hls/stages/patches.hpp:639
@@ -6553,10 +6547,10 @@ module horopter_agreement (
   // hls/stages/patches.hpp:206
   logic [4:0] sum_3761;
   assign sum_3761 = {2'h0, x_s3_q[2:0]} + 5'h1f;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3765;
   assign and_3765 = x_s3_q[6] & (not_2004_s3_q & (less_3704 & (sum_3761[4:2] == 3'h0)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3766;
   assign and_3766 = equal_586_s3_q & and_3765;
   // hls/stages/patches.hpp:635
@@ -6577,13 +6571,13 @@ module horopter_agreement (
   // hls/stages/patches.hpp:679
   logic [11:0] select_3782;
   assign select_3782 = patches_round_ends_q ? {{6{select_3780[5]}}, select_3780} : (patches_across_q + {{6{select_3780[5]}}, select_3780});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3786;
   assign and_3786 = equal_586_s3_q & (x_s3_q[6] & (not_2004_s3_q & (equal_2945 & less_3704)));
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3790;
   assign and_3790 = x_s3_q[6] & (not_2004_s3_q & (less_3704 & (x_s3_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3791;
   assign and_3791 = equal_586_s3_q & and_3790;
   // hls/stages/patches.hpp:662
@@ -6651,36 +6645,36 @@ module horopter_agreement (
   assign sum_3854 = patches_age_q + {9'h0, and_3853};
   logic [9:0] select_3857;
   assign select_3857 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3854)) : sum_3854;
-  // hls/stages/agreement.hpp:1217
+  // hls/stages/agreement.hpp:1218
   logic or_3915;
   assign or_3915 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1246
+  // hls/stages/agreement.hpp:1247
   logic equal_3917;
   assign equal_3917 = x_s3_q[6:3] == 4'h7;
-  // hls/stages/agreement.hpp:1255
+  // hls/stages/agreement.hpp:1256
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
-  // hls/stages/agreement.hpp:1256
+  // hls/stages/agreement.hpp:1257
   logic select_3923;
   assign select_3923 = (equal_3917 & equal_3703) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1151
+  // hls/stages/agreement.hpp:1152
   logic [10:0] sum_3926;
   assign sum_3926 = {1'b0, select_2695} + {2'h0, select_2695[9:1]};
   logic select_3929;
   assign select_3929 = (select_2692[9:3] == 7'h0) ? ((~or_3915) & (~select_3923)) : (~({sum_3926, select_2695[0]} < {2'h0, select_2692}));
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [47:0] select_3931;
   assign select_3931 = x_s3_q[6] ? (equal_1623_s3_q ? good_q : {select_3929, good_q[47:1]}) : good_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_3936;
   assign select_3936 = equal_586_s3_q ? ((x_s3_q[6] & good_known_q) | equal_3934_s3_q) : good_known_q;
-  // hls/stages/agreement.hpp:1164
+  // hls/stages/agreement.hpp:1165
   logic [8:0] select_3938;
   assign select_3938 = hidden_ends_q ? 9'h0 : (hidden_for_q + {{7{hidden_more_q[0]}}, hidden_more_q});
-  // hls/stages/agreement.hpp:1176
+  // hls/stages/agreement.hpp:1177
   logic [8:0] select_3939;
   assign select_3939 = equal_3934_s3_q ? select_3938 : hidden_for_q;
-  // hls/stages/agreement.hpp:1246
+  // hls/stages/agreement.hpp:1247
   logic equal_3941;
   assign equal_3941 = x_s3_q[6:3] == 4'ha;
   logic equal_3943;
@@ -6691,32 +6685,32 @@ module horopter_agreement (
   assign equal_3945 = x_s3_q[6:3] == 4'h9;
   logic equal_3946;
   assign equal_3946 = x_s3_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic [13:0] select_3948;
   assign select_3948 = equal_3945 ? counts_skin_unproven_q : (equal_3946 ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] select_3950;
   assign select_3950 = equal_3944 ? counts_regions_bad_q : (equal_3941 ? counts_nearer_q : select_3948);
   logic [13:0] before_v_4;
   assign before_v_4 = equal_3943 ? counts_on_skin_q : select_3950;
-  // hls/stages/agreement.hpp:1251
+  // hls/stages/agreement.hpp:1252
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_4};
-  // hls/stages/agreement.hpp:1259
+  // hls/stages/agreement.hpp:1260
   logic select_3953;
   assign select_3953 = (equal_3941 & equal_3703) ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1178
+  // hls/stages/agreement.hpp:1179
   logic not_3954;
   assign not_3954 = ~select_3953;
-  // hls/stages/agreement.hpp:1179
+  // hls/stages/agreement.hpp:1180
   logic or_3957;
   assign or_3957 = not_3954 | (~(hidden_for_q[8:1] == 8'hff));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_3962;
   assign select_3962 = equal_586_s3_q ? (not_3954 & (cfg_same_table_i | (hidden_for_q == 9'h0))) : hidden_ends_q;
-  // hls/stages/agreement.hpp:1260
+  // hls/stages/agreement.hpp:1261
   logic [13:0] select_3963;
   assign select_3963 = equal_3703 ? 14'h0 : product_q;
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic [7:0] select_3965;
   assign select_3965 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_3967;
@@ -6725,41 +6719,41 @@ module horopter_agreement (
   assign select_3969 = equal_3941 ? cfg_regions_limit_i : (equal_3945 ? cfg_hidden_limit_i : select_3967);
   logic [7:0] limit;
   assign limit = equal_3943 ? cfg_regions_limit_i : (equal_3944 ? {cfg_on_skin_limit_i, 3'h0} : select_3969);
-  // hls/stages/agreement.hpp:1260
+  // hls/stages/agreement.hpp:1261
   logic not_3972;
   assign not_3972 = ~x_s3_q[2];
   logic [3:0] select_3973;
   assign select_3973 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_3972, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_3972};
   logic [7:0] select_3974;
   assign select_3974 = x_s3_q[0] ? {select_3973[3], 1'b0, select_3973[2], 1'b0, select_3973[1], 1'b0, select_3973[0], 1'b0} : {1'b0, select_3973[3], 1'b0, select_3973[2], 1'b0, select_3973[1], 1'b0, select_3973[0]};
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic [13:0] select_3978;
   assign select_3978 = equal_3945 ? counts_skin_supervised_q : (equal_3946 ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] select_3980;
   assign select_3980 = equal_3944 ? counts_skin_textured_q : (equal_3941 ? counts_textured_q : select_3978);
   logic [13:0] of;
   assign of = equal_3943 ? counts_textured_q : select_3980;
-  // hls/stages/agreement.hpp:1260
+  // hls/stages/agreement.hpp:1261
   logic [13:0] select_3982;
   assign select_3982 = ((limit & select_3974) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
   assign sum_4 = {1'b0, select_3963} + {1'b0, select_3982};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_3987;
   assign select_3987 = equal_586_s3_q ? (equal_3703 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:1257
+  // hls/stages/agreement.hpp:1258
   logic and_3992;
   assign and_3992 = too_much_q & (~(equal_3946 & equal_3703));
-  // hls/stages/agreement.hpp:1258
+  // hls/stages/agreement.hpp:1259
   logic select_3997;
   assign select_3997 = (over[14] & equal_3703) ? (and_3992 | ((equal_3946 | equal_3945) | (x_s3_q[6:3] == 4'hf))) : and_3992;
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic and_4002;
   assign and_4002 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
-  // hls/stages/agreement.hpp:1260
+  // hls/stages/agreement.hpp:1261
   logic select_4003;
   assign select_4003 = (equal_3943 & equal_3703) ? and_4002 : overlooks_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [2:0] select_4005;
   assign select_4005 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
   logic [2:0] select_4007;
@@ -6844,7 +6838,7 @@ module horopter_agreement (
   assign select_4073 = equal_586_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_4071 : box_nearer_columns_values_4_q);
   logic [4:0] select_4075;
   assign select_4075 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:1339
+  // hls/stages/agreement.hpp:1340
   logic [1:0] select_4165;
   assign select_4165 = and_4164_s3_q ? {and_2149, is_seen} : map_rdata_q;
   // hls/stages/agreement.hpp:443
@@ -6863,44 +6857,44 @@ module horopter_agreement (
   assign select_4177 = left_first_s3_q ? select_4175 : (and_1985_s3_q ? select_4175 : nearer_q);
   logic select_4178;
   assign select_4178 = and_1985_s3_q ? select_4177 : nearer_q;
-  // hls/stages/agreement.hpp:1268
+  // hls/stages/agreement.hpp:1269
   logic or_4185;
   assign or_4185 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | (~proven_s3_q);
-  // hls/stages/agreement.hpp:1270
+  // hls/stages/agreement.hpp:1271
   logic not_4193;
   assign not_4193 = ~(or_3915 | not_2374);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4197;
   assign and_4197 = equal_586_s3_q & (equal_3934_s3_q & (not_4193 & (select_3923 | select_3997)));
   logic and_4200;
   assign and_4200 = equal_3934_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1169
   logic or_4204;
   assign or_4204 = select_2482 | (select_2494 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4211;
   assign and_4211 = equal_586_s3_q & (equal_3934_s3_q & (not_4193 & (select_2488 | select_2500)));
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1169
   logic and_4216;
   assign and_4216 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3939[8:1] < cfg_hidden_frames_i));
-  // hls/stages/agreement.hpp:1180
+  // hls/stages/agreement.hpp:1181
   logic [14:0] sum_4220;
   assign sum_4220 = {1'b0, counts_skin_textured_q} + {2'h0, counts_skin_textured_q[13:1]};
-  // hls/stages/agreement.hpp:1165
+  // hls/stages/agreement.hpp:1166
   logic and_4222;
   assign and_4222 = (proven_s3_q & (~cfg_same_table_i)) & (sum_4220[14:1] < counts_nearer_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4224;
   assign and_4224 = equal_3934_s3_q & ((not_2374 | and_4216) ? cfg_prove_i : and_4222);
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1169
   logic select_4228;
   assign select_4228 = (not_2374 | (select_4003 & not_3826)) ? cfg_prove_i : patches_overlooked_q;
   logic and_4232;
   assign and_4232 = cfg_prove_i & (moments_out_of_step_q | moments_other_field_out_of_step_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4238;
   assign and_4238 = equal_586_s3_q & (x_s3_q[6] & (not_2004_s3_q | (4'hc < x_s3_q[5:2])));
-  // hls/stages/agreement.hpp:1156
+  // hls/stages/agreement.hpp:1157
   logic [31:0] select_4246;
   assign select_4246 = equal_1645_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4244_s3_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_4247;
@@ -6917,10 +6911,10 @@ module horopter_agreement (
   assign select_4252 = equal_1633_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4251;
   logic [31:0] select_4253;
   assign select_4253 = equal_1631_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4252;
-  // hls/stages/agreement.hpp:1154
+  // hls/stages/agreement.hpp:1155
   logic [9:0] select_4254;
   assign select_4254 = less_2691 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [31:0] select_4255;
   assign select_4255 = equal_1623_s3_q ? select_4253 : {2'h0, select_4254, select_2695, select_2692};
 
@@ -7641,6 +7635,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_4220[0], over[13:0], sum_3865[6:0], product_3829[4:0], sum_3801[1:0], sum_3761[1:0], product_3662[4:0], sum_2795[0], difference_2733[1:0], detail_4[1:0], detail_3[1:0], sum_2307[4:0], sum_1730[0], sum_1726[0], sum_746[4:0], cfg_compete_i, cfg_width_i[2:0]};
+  assign unused_bits = ^{sum_4220[0], over[13:0], product_3829[4:0], sum_3801[1:0], sum_3761[1:0], product_3662[4:0], sum_2795[0], difference_2733[1:0], detail_4[1:0], detail_3[1:0], sum_2307[4:0], sum_1730[0], sum_1726[0], sum_746[4:0], cfg_compete_i, cfg_width_i[2:0]};
 
 endmodule

@@ -104,8 +104,8 @@ module horopter_agreement (
   assign difference_3618 = 7'h0 - {1'b0, cfg_patch_limit_i};
   logic not_3811;
   assign not_3811 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [7:0] difference_3848;
-  assign difference_3848 = 8'h0 - {1'b0, cfg_height_i[10:4]};
+  logic [7:0] difference_3869;
+  assign difference_3869 = 8'h0 - {1'b0, cfg_height_i[10:4]};
   logic [5:0] sum_4097;
   assign sum_4097 = {1'b0, cfg_height_i[10:6]} + 6'h3f;
   logic [7:0] select_4098;
@@ -410,80 +410,80 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:197
   logic so;
   assign so = run_phase_q == 3'h6;
-  // hls/stages/agreement.hpp:633
+  // hls/stages/agreement.hpp:634
   logic equal_584;
   assign equal_584 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:624
+  // hls/stages/agreement.hpp:625
   logic equal_599;
   assign equal_599 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:625
+  // hls/stages/agreement.hpp:626
   logic equal_600;
   assign equal_600 = run_phase_q == 3'h2;
-  // hls/stages/agreement.hpp:533
+  // hls/stages/agreement.hpp:534
   logic select_2490;
   assign select_2490 = (and_2487_s3_q | (~ends_cell_q)) ? and_2487_s3_q : ends_q;
-  // hls/stages/agreement.hpp:539
+  // hls/stages/agreement.hpp:540
   logic [2:0] now;
   assign now = select_2490 ? (and_2487_s3_q ? 3'h1 : following_phase_q) : run_phase_q;
-  // hls/stages/agreement.hpp:544
+  // hls/stages/agreement.hpp:545
   logic [5:0] select_2494;
   assign select_2494 = select_2490 ? (and_2487_s3_q ? 6'h0 : following_shift_q) : run_shift_q;
   logic select_2497;
   assign select_2497 = select_2490 ? (following_last_shift_q & (~and_2487_s3_q)) : run_last_shift_q;
-  // hls/stages/agreement.hpp:545
+  // hls/stages/agreement.hpp:546
   logic [7:0] select_2499;
   assign select_2499 = select_2490 ? (and_2487_s3_q ? 8'h0 : following_span_q) : run_span_q;
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:618
   logic and_2500;
   assign and_2500 = run_last_shift_q & equal_599;
-  // hls/stages/agreement.hpp:626
+  // hls/stages/agreement.hpp:627
   logic select_2502;
   assign select_2502 = equal_599 ? (~run_last_shift_q) : equal_600;
-  // hls/stages/agreement.hpp:630
+  // hls/stages/agreement.hpp:631
   logic equal_2503;
   assign equal_2503 = run_phase_q == 3'h1;
   logic not_2506;
   assign not_2506 = ~select_2502;
-  // hls/stages/agreement.hpp:633
+  // hls/stages/agreement.hpp:634
   logic equal_2508;
   assign equal_2508 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:618
   logic and_2509;
   assign and_2509 = final_row_q & so;
-  // hls/stages/agreement.hpp:630
+  // hls/stages/agreement.hpp:631
   logic [1:0] select_2510;
   assign select_2510 = equal_2508 ? 2'h1 : {2{and_2509}};
   logic [2:0] select_2512;
   assign select_2512 = (and_2500 | (select_2502 | equal_2503)) ? (equal_2503 ? 3'h2 : {not_2506, {2{select_2502}}}) : (equal_584 ? 3'h6 : {select_2510[0], select_2510});
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:618
   logic and_2515;
   assign and_2515 = select_2502 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
-  // hls/stages/agreement.hpp:640
+  // hls/stages/agreement.hpp:641
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
   logic [6:0] select_2518;
   assign select_2518 = (plan_shift_q[5] & select_2502) ? value : 7'h0;
   logic [1:0] or_2519;
   assign or_2519 = {2{so}} | select_2518[5:4];
-  // hls/stages/agreement.hpp:643
+  // hls/stages/agreement.hpp:644
   logic [7:0] or_2523;
   assign or_2523 = (select_2502 ? plan_columns_q : 8'h0) | ((equal_2503 | equal_2508) ? whole_q : 8'h0);
   logic [1:0] or_2524;
   assign or_2524 = {2{and_2500}} | or_2523[4:3];
-  // hls/stages/agreement.hpp:644
+  // hls/stages/agreement.hpp:645
   logic [7:0] or_2526;
   assign or_2526 = {or_2523[7:5], or_2524, or_2523[2:0]} | (equal_584 ? drawn_q : 8'h0);
   logic [4:0] or_2527;
   assign or_2527 = {5{so}} | {or_2526[6], or_2526[3:0]};
-  // hls/stages/agreement.hpp:650
+  // hls/stages/agreement.hpp:651
   logic not_2531;
   assign not_2531 = ~run_shift_q[5];
   logic [7:0] select_2534;
   assign select_2534 = equal_599 ? ({{7{not_2531}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
-  // hls/stages/agreement.hpp:533
+  // hls/stages/agreement.hpp:534
   logic [6:0] select_2538;
   assign select_2538 = and_2487_s3_q ? 7'h0 : following_lowest_q;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:537
   logic [7:0] select_2540;
   assign select_2540 = select_2490 ? {select_2538[6], select_2538} : (x_q + {7'h0, ends_cell_q});
   logic [7:0] select_2543;
@@ -494,22 +494,22 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:481
   logic [4:0] sum_2552;
   assign sum_2552 = {1'b0, last_s3_q[6:3]} + 5'h3;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [7:0] select_2554;
   assign select_2554 = and_555_s3_q ? (equal_2486_s3_q ? {sum_2552, last_s3_q[2:0]} : whole_q) : whole_q;
   // hls/stages/agreement.hpp:482
   logic [5:0] sum_2555;
   assign sum_2555 = {1'b0, last_s3_q[6:2]} + 6'h1;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [7:0] select_2557;
   assign select_2557 = and_555_s3_q ? (equal_2486_s3_q ? {sum_2555, last_s3_q[1:0]} : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:541
+  // hls/stages/agreement.hpp:542
   logic select_2571;
   assign select_2571 = (ends_cell_q | select_2490) ? ((~(now == 3'h6)) & (~(now == 3'h3))) : (equal_599 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:537
   logic and_2575;
   assign and_2575 = (~select_2490) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_2579;
   assign select_2579 = and_555_s3_q ? (equal_2486_s3_q ? equal_2577_s3_q : final_row_q) : final_row_q;
 
@@ -651,7 +651,7 @@ module horopter_agreement (
   // Stage 4 -----------------------------------------------------------------------------------------------------------
   logic [6:0] age_q;
   logic [3:0] patches_phase_q;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:605
   logic [7:0] select_587;
   assign select_587 = run_shift_s4_q[5] ? x_s4_q : sum_586_s4_q;
   logic less_588;
@@ -659,10 +659,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:227
   logic not_589;
   assign not_589 = ~less_588;
-  // hls/stages/agreement.hpp:808
+  // hls/stages/agreement.hpp:809
   logic [7:0] x;
   assign x = x_s4_q + 8'hfd;
-  // hls/stages/agreement.hpp:538
+  // hls/stages/agreement.hpp:539
   logic [6:0] select_2559;
   assign select_2559 = select_2490_s4_q ? 7'h0 : (ends_cell_s4_q ? {age_q[5:0], 1'b1} : age_q);
   // hls/stages/patches.hpp:324
@@ -774,7 +774,7 @@ module horopter_agreement (
   end
 
   // Stage 5 -----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:605
   logic or_585;
   assign or_585 = so_s5_q | equal_584_s5_q;
   // hls/stages/agreement.hpp:150
@@ -784,26 +784,26 @@ module horopter_agreement (
   assign and_621 = equal_599_s5_q & and_620_s5_q;
   logic select_622;
   assign select_622 = or_585 ? not_589_s5_q : and_621;
-  // hls/stages/agreement.hpp:831
+  // hls/stages/agreement.hpp:832
   logic [6:0] right;
   assign right = sum_586_s5_q + 7'h7d;
   // hls/stages/agreement.hpp:150
   logic [6:0] select_650;
   assign select_650 = or_585 ? x_s5_q[6:0] : (equal_599_s5_q ? sum_586_s5_q : x_s5_q[6:0]);
-  // hls/stages/agreement.hpp:730
+  // hls/stages/agreement.hpp:731
   logic not_657;
   assign not_657 = ~or_585;
   // hls/stages/agreement.hpp:473
   logic equal_2591;
   assign equal_2591 = row_s5_q[6:2] == 5'h0;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic and_2860;
   assign and_2860 = and_555_s5_q & (equal_2486_s5_q & equal_2591);
   // hls/stages/registration.hpp:127
   logic and_2863;
   assign and_2863 = and_2487_s5_q & (~and_2860);
 
-  // Memory left, 120 x 85, DISTANCE 24, hls/stages/agreement.hpp:1405; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
+  // Memory left, 120 x 85, DISTANCE 24, hls/stages/agreement.hpp:1406; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [84:0] left_mem [0:119];
@@ -821,7 +821,7 @@ module horopter_agreement (
     if (en_i) left_rdata_q <= left_mem[left_raddr];
   end
 
-  // Memory right_codes, 120 x 99, DISTANCE 24, hls/stages/agreement.hpp:1406; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
+  // Memory right_codes, 120 x 99, DISTANCE 24, hls/stages/agreement.hpp:1407; read in stage 5, written in stage 8: 5 < 8 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [98:0] right_codes_mem [0:119];
@@ -839,7 +839,7 @@ module horopter_agreement (
     if (en_i) right_codes_rdata_q <= right_codes_mem[right_codes_raddr];
   end
 
-  // Memory best_left, 120 x 62, DISTANCE 24, hls/stages/agreement.hpp:1407; read in stage 5, written in stage 16: 5 < 16 < 5 + DISTANCE.
+  // Memory best_left, 120 x 62, DISTANCE 24, hls/stages/agreement.hpp:1408; read in stage 5, written in stage 16: 5 < 16 < 5 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [61:0] best_left_mem [0:119];
@@ -1004,21 +1004,21 @@ module horopter_agreement (
   logic [3:0] select_2998;
   assign select_2998 = equal_2486_s6_q ? (equal_2995 ? 4'h2 : (select_2994 + 4'hf)) : patches_choosing_rows_to_next_q;
   // hls/stages/agreement.hpp:206
-  logic [8:0] select_3861;
-  assign select_3861 = so_s6_q ? (and_2870_s6_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic [8:0] select_3859;
+  assign select_3859 = so_s6_q ? (and_2870_s6_q ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_3863;
-  assign sum_3863 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_3861;
+  assign sum_3861 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_3864;
-  assign select_3864 = sum_2001[5] ? {1'b1, sum_2001[4:0], region_across_rest_q[2:0]} : sum_3863;
+  logic [8:0] select_3862;
+  assign select_3862 = sum_2001[5] ? {1'b1, sum_2001[4:0], region_across_rest_q[2:0]} : sum_3861;
   // hls/stages/agreement.hpp:465
-  logic [8:0] select_3866;
-  assign select_3866 = equal_2486_s6_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
-  logic [7:0] select_3869;
-  assign select_3869 = equal_2486_s6_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
+  logic [8:0] select_3864;
+  assign select_3864 = equal_2486_s6_q ? (9'h1f0 - {2'h0, cfg_width_i[10:4]}) : columns_begin_rest_q;
+  logic [7:0] select_3867;
+  assign select_3867 = equal_2486_s6_q ? (8'h8 - {1'b0, cfg_width_i[10:4]}) : columns_begin_back_q;
 
-  // Memory fresh, 120 x 33, DISTANCE 24, hls/stages/agreement.hpp:1404; read in stage 6, written in stage 22: 6 < 22 < 6 + DISTANCE.
+  // Memory fresh, 120 x 33, DISTANCE 24, hls/stages/agreement.hpp:1405; read in stage 6, written in stage 22: 6 < 22 < 6 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [32:0] fresh_mem [0:119];
@@ -1052,11 +1052,11 @@ module horopter_agreement (
       registration_slope_change_q <= select_2869;
       registration_slope_q <= so_s6_q ? column_5 : {registration_slope_row_q, 4'h0};
       patches_choosing_rows_to_next_q <= and_555_s6_q ? select_2998 : patches_choosing_rows_to_next_q;
-      region_across_rest_q <= select_3861;
+      region_across_rest_q <= select_3859;
       region_across_back_q <= so_s6_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_3864;
-      columns_begin_rest_q <= and_555_s6_q ? select_3866 : columns_begin_rest_q;
-      columns_begin_back_q <= and_555_s6_q ? select_3869 : columns_begin_back_q;
+      region_across_next_q <= select_3862;
+      columns_begin_rest_q <= and_555_s6_q ? select_3864 : columns_begin_rest_q;
+      columns_begin_back_q <= and_555_s6_q ? select_3867 : columns_begin_back_q;
     end
   end
 
@@ -1189,22 +1189,22 @@ module horopter_agreement (
   logic proven_q;
   logic drew_q;
   logic said_q;
-  // hls/stages/agreement.hpp:678
+  // hls/stages/agreement.hpp:679
   logic equal_574;
   assign equal_574 = row_q == 7'h0;
-  // hls/stages/agreement.hpp:985
+  // hls/stages/agreement.hpp:986
   logic and_612;
   assign and_612 = (or_585_s7_q & (left_rdata_s7_q[67] & not_589_s7_q)) & (late_q | (~(row_q[6:3] == 4'h0)));
-  // hls/stages/agreement.hpp:976
+  // hls/stages/agreement.hpp:977
   logic [5:0] shift;
   assign shift = slot_s7_q[2] ? best_left_rdata_s7_q[5:0] : best_left_rdata_s7_q[45:40];
-  // hls/stages/agreement.hpp:1014
+  // hls/stages/agreement.hpp:1015
   logic less_644;
   assign less_644 = 7'h2 < row_q;
-  // hls/stages/agreement.hpp:1016
+  // hls/stages/agreement.hpp:1017
   logic and_654;
   assign and_654 = (or_585_s7_q & (right_codes_rdata_s7_q[58] & not_589_s7_q)) & less_644;
-  // hls/stages/agreement.hpp:679
+  // hls/stages/agreement.hpp:680
   logic or_758;
   assign or_758 = late_q | (~equal_574);
   // hls/stages/agreement.hpp:222
@@ -1216,7 +1216,7 @@ module horopter_agreement (
   assign select_775 = less_588_s7_q ? 12'h0 : left_rdata_s7_q[47:36];
   logic [11:0] select_776;
   assign select_776 = less_588_s7_q ? 12'h0 : right_codes_rdata_s7_q[41:30];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_780;
   assign select_780 = and_773 ? (and_774 ? (~(select_775 ^ select_776)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:222
@@ -1228,7 +1228,7 @@ module horopter_agreement (
   assign select_798 = less_588_s7_q ? 12'h0 : left_rdata_s7_q[65:54];
   logic [11:0] select_799;
   assign select_799 = less_588_s7_q ? 12'h0 : right_codes_rdata_s7_q[56:45];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_803;
   assign select_803 = and_796 ? (and_797 ? (~(select_798 ^ select_799)) : 12'h0) : 12'h0;
   // hls/stages/agreement.hpp:222
@@ -1240,7 +1240,7 @@ module horopter_agreement (
   assign select_815 = less_588_s7_q ? 12'h0 : left_rdata_s7_q[83:72];
   logic [11:0] select_816;
   assign select_816 = less_588_s7_q ? 12'h0 : right_codes_rdata_s7_q[71:60];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_820;
   assign select_820 = and_813 ? (and_814 ? (~(select_815 ^ select_816)) : 12'h0) : 12'h0;
   logic [11:0] select_1028;
@@ -1250,10 +1250,10 @@ module horopter_agreement (
   assign and_1045 = right_codes_rdata_s7_q[85] & not_589_s7_q;
   logic [11:0] select_1047;
   assign select_1047 = less_588_s7_q ? 12'h0 : right_codes_rdata_s7_q[84:73];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1051;
   assign select_1051 = (slot_s7_q[0] ? and_1045 : and_814) ? (~(select_798 ^ (slot_s7_q[0] ? select_1047 : select_816))) : 12'h0;
-  // hls/stages/agreement.hpp:744
+  // hls/stages/agreement.hpp:745
   logic select_1063;
   assign select_1063 = slot_s7_q[0] ? (right_codes_rdata_s7_q[98] & not_589_s7_q) : and_1045;
   logic [11:0] select_1065;
@@ -1261,16 +1261,16 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:222
   logic and_1274;
   assign and_1274 = right_codes_rdata_s7_q[27] & not_589_s7_q;
-  // hls/stages/agreement.hpp:744
+  // hls/stages/agreement.hpp:745
   logic select_1275;
   assign select_1275 = slot_s7_q[0] ? (right_codes_rdata_s7_q[12] & not_589_s7_q) : and_1274;
   // hls/stages/agreement.hpp:222
   logic [11:0] select_1277;
   assign select_1277 = less_588_s7_q ? 12'h0 : right_codes_rdata_s7_q[26:15];
-  // hls/stages/agreement.hpp:744
+  // hls/stages/agreement.hpp:745
   logic [11:0] select_1278;
   assign select_1278 = slot_s7_q[0] ? (less_588_s7_q ? 12'h0 : right_codes_rdata_s7_q[11:0]) : select_1277;
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1302;
   assign select_1302 = (slot_s7_q[0] ? and_1274 : and_774) ? (~(select_798 ^ (slot_s7_q[0] ? select_1277 : select_776))) : 12'h0;
   logic [11:0] select_1317;
@@ -1287,13 +1287,13 @@ module horopter_agreement (
   // hls/stages/registration.hpp:218
   logic [13:0] select_1763;
   assign select_1763 = ($signed(10'h0) < $signed(select_1761_s7_q[16:7])) ? 14'h7f : select_1761_s7_q[13:0];
-  // hls/stages/agreement.hpp:1304
+  // hls/stages/agreement.hpp:1305
   logic not_2066;
   assign not_2066 = ~marks_first_s7_q;
   // hls/stages/agreement.hpp:472
   logic and_2586;
   assign and_2586 = proven_q & less_2585;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_2590;
   assign select_2590 = and_555_s7_q ? (equal_2486_s7_q ? (and_2586 & (row_s7_q[6:1] == 6'h0)) : late_q) : late_q;
   // hls/stages/agreement.hpp:474
@@ -1344,10 +1344,10 @@ module horopter_agreement (
   assign select_3002 = equal_2486_s7_q ? (select_3000 + {4'h0, equal_2995_s7_q}) : patches_choosing_number_q;
   logic select_3006;
   assign select_3006 = equal_2486_s7_q ? ((7'h4 < row_s7_q) & equal_2995_s7_q) : patches_chooses_q;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [4:0] select_3009;
   assign select_3009 = and_555_s7_q ? (equal_2486_s7_q ? select_3000 : patches_choosing_band_q) : patches_choosing_band_q;
-  // hls/stages/agreement.hpp:1164
+  // hls/stages/agreement.hpp:1165
   logic equal_3919;
   assign equal_3919 = x_s7_q[6:0] == 7'h7f;
 
@@ -1603,7 +1603,7 @@ module horopter_agreement (
   logic [11:0] patches_remaining_q;
   logic [6:0] patches_step_q;
   logic patches_read_searches_q;
-  // hls/stages/agreement.hpp:977
+  // hls/stages/agreement.hpp:978
   logic [7:0] found;
   assign found = x_s8_q + {{2{shift_s8_q[5]}}, shift_s8_q};
   // hls/stages/count_bits.hpp:24
@@ -1682,7 +1682,7 @@ module horopter_agreement (
   assign or_932 = (parity_826 & parity_829) | ((^select_820_s8_q[8:6]) & (parity_826 | parity_829));
   logic or_936;
   assign or_936 = (parity_838 & parity_841) | ((^select_803_s8_q[5:3]) & (parity_838 | parity_841));
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1029;
   assign select_1029 = and_773_s8_q ? select_1028_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1692,7 +1692,7 @@ module horopter_agreement (
   assign parity_1038 = ^select_1029[8:6];
   logic parity_1041;
   assign parity_1041 = ^select_1029[11:3];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1052;
   assign select_1052 = and_796_s8_q ? select_1051_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1700,7 +1700,7 @@ module horopter_agreement (
   assign parity_1055 = ^select_1052[8:6];
   logic parity_1058;
   assign parity_1058 = ^select_1052[11:9];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1069;
   assign select_1069 = and_813_s8_q ? select_1068_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1769,7 +1769,7 @@ module horopter_agreement (
   assign or_1181 = (parity_1075 & parity_1078) | ((^select_1069[8:6]) & (parity_1075 | parity_1078));
   logic or_1185;
   assign or_1185 = (parity_1087 & parity_1090) | ((^select_1052[5:3]) & (parity_1087 | parity_1090));
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1282;
   assign select_1282 = and_773_s8_q ? select_1281_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1779,7 +1779,7 @@ module horopter_agreement (
   assign parity_1291 = ^select_1282[8:6];
   logic parity_1294;
   assign parity_1294 = ^select_1282[11:3];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1303;
   assign select_1303 = and_796_s8_q ? select_1302_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1787,7 +1787,7 @@ module horopter_agreement (
   assign parity_1306 = ^select_1303[8:6];
   logic parity_1309;
   assign parity_1309 = ^select_1303[11:9];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1318;
   assign select_1318 = and_813_s8_q ? select_1317_s8_q : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1922,7 +1922,7 @@ module horopter_agreement (
   assign equal_1976 = patches_step_q[6:5] == 2'h1;
   logic or_1977;
   assign or_1977 = equal_1975 | equal_1976;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_2584;
   assign select_2584 = and_555_s8_q ? (equal_2486_s8_q ? not_2582_s8_q : lower_half_q) : lower_half_q;
   // hls/stages/agreement.hpp:150
@@ -2545,7 +2545,7 @@ module horopter_agreement (
   logic [4:0] select_3106;
   assign select_3106 = or_3075_s9_q ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
-  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1408; read in stage 9, written in stage 16: 9 < 16 < 9 + DISTANCE.
+  // Memory best_right, 120 x 29, DISTANCE 24, hls/stages/agreement.hpp:1409; read in stage 9, written in stage 16: 9 < 16 < 9 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [28:0] best_right_mem [0:119];
@@ -3016,16 +3016,16 @@ module horopter_agreement (
   assign select_1515 = equal_599_s10_q ? {and_1514, xor_1513, parity_1507, parity_1486_s10_q, xor_1441_s10_q, xor_1346_s10_q} : 6'h0;
   logic [5:0] column_3;
   assign column_3 = or_585_s10_q ? 6'h0 : select_1515;
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:790
   logic [5:0] before_v_2;
   assign before_v_2 = age_s10_q[1] ? sums_0_columns_values_7_q : 6'h0;
-  // hls/stages/agreement.hpp:790
+  // hls/stages/agreement.hpp:791
   logic [6:0] sum_1551;
   assign sum_1551 = {1'b0, sums_0_columns_values_3_q} + {1'b0, sums_0_columns_values_5_q};
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:790
   logic [5:0] before_v_3;
   assign before_v_3 = age_s10_q[1] ? sums_1_columns_values_7_q : 6'h0;
-  // hls/stages/agreement.hpp:790
+  // hls/stages/agreement.hpp:791
   logic [6:0] sum_1554;
   assign sum_1554 = {1'b0, sums_1_columns_values_3_q} + {1'b0, sums_1_columns_values_5_q};
   // hls/stages/registration.hpp:96
@@ -3369,7 +3369,7 @@ module horopter_agreement (
   logic [7:0] registration_slope_here_q;
   logic [9:0] patches_read_row_differing_q;
   logic [4:0] patches_read_row_column_q;
-  // hls/stages/agreement.hpp:1107
+  // hls/stages/agreement.hpp:1108
   logic equal_575;
   assign equal_575 = x_s11_q == 8'h0;
   // hls/stages/agreement.hpp:260
@@ -3378,31 +3378,31 @@ module horopter_agreement (
   // hls/stages/moments.hpp:68
   logic [13:0] select_578;
   assign select_578 = moments_starts_q ? 14'h1 : (moments_place_q + {13'h0, moments_taken_q});
-  // hls/stages/agreement.hpp:1022
+  // hls/stages/agreement.hpp:1023
   logic not_581;
   assign not_581 = ~equal_580_s11_q;
   // hls/stages/agreement.hpp:202
   logic not_583;
   assign not_583 = ~so_s11_q;
-  // hls/stages/agreement.hpp:989
+  // hls/stages/agreement.hpp:990
   logic [6:0] chosen;
   assign chosen = slot_s11_q[2] ? best_right_rdata_s11_q[14:8] : best_right_rdata_s11_q[28:22];
-  // hls/stages/agreement.hpp:817
+  // hls/stages/agreement.hpp:818
   logic or_770;
   assign or_770 = shift_first_s11_q | (~shift_not_right_q);
-  // hls/stages/agreement.hpp:788
+  // hls/stages/agreement.hpp:789
   logic [5:0] select_1019;
   assign select_1019 = age_s11_q[3] ? middle_sum_columns_values_6_q : 6'h0;
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:790
   logic [5:0] before_v;
   assign before_v = age_s11_q[1] ? middle_sum_columns_values_3_q : 6'h0;
-  // hls/stages/agreement.hpp:790
+  // hls/stages/agreement.hpp:791
   logic [6:0] sum_1547;
   assign sum_1547 = {1'b0, middle_sum_columns_values_1_q} + {1'b0, middle_sum_columns_values_2_q};
-  // hls/stages/agreement.hpp:761
+  // hls/stages/agreement.hpp:762
   logic [6:0] select_1557;
   assign select_1557 = (sum_1552_s11_q < sum_1555_s11_q) ? sum_1555_s11_q : sum_1552_s11_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_1583;
   assign and_1583 = ends_cell_s11_q & inside_v_s11_q;
   logic and_1585;
@@ -3437,7 +3437,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
   assign slope = equal_1711 ? registration_slope_here_q : select_1779;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [7:0] select_1783;
   assign select_1783 = equal_580_s11_q ? 8'h0 : (so_s11_q ? (ends_cell_s11_q ? slope : 8'h0) : 8'h0);
   // hls/stages/patches.hpp:174
@@ -3446,7 +3446,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:476
   logic [8:0] sum_1927;
   assign sum_1927 = {1'b0, patches_columns_above_rdata_s11_q[23:16]} + {3'h0, patches_columns_above_rdata_s11_q[31:26]};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2349;
   assign and_2349 = not_581 & (not_583 & (equal_584_s11_q & (inside_v_s11_q & first)));
   // hls/stages/agreement.hpp:240
@@ -3462,7 +3462,7 @@ module horopter_agreement (
   assign select_2600 = slot_s11_q[0] ? middle_sum_columns_values_5_q : middle_sum_columns_values_4_q;
   logic [5:0] select_2601;
   assign select_2601 = slot_s11_q[0] ? middle_sum_columns_values_6_q : middle_sum_columns_values_5_q;
-  // hls/stages/agreement.hpp:996
+  // hls/stages/agreement.hpp:997
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s11_q[61:54]} - {1'b0, best_left_rdata_s11_q[53:46]};
   // hls/stages/registration.hpp:37
@@ -3482,7 +3482,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:258
   logic [4:0] select_2780;
   assign select_2780 = so_s11_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [7:0] select_2782;
   assign select_2782 = equal_580_s11_q ? registration_slope_here_q : (so_s11_q ? slope : registration_slope_here_q);
   // hls/stages/agreement.hpp:150
@@ -3494,7 +3494,7 @@ module horopter_agreement (
   logic [4:0] select_3545;
   assign select_3545 = less_1974_s11_q ? (or_1977_s11_q ? patches_rows_rdata_s11_q[14:10] : 5'h0) : 5'h0;
 
-  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1439; read in stage 11, written in stage 15: 11 < 15 < 11 + DISTANCE.
+  // Memory seen_columns, 120 x 18, DISTANCE 24, hls/stages/agreement.hpp:1440; read in stage 11, written in stage 15: 11 < 15 < 11 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [17:0] seen_columns_mem [0:119];
@@ -3852,29 +3852,29 @@ module horopter_agreement (
   // hls/stages/moments.hpp:131
   logic not_593;
   assign not_593 = ~(11'h3ec < place);
-  // hls/stages/agreement.hpp:988
+  // hls/stages/agreement.hpp:989
   logic select_626;
   assign select_626 = slot_s12_q[2] ? less_624_s12_q : (6'h2a < best_left_rdata_s12_q[39:34]);
-  // hls/stages/agreement.hpp:1002
+  // hls/stages/agreement.hpp:1003
   logic [8:0] difference_636;
   assign difference_636 = {2'h0, chosen_s12_q} - {1'b0, x_s12_q};
-  // hls/stages/agreement.hpp:788
+  // hls/stages/agreement.hpp:789
   logic [7:0] sum_1022;
   assign sum_1022 = {difference_1020_s12_q[6], difference_1020_s12_q} + (age_s12_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
   logic [7:0] sum_1272;
   assign sum_1272 = {difference_1269_s12_q[6], difference_1269_s12_q} + (equal_1270_s12_q ? 8'h0 : sums_0_sum_sums_values_1_q);
   logic [7:0] sum_1520;
   assign sum_1520 = {difference_1518_s12_q[6], difference_1518_s12_q} + (equal_1270_s12_q ? 8'h0 : sums_1_sum_sums_values_1_q);
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:766
   logic [6:0] select_1549;
   assign select_1549 = slot_s12_q[0] ? chosen_near_q : sum_1548_s12_q;
-  // hls/stages/agreement.hpp:761
+  // hls/stages/agreement.hpp:762
   logic [6:0] select_1559;
   assign select_1559 = (select_1549 < select_1557_s12_q) ? select_1557_s12_q : select_1549;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [6:0] select_1589;
   assign select_1589 = so_s12_q ? x_s12_q[6:0] : (or_585_s12_q ? (less_588_s12_q ? 7'h0 : select_631_s12_q) : 7'h0);
-  // hls/stages/agreement.hpp:1031
+  // hls/stages/agreement.hpp:1032
   logic [6:0] sum_1705;
   assign sum_1705 = x_s12_q[7:1] + 7'h7f;
   // hls/stages/patches.hpp:103
@@ -3885,7 +3885,7 @@ module horopter_agreement (
   assign sum_1720 = {{3{sum_1716_s12_q[7]}}, sum_1716_s12_q} + {sum_1719_s12_q[8], sum_1719_s12_q, select_1717_s12_q};
   logic [9:0] sum_1724;
   assign sum_1724 = {difference_1723_s12_q, select_1721_s12_q} + {sum_1720[10], sum_1720[10:2]};
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic equal_1808;
   assign equal_1808 = x_s12_q[6:0] == 7'h70;
   // hls/stages/moments.hpp:153
@@ -3900,10 +3900,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:240
   logic [6:0] select_2608;
   assign select_2608 = slot_s12_q[0] ? 7'h0 : sum_1548_s12_q;
-  // hls/stages/agreement.hpp:761
+  // hls/stages/agreement.hpp:762
   logic [6:0] select_2610;
   assign select_2610 = (select_2608 < select_1557_s12_q) ? select_1557_s12_q : select_2608;
-  // hls/stages/agreement.hpp:997
+  // hls/stages/agreement.hpp:998
   logic [7:0] lower;
   assign lower = rise_s12_q ? best_left_rdata_s12_q[61:54] : best_left_rdata_s12_q[53:46];
   // hls/stages/registration.hpp:47
@@ -3930,27 +3930,21 @@ module horopter_agreement (
   assign select_3580 = equal_1791_s12_q ? select_3579[9:0] : patches_peak_best_differing_q;
   logic [4:0] select_3581;
   assign select_3581 = equal_1791_s12_q ? select_3579[14:10] : patches_peak_best_column_q;
-  // hls/stages/agreement.hpp:499
-  logic [8:0] select_3849;
-  assign select_3849 = equal_689_s12_q ? {difference_3848[7], difference_3848} : region_down_rest_q;
-  // hls/stages/division.hpp:18
-  logic [7:0] sum_3850;
-  assign sum_3850 = select_3849[8:1] + 8'h3;
+  // hls/stages/division.hpp:34
+  logic [7:0] sum_3848;
+  assign sum_3848 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:465
+  logic [8:0] select_3870;
+  assign select_3870 = equal_689_s12_q ? {difference_3869[7], difference_3869} : region_down_rest_q;
   logic [8:0] select_3872;
-  assign select_3872 = equal_2486_s12_q ? (less_3847_s12_q ? region_down_next_q : select_3849) : region_down_rest_q;
-  // hls/stages/agreement.hpp:499
+  assign select_3872 = equal_2486_s12_q ? (less_3847_s12_q ? region_down_next_q : select_3870) : region_down_rest_q;
   logic [7:0] select_3875;
   assign select_3875 = equal_689_s12_q ? (8'h6 - {1'b0, cfg_height_i[10:4]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:530
   logic [7:0] select_3877;
-  assign select_3877 = and_555_s12_q ? (equal_2486_s12_q ? select_3875 : region_down_back_q) : region_down_back_q;
-  // hls/stages/division.hpp:34
-  logic [7:0] sum_3878;
-  assign sum_3878 = region_down_rest_q[8:1] + 8'h3;
+  assign select_3877 = equal_2486_s12_q ? (less_3847_s12_q ? region_down_back_q : select_3875) : region_down_back_q;
   // hls/stages/division.hpp:36
   logic [8:0] select_3880;
-  assign select_3880 = sum_3878[7] ? {1'b1, sum_3878[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
+  assign select_3880 = sum_3848[7] ? {1'b1, sum_3848[6:0], region_down_rest_q[0]} : (region_down_rest_q + {region_down_back_q[7], region_down_back_q});
 
   // Memory averager_memory, 480 x 30, DISTANCE 16, hls/stages/census.hpp:238; read in stage 12, written in stage 15: 12 < 15 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
@@ -3970,7 +3964,7 @@ module horopter_agreement (
     if (en_i) averager_memory_rdata_q <= averager_memory_mem[averager_memory_raddr];
   end
 
-  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1409; read in stage 12, written in stage 15: 12 < 15 < 12 + DISTANCE.
+  // Memory shown_right, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1410; read in stage 12, written in stage 15: 12 < 15 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -3989,7 +3983,7 @@ module horopter_agreement (
     if (en_i) shown_right_rdata_q <= shown_right_mem[shown_right_raddr];
   end
 
-  // Memory left_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1410; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
+  // Memory left_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1411; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4008,7 +4002,7 @@ module horopter_agreement (
     if (en_i) left_turns_rdata_q <= left_turns_mem[left_turns_raddr];
   end
 
-  // Memory right_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1410; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
+  // Memory right_turns, 120 x 2, DISTANCE 24, hls/stages/agreement.hpp:1411; read in stage 12, written in stage 16: 12 < 16 < 12 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4044,7 +4038,7 @@ module horopter_agreement (
       patches_peak_best_column_q <= select_3581;
       patches_bands_chosen_q <= equal_580_s12_q ? select_1809 : patches_bands_chosen_q;
       region_down_rest_q <= and_555_s12_q ? select_3872 : region_down_rest_q;
-      region_down_back_q <= select_3877;
+      region_down_back_q <= and_555_s12_q ? select_3877 : region_down_back_q;
       region_down_next_q <= select_3880;
     end
   end
@@ -4196,7 +4190,7 @@ module horopter_agreement (
   logic and_3559_s13_q;
   logic equal_3591_s13_q;
   logic less_3847_s13_q;
-  logic sum_3850_s13_q;
+  logic sum_3848_s13_q;
   logic equal_3919_s13_q;
   logic or_4077_s13_q;
   logic and_4091_s13_q;
@@ -4330,7 +4324,7 @@ module horopter_agreement (
       and_3559_s13_q <= and_3559;
       equal_3591_s13_q <= equal_3591_s12_q;
       less_3847_s13_q <= less_3847_s12_q;
-      sum_3850_s13_q <= sum_3850[7];
+      sum_3848_s13_q <= sum_3848[7];
       equal_3919_s13_q <= equal_3919_s12_q;
       or_4077_s13_q <= or_4077_s12_q;
       and_4091_s13_q <= and_4091_s12_q;
@@ -4371,38 +4365,38 @@ module horopter_agreement (
   assign select_532 = equal_515_s13_q ? {6'h0, sample_pair_pixel_0_q} : ({6'h0, sample_pair_pixel_0_q} + averager_running_0_q);
   logic [13:0] sum_538;
   assign sum_538 = {6'h0, sample_pair_pixel_1_q} + (equal_515_s13_q ? 14'h0 : averager_running_1_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_597;
   assign and_597 = not_581_s13_q & and_596_s13_q;
   // hls/stages/agreement.hpp:248
   logic and_639;
   assign and_639 = (and_613_s13_q & select_626_s13_q) & ({{22{sum_637_s13_q[9]}}, sum_637_s13_q} < 32'h3);
-  // hls/stages/agreement.hpp:765
+  // hls/stages/agreement.hpp:766
   logic [7:0] select_1023;
   assign select_1023 = slot_s13_q[0] ? chosen_score_q : sum_1022_s13_q;
-  // hls/stages/agreement.hpp:761
+  // hls/stages/agreement.hpp:762
   logic [7:0] select_1522;
   assign select_1522 = less_1521_s13_q ? sums_1_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
   logic less_1523;
   assign less_1523 = select_1023 < select_1522;
-  // hls/stages/agreement.hpp:811
+  // hls/stages/agreement.hpp:812
   logic [7:0] of_best;
   assign of_best = shift_allowed_q ? (less_1523 ? select_1522 : select_1023) : 8'h0;
-  // hls/stages/agreement.hpp:730
+  // hls/stages/agreement.hpp:731
   logic not_1529;
   assign not_1529 = ~slot_s13_q[0];
-  // hls/stages/agreement.hpp:762
+  // hls/stages/agreement.hpp:763
   logic [1:0] select_1530;
   assign select_1530 = less_1521_s13_q ? {slot_s13_q[0], not_1529} : 2'h0;
   logic [2:0] select_1532;
   assign select_1532 = less_1523 ? {select_1530, not_1529} : (slot_s13_q[0] ? chosen_place_q : 3'h2);
-  // hls/stages/agreement.hpp:812
+  // hls/stages/agreement.hpp:813
   logic [6:0] of_near;
   assign of_near = shift_allowed_q ? select_1559_s13_q : 7'h0;
-  // hls/stages/agreement.hpp:823
+  // hls/stages/agreement.hpp:824
   logic less_1561;
   assign less_1561 = best_left_rdata_s13_q[39:33] < of_near;
-  // hls/stages/agreement.hpp:1144
+  // hls/stages/agreement.hpp:1145
   logic equal_1618;
   assign equal_1618 = x_s13_q[6:4] == 3'h7;
   // hls/stages/registration.hpp:147
@@ -4419,10 +4413,10 @@ module horopter_agreement (
   assign equal_1638 = x_s13_q[5:0] == 6'h35;
   logic equal_1640;
   assign equal_1640 = x_s13_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1207
+  // hls/stages/agreement.hpp:1208
   logic and_1644;
   assign and_1644 = (~equal_1634) & ((~equal_1636) & ((~equal_1638) & (~equal_1640)));
-  // hls/stages/agreement.hpp:1022
+  // hls/stages/agreement.hpp:1023
   logic [5:0] sum_1658;
   assign sum_1658 = {1'b0, last_s13_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:263
@@ -4441,7 +4435,7 @@ module horopter_agreement (
   assign select_1700 = row_starts_s13_q ? select_1697 : patches_fetch_q;
   logic equal_1701;
   assign equal_1701 = select_1700 == 2'h0;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_1709;
   assign and_1709 = not_581_s13_q & (so_s13_q & (ends_cell_s13_q & right_3_s13_q));
   // hls/stages/registration.hpp:107
@@ -4456,7 +4450,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:102
   logic [9:0] sum_1740;
   assign sum_1740 = {2'h0, sum_1705_s13_q, x_s13_q[0]} + {{4{b_s13_q[5]}}, b_s13_q};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [5:0] select_1758;
   assign select_1758 = equal_580_s13_q ? 6'h0 : (so_s13_q ? (ends_cell_s13_q ? b_s13_q : 6'h0) : 6'h0);
   // hls/stages/patches.hpp:113
@@ -4479,51 +4473,51 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:206
   logic [7:0] select_1988;
   assign select_1988 = so_s13_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:1065
+  // hls/stages/agreement.hpp:1066
   logic or_1991;
   assign or_1991 = select_1988[7] | (~({select_1988[5], select_1988[3], select_1988[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1064
+  // hls/stages/agreement.hpp:1065
   logic or_1994;
   assign or_1994 = select_1988[7] | (~({select_1988[6], select_1988[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:1063
+  // hls/stages/agreement.hpp:1064
   logic or_1997;
   assign or_1997 = select_1988[7] | (~(select_1988[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [5:0] select_1998;
   assign select_1998 = equal_580_s13_q ? x_s13_q[5:0] : {region_row_q, or_1997, or_1994, or_1991};
-  // hls/stages/agreement.hpp:1144
+  // hls/stages/agreement.hpp:1145
   logic not_1999;
   assign not_1999 = ~equal_1618;
-  // hls/stages/agreement.hpp:1073
+  // hls/stages/agreement.hpp:1074
   logic or_2004;
   assign or_2004 = (~sum_2001_s13_q) | equal_2003_s13_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2007;
   assign and_2007 = so_s13_q & (ends_cell_s13_q & (inside_v_s13_q & or_2004));
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic [7:0] select_2094;
   assign select_2094 = inside_v_s13_q ? (sum_2001_s13_q ? select_1988 : {select_1988[6:0], 1'b0}) : select_1988;
-  // hls/stages/agreement.hpp:1065
+  // hls/stages/agreement.hpp:1066
   logic or_2097;
   assign or_2097 = select_2094[7] | (~({select_2094[5], select_2094[3], select_2094[1]} == 3'h0));
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_2594;
   assign select_2594 = and_555_s13_q ? (equal_2486_s13_q ? and_2592_s13_q : draws_late_q) : draws_late_q;
   // hls/stages/agreement.hpp:240
   logic [7:0] select_2605;
   assign select_2605 = slot_s13_q[0] ? 8'h0 : sum_1022_s13_q;
-  // hls/stages/agreement.hpp:761
+  // hls/stages/agreement.hpp:762
   logic less_2606;
   assign less_2606 = select_2605 < select_1522;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic less_2612;
   assign less_2612 = $signed(run_shift_s13_q) < $signed($unsigned(cfg_shift_lowest_i));
   logic less_2614;
   assign less_2614 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s13_q);
-  // hls/stages/agreement.hpp:998
+  // hls/stages/agreement.hpp:999
   logic [7:0] difference_2716;
   assign difference_2716 = best_left_rdata_s13_q[16:9] - lower_s13_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [10:0] select_2784;
   assign select_2784 = equal_580_s13_q ? registration_expected_q : (so_s13_q ? expected : registration_expected_q);
   // hls/stages/registration.hpp:102
@@ -4574,26 +4568,26 @@ module horopter_agreement (
   logic [5:0] away;
   assign away = {1'b0, patches_step_s13_q} - {1'b0, select_3560};
   // hls/stages/agreement.hpp:465
+  logic [2:0] select_3851;
+  assign select_3851 = less_3847_s13_q ? (sum_3848_s13_q ? region_row_q : next_region_row_q) : (and_2592_s13_q ? region_row_q : 3'h0);
+  // hls/stages/agreement.hpp:531
   logic [2:0] select_3853;
-  assign select_3853 = less_3847_s13_q ? (sum_3850_s13_q ? region_row_q : next_region_row_q) : (and_2592_s13_q ? region_row_q : 3'h0);
-  // hls/stages/agreement.hpp:530
-  logic [2:0] select_3855;
-  assign select_3855 = and_555_s13_q ? (equal_2486_s13_q ? select_3853 : region_row_q) : region_row_q;
-  // hls/stages/agreement.hpp:798
-  logic [7:0] select_3859;
-  assign select_3859 = equal_580_s13_q ? select_1988 : (so_s13_q ? (ends_cell_s13_q ? select_2094 : select_1988) : 8'h1);
+  assign select_3853 = and_555_s13_q ? (equal_2486_s13_q ? select_3851 : region_row_q) : region_row_q;
+  // hls/stages/agreement.hpp:799
+  logic [7:0] select_3857;
+  assign select_3857 = equal_580_s13_q ? select_1988 : (so_s13_q ? (ends_cell_s13_q ? select_2094 : select_1988) : 8'h1);
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_3850_s13_q;
+  assign next = ~sum_3848_s13_q;
   // hls/stages/agreement.hpp:465
   logic select_3884;
   assign select_3884 = equal_2486_s13_q ? (less_3847_s13_q ? next : (region_fresh_q | equal_689_s13_q)) : region_fresh_q;
-  // hls/stages/agreement.hpp:1246
+  // hls/stages/agreement.hpp:1247
   logic equal_3902;
   assign equal_3902 = x_s13_q[6:3] == 4'h7;
   logic equal_3931;
   assign equal_3931 = x_s13_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic [7:0] select_3950;
   assign select_3950 = (x_s13_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_3952;
@@ -4713,9 +4707,9 @@ module horopter_agreement (
       patches_summed_last_q <= not_1792_s13_q & (equal_1793_s13_q & and_3175);
       patches_read_at_q <= equal_1791_s13_q ? select_3548 : patches_read_at_q;
       patches_peak_row_q <= equal_1791_s13_q ? select_3560 : patches_peak_row_q;
-      region_row_q <= select_3855;
+      region_row_q <= select_3853;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_3859;
+      region_columns_q <= select_3857;
       region_fresh_q <= and_555_s13_q ? select_3884 : region_fresh_q;
     end
   end
@@ -5150,7 +5144,7 @@ module horopter_agreement (
   // hls/stages/moments.hpp:89
   logic and_646;
   assign and_646 = and_641 & and_645_s14_q;
-  // hls/stages/agreement.hpp:820
+  // hls/stages/agreement.hpp:821
   logic equal_1535;
   assign equal_1535 = select_1532_s14_q == 3'h1;
   logic or_1538;
@@ -5159,31 +5153,31 @@ module horopter_agreement (
   assign select_1540 = or_1538 ? before_0_s14_q : before_1_s14_q;
   logic [7:0] select_1541;
   assign select_1541 = equal_1535 ? (or_1538 ? before_1_q : {7'h0, shift_not_right_s14_q}) : select_1540;
-  // hls/stages/agreement.hpp:821
+  // hls/stages/agreement.hpp:822
   logic [7:0] select_1544;
   assign select_1544 = equal_1535 ? select_1540 : (or_1538 ? before_2_q : before_2_s14_q);
-  // hls/stages/agreement.hpp:834
+  // hls/stages/agreement.hpp:835
   logic or_1576;
   assign or_1576 = select_1574_s14_q | (best_right_rdata_s14_q[7:0] < of_best_s14_q);
   // hls/stages/agreement.hpp:150
   logic and_1596;
   assign and_1596 = or_585_s14_q & (not_589_s14_q & and_1594_s14_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_1600;
   assign and_1600 = not_581_s14_q & (so_s14_q ? and_1583_s14_q : (equal_584_s14_q & and_641));
-  // hls/stages/agreement.hpp:1207
+  // hls/stages/agreement.hpp:1208
   logic [1:0] quarter;
   assign quarter = x_s14_q[1:0] + 2'h1;
-  // hls/stages/agreement.hpp:1145
+  // hls/stages/agreement.hpp:1146
   logic [1:0] select_1621;
   assign select_1621 = x_s14_q[4] ? {x_s14_q[3], x_s14_q[0]} : {x_s14_q[0], x_s14_q[3]};
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [3:0] select_1623;
   assign select_1623 = equal_1618_s14_q ? {2'h0, quarter} : (all_s14_q ? {1'b0, x_s14_q[2:0]} : {x_s14_q[2:1], select_1621});
   // hls/stages/registration.hpp:107
   logic [1:0] sum_1624;
   assign sum_1624 = slot_s14_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [3:0] select_1625;
   assign select_1625 = equal_580_s14_q ? select_1623 : {sum_1624, lower_half_s14_q, registration_of_right_q};
   // hls/stages/patches.hpp:217
@@ -5193,10 +5187,10 @@ module horopter_agreement (
   assign equal_1628 = x_s14_q[5:0] == 6'h3e;
   logic equal_1630;
   assign equal_1630 = x_s14_q[5:0] == 6'h3d;
-  // hls/stages/agreement.hpp:1207
+  // hls/stages/agreement.hpp:1208
   logic and_1648;
   assign and_1648 = (~equal_1626) & ((~equal_1628) & ((~equal_1630) & and_1645_s14_q));
-  // hls/stages/agreement.hpp:1145
+  // hls/stages/agreement.hpp:1146
   logic less_1649;
   assign less_1649 = x_s14_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
@@ -5222,10 +5216,10 @@ module horopter_agreement (
   // hls/stages/patches.hpp:104
   logic and_1733;
   assign and_1733 = less_1731_s14_q & not_1732_s14_q;
-  // hls/stages/agreement.hpp:1031
+  // hls/stages/agreement.hpp:1032
   logic and_1744;
   assign and_1744 = (~(and_1733 | or_1737_s14_q)) & (less_1741_s14_q & less_1742_s14_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_1789;
   assign and_1789 = not_581_s14_q & (so_s14_q & (ends_cell_s14_q & (and_1733 | equal_1785_s14_q)));
   // hls/stages/patches.hpp:351
@@ -5281,40 +5275,40 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:263
   logic textured;
   assign textured = inside_v_s14_q & and_2011_s14_q;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1028
   logic select_2041;
   assign select_2041 = slot_s14_q[2] ? shown_shown_q : and_641;
   // hls/stages/agreement.hpp:263
   logic shown;
   assign shown = inside_v_s14_q & (shown_right_rdata_s14_q[0] | select_2041);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1028
   logic select_2044;
   assign select_2044 = slot_s14_q[2] ? shown_nearer_q : and_1596;
   // hls/stages/agreement.hpp:263
   logic near;
   assign near = inside_v_s14_q & (select_2041 ? select_2044 : shown_right_rdata_s14_q[1]);
-  // hls/stages/agreement.hpp:1305
+  // hls/stages/agreement.hpp:1306
   logic select_2064;
   assign select_2064 = marks_first_s14_q ? (done_s14_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1126
+  // hls/stages/agreement.hpp:1127
   logic not_2146;
   assign not_2146 = ~(x_s14_q[7:2] == 6'h0);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2152;
   assign select_2152 = less_2144_s14_q ? (not_2146 & not_2148_s14_q) : ((draws_late_s14_q & not_2146) & not_2148_s14_q);
   // hls/stages/agreement.hpp:277
   logic select_2211;
   assign select_2211 = sample_pair_whole_s14_q ? all_of_skin : averager_running_of_skin_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2626;
   assign and_2626 = ends_cell_s14_q & (inside_v_s14_q & (and_2623_s14_q & not_2012_s14_q));
-  // hls/stages/agreement.hpp:1121
+  // hls/stages/agreement.hpp:1122
   logic not_2649;
   assign not_2649 = ~((draws_late_s14_q & not_2012_s14_q) | (x_s14_q[7:1] == 7'h0));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2691;
   assign and_2691 = ends_cell_s14_q & (inside_v_s14_q & (not_2012_s14_q & (and_2623_s14_q & and_2028)));
-  // hls/stages/agreement.hpp:1126
+  // hls/stages/agreement.hpp:1127
   logic and_2697;
   assign and_2697 = not_2649 & (centres_values_1_textured_q & centres_values_1_of_skin_q);
   // hls/stages/agreement.hpp:248
@@ -5341,15 +5335,15 @@ module horopter_agreement (
   // hls/stages/registration.hpp:218
   logic [11:0] residual;
   assign residual = ($signed(5'h0) < $signed(select_2802_s14_q[11:7])) ? 12'h7f : select_2802_s14_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2846;
   assign select_2846 = so_s14_q ? (equal_2785 ? right_2_s14_q : registration_of_right_q) : registration_of_right_q;
   logic select_2849;
   assign select_2849 = so_s14_q ? (equal_1711_s14_q ? inside_v_s14_q : registration_was_inside_q) : registration_was_inside_q;
-  // hls/stages/agreement.hpp:1145
+  // hls/stages/agreement.hpp:1146
   logic [1:0] quarter_2;
   assign quarter_2 = all_s14_q ? x_s14_q[1:0] : select_1621;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3023;
   assign and_3023 = ends_cell_s14_q & (~({sum_1705_s14_q, x_s14_q[0]} < {1'b0, from_s14_q}));
   // hls/stages/agreement.hpp:276
@@ -5375,7 +5369,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:276
   logic [9:0] select_3586;
   assign select_3586 = equal_1791_s14_q ? select_3585 : patches_peak_below_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_3844;
   assign select_3844 = equal_580_s14_q ? shown_shown_q : (so_s14_q ? select_2041 : shown_shown_q);
   logic select_3846;
@@ -5383,20 +5377,20 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:206
   logic or_3889;
   assign or_3889 = segment_starts_q | not_583_s14_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_3893;
   assign select_3893 = ends_cell_s14_q ? (inside_v_s14_q ? select_3891_s14_q : or_3889) : or_3889;
-  // hls/stages/agreement.hpp:1246
+  // hls/stages/agreement.hpp:1247
   logic equal_3926;
   assign equal_3926 = x_s14_q[6:3] == 4'ha;
   logic equal_3929;
   assign equal_3929 = x_s14_q[6:3] == 4'hb;
   logic equal_3930;
   assign equal_3930 = x_s14_q[6:3] == 4'h9;
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic [7:0] select_3954;
   assign select_3954 = equal_3926 ? cfg_regions_limit_i : (equal_3930 ? cfg_hidden_limit_i : select_3952_s14_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_4063;
   assign select_4063 = so_s14_q ? (ends_cell_s14_q ? and_2082_s14_q : centres_values_0_textured_q) : centres_values_0_textured_q;
   logic select_4067;
@@ -5447,7 +5441,7 @@ module horopter_agreement (
     if (en_i) patches_choices_rdata_q <= patches_choices_mem[patches_choices_raddr];
   end
 
-  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1430; read in stage 14, written in stage 17: 14 < 17 < 14 + DISTANCE.
+  // Memory regions, 64 x 30, DISTANCE 24, hls/stages/agreement.hpp:1431; read in stage 14, written in stage 17: 14 < 17 < 14 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -5999,22 +5993,22 @@ module horopter_agreement (
   // hls/stages/census.hpp:290
   logic [3:0] select_692;
   assign select_692 = equal_686 ? 4'h0 : census_filled_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_1597;
   assign and_1597 = not_583_s15_q & and_1596_s15_q;
   // hls/stages/moments.hpp:85
   logic and_1604;
   assign and_1604 = moments_has_before_q & moments_memory_rdata_s15_q[0];
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1016
   logic and_1608;
   assign and_1608 = not_593_s15_q & (and_1604 & (moments_memory_rdata_s15_q[1] ^ and_648_s15_q));
   // hls/stages/moments.hpp:85
   logic and_1613;
   assign and_1613 = moments_has_before_q & moments_memory_rdata_s15_q[2];
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1016
   logic and_1617;
   assign and_1617 = not_593_s15_q & (and_1613 & (moments_memory_rdata_s15_q[3] ^ and_656_s15_q));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_1667;
   assign and_1667 = so_s15_q & and_1666_s15_q;
   logic and_1748;
@@ -6022,7 +6016,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:157
   logic and_1750;
   assign and_1750 = and_1748 & (~patches_fixed_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [7:0] select_1753;
   assign select_1753 = so_s15_q ? (ends_cell_s15_q ? {sum_1705_s15_q, x_s15_q[0]} : 8'h0) : 8'h0;
   // hls/stages/patches.hpp:351
@@ -6043,22 +6037,22 @@ module horopter_agreement (
   assign and_2039 = inside_v_s15_q & and_2028_s15_q;
   logic explained;
   assign explained = inside_v_s15_q & and_641_s15_q;
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2083;
   assign and_2083 = seen_columns_rdata_s15_q[0] & inside_v_s15_q;
-  // hls/stages/agreement.hpp:1102
+  // hls/stages/agreement.hpp:1103
   logic [1:0] sum_2085;
   assign sum_2085 = {1'b0, and_2082_s15_q} + ({1'b0, textured_s15_q} + {1'b0, and_2083});
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2115;
   assign and_2115 = seen_columns_rdata_s15_q[11] & inside_v_s15_q;
-  // hls/stages/agreement.hpp:1104
+  // hls/stages/agreement.hpp:1105
   logic [1:0] sum_2119;
   assign sum_2119 = {1'b0, and_2116_s15_q} + ({1'b0, shown_s15_q} + {1'b0, and_2117_s15_q});
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2131;
   assign and_2131 = seen_columns_rdata_s15_q[12] & inside_v_s15_q;
-  // hls/stages/agreement.hpp:1105
+  // hls/stages/agreement.hpp:1106
   logic [1:0] sum_2135;
   assign sum_2135 = {1'b0, and_2132_s15_q} + ({1'b0, near_s15_q} + {1'b0, and_2133_s15_q});
   // hls/stages/agreement.hpp:277
@@ -6070,33 +6064,33 @@ module horopter_agreement (
   assign select_2213 = sample_pair_whole_s15_q ? (and_553_s15_q ? select_568 : averager_mask_q) : averager_mask_q;
   logic select_2215;
   assign select_2215 = sample_pair_whole_s15_q ? (and_553_s15_q ? select_572 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2318;
   assign select_2318 = equal_580_s15_q ? (moments_has_before_q | equal_1808_s15_q) : moments_has_before_q;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic and_2621;
   assign and_2621 = and_555_s15_q & (equal_689_s15_q & equal_2486_s15_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2633;
   assign and_2633 = not_581_s15_q & (so_s15_q & (ends_cell_s15_q & and_2014_s15_q));
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2651;
   assign and_2651 = seen_columns_rdata_s15_q[10] & inside_v_s15_q;
-  // hls/stages/agreement.hpp:1103
+  // hls/stages/agreement.hpp:1104
   logic [1:0] sum_2655;
   assign sum_2655 = {1'b0, and_2652_s15_q} + ({1'b0, explained} + {1'b0, and_2653_s15_q});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2693;
   assign and_2693 = not_581_s15_q & and_2692_s15_q;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_2695;
   assign select_2695 = and_2621 ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_2693});
   logic [13:0] select_2702;
   assign select_2702 = and_2621 ? 14'h0 : (counts_skin_textured_q + {13'h0, and_2700_s15_q});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2728;
   assign and_2728 = not_581_s15_q & (so_s15_q & (ends_cell_s15_q & (inside_v_s15_q & and_2724_s15_q)));
-  // hls/stages/agreement.hpp:1041
+  // hls/stages/agreement.hpp:1042
   logic and_2740;
   assign and_2740 = and_641_s15_q & and_2739_s15_q;
   // hls/stages/agreement.hpp:263
@@ -6112,7 +6106,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:269
   logic [3:0] select_2854;
   assign select_2854 = equal_2851_s15_q ? (registration_fresh_q & not_2852_s15_q) : registration_fresh_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [3:0] select_2856;
   assign select_2856 = so_s15_q ? (and_1666_s15_q ? select_2854 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
@@ -6149,30 +6143,30 @@ module horopter_agreement (
   assign eight = high - low;
   logic [9:0] fall_2;
   assign fall_2 = high - select_3580_s15_q;
-  // hls/stages/agreement.hpp:1252
+  // hls/stages/agreement.hpp:1253
   logic equal_3687;
   assign equal_3687 = x_s15_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1246
+  // hls/stages/agreement.hpp:1247
   logic equal_3928;
   assign equal_3928 = x_s15_q[6:3] == 4'hc;
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic [7:0] limit;
   assign limit = equal_3928 ? cfg_regions_limit_i : select_3955_s15_q;
-  // hls/stages/agreement.hpp:1260
+  // hls/stages/agreement.hpp:1261
   logic not_3957;
   assign not_3957 = ~x_s15_q[2];
   logic [3:0] select_3958;
   assign select_3958 = x_s15_q[1] ? {x_s15_q[2], 1'b0, not_3957, 1'b0} : {1'b0, x_s15_q[2], 1'b0, not_3957};
   logic [7:0] select_3959;
   assign select_3959 = x_s15_q[0] ? {select_3958[3], 1'b0, select_3958[2], 1'b0, select_3958[1], 1'b0, select_3958[0], 1'b0} : {1'b0, select_3958[3], 1'b0, select_3958[2], 1'b0, select_3958[1], 1'b0, select_3958[0]};
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic [13:0] select_3963;
   assign select_3963 = equal_3930_s15_q ? counts_skin_supervised_q : (equal_3931_s15_q ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] select_3965;
   assign select_3965 = equal_3929_s15_q ? counts_skin_textured_q : (equal_3926_s15_q ? counts_textured_q : select_3963);
   logic [13:0] of;
   assign of = equal_3928 ? counts_textured_q : select_3965;
-  // hls/stages/agreement.hpp:1180
+  // hls/stages/agreement.hpp:1181
   logic [14:0] sum_4156;
   assign sum_4156 = {1'b0, counts_skin_textured_q} + {2'h0, counts_skin_textured_q[13:1]};
   // hls/stages/registration.hpp:258
@@ -6977,58 +6971,58 @@ module horopter_agreement (
   assign sum_1933 = {1'b0, patches_smooth_values_2_q} + {2'h0, patches_smooth_values_3_q[11:1]};
   logic [14:0] difference_1934;
   assign difference_1934 = {1'b0, sum_1932, smooth_s16_q[0]} - {1'b0, sum_1933, patches_smooth_values_3_q[0]};
-  // hls/stages/agreement.hpp:910
+  // hls/stages/agreement.hpp:911
   logic [6:0] select_2015;
   assign select_2015 = segment_started_s16_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:911
+  // hls/stages/agreement.hpp:912
   logic [6:0] sum_2016;
   assign sum_2016 = {6'h0, and_2014_s16_q} + select_2015;
-  // hls/stages/agreement.hpp:1076
+  // hls/stages/agreement.hpp:1077
   logic [9:0] sum_2018;
   assign sum_2018 = {3'h0, sum_2016} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[9:0]);
-  // hls/stages/agreement.hpp:910
+  // hls/stages/agreement.hpp:911
   logic [6:0] select_2021;
   assign select_2021 = segment_started_s16_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:911
+  // hls/stages/agreement.hpp:912
   logic [6:0] sum_2022;
   assign sum_2022 = {6'h0, and_2020_s16_q} + select_2021;
-  // hls/stages/agreement.hpp:1077
+  // hls/stages/agreement.hpp:1078
   logic [9:0] sum_2024;
   assign sum_2024 = {3'h0, sum_2022} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[19:10]);
-  // hls/stages/agreement.hpp:910
+  // hls/stages/agreement.hpp:911
   logic [6:0] select_2032;
   assign select_2032 = segment_started_s16_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:912
+  // hls/stages/agreement.hpp:913
   logic [6:0] sum_2033;
   assign sum_2033 = {6'h0, and_2031_s16_q} + select_2032;
-  // hls/stages/agreement.hpp:1078
+  // hls/stages/agreement.hpp:1079
   logic [9:0] sum_2035;
   assign sum_2035 = {3'h0, sum_2033} + (region_fresh_s16_q ? 10'h0 : regions_rdata_s16_q[29:20]);
-  // hls/stages/agreement.hpp:1305
+  // hls/stages/agreement.hpp:1306
   logic or_2047;
   assign or_2047 = marks_first_s16_q | line_ended_q;
-  // hls/stages/agreement.hpp:1307
+  // hls/stages/agreement.hpp:1308
   logic [12:0] select_2049;
   assign select_2049 = marks_first_s16_q ? 13'h1 : (or_2047 ? {rows_passed_q[11:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1306
+  // hls/stages/agreement.hpp:1307
   logic [8:0] select_2051;
   assign select_2051 = or_2047 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1314
+  // hls/stages/agreement.hpp:1315
   logic select_2053;
   assign select_2053 = cfg_compete_i ? (or_2047 & select_2049[12]) : (select_2051[8] & select_2049[9]);
-  // hls/stages/agreement.hpp:1102
+  // hls/stages/agreement.hpp:1103
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, and_2080_s16_q} + ({2'h0, and_2081_s16_q} + {1'b0, sum_2085_s16_q});
-  // hls/stages/agreement.hpp:1104
+  // hls/stages/agreement.hpp:1105
   logic [2:0] shown_2;
   assign shown_2 = {2'h0, and_2114_s16_q} + sum_2120_s16_q;
-  // hls/stages/agreement.hpp:1111
+  // hls/stages/agreement.hpp:1112
   logic [2:0] select_2122;
   assign select_2122 = age_s16_q ? box_shown_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:1105
+  // hls/stages/agreement.hpp:1106
   logic [2:0] near_2;
   assign near_2 = {2'h0, and_2130_s16_q} + sum_2136_s16_q;
-  // hls/stages/agreement.hpp:1112
+  // hls/stages/agreement.hpp:1113
   logic [2:0] select_2138;
   assign select_2138 = age_s16_q ? box_nearer_columns_values_4_q : 3'h0;
   // hls/stages/agreement.hpp:277
@@ -7045,7 +7039,7 @@ module horopter_agreement (
   assign sum_2192 = {1'b0, averager_quarter_2_0_q} + {1'b0, grey_s16_q};
   logic [9:0] sum_2200;
   assign sum_2200 = {1'b0, averager_quarter_2_1_q} + {1'b0, grey_2_s16_q};
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [8:0] select_2216;
   assign select_2216 = and_555_s16_q ? select_561_s16_q : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2217;
@@ -7142,7 +7136,7 @@ module horopter_agreement (
   assign sum_2310 = {13'h0, moments_turns_0_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_0_q);
   logic [13:0] sum_2312;
   assign sum_2312 = {13'h0, moments_turns_1_q} + (moments_starts_s16_q ? 14'h0 : moments_turned_1_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2352;
   assign and_2352 = not_583_s16_q & (equal_584_s16_q & (inside_v_s16_q & and_1608_s16_q));
   logic and_2356;
@@ -7152,22 +7146,22 @@ module horopter_agreement (
   assign difference_2383 = {1'b0, select_561_s16_q} - {1'b0, sharpness_last_mean_0_q};
   logic [9:0] difference_2395;
   assign difference_2395 = {1'b0, select_565_s16_q} - {1'b0, sharpness_last_mean_1_q};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2638;
   assign and_2638 = not_581_s16_q & (so_s16_q & (ends_cell_s16_q & and_2020_s16_q));
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_2640;
   assign select_2640 = and_2621_s16_q ? 14'h0 : (counts_explained_q + {13'h0, and_2638});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2643;
   assign and_2643 = not_581_s16_q & (so_s16_q & (ends_cell_s16_q & and_2031_s16_q));
-  // hls/stages/agreement.hpp:1103
+  // hls/stages/agreement.hpp:1104
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, and_2650_s16_q} + sum_2656_s16_q;
-  // hls/stages/agreement.hpp:1110
+  // hls/stages/agreement.hpp:1111
   logic [2:0] select_2658;
   assign select_2658 = age_s16_q ? box_explained_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:1148
+  // hls/stages/agreement.hpp:1149
   logic less_2674;
   assign less_2674 = region_row_s16_q < x_s16_q[5:3];
   // hls/stages/agreement.hpp:276
@@ -7207,14 +7201,14 @@ module horopter_agreement (
   assign sum_3632 = {1'b0, fall_2_s16_q} + {3'h0, fall_2_s16_q[9:2]};
   logic less_3636;
   assign less_3636 = {eight_s16_q, 3'h0} < ({fall_2_s16_q, 3'h0} - {3'h0, fall_2_s16_q});
-  // hls/stages/agreement.hpp:1260
+  // hls/stages/agreement.hpp:1261
   logic [13:0] select_3948;
   assign select_3948 = equal_3687_s16_q ? 14'h0 : product_q;
   logic [13:0] select_3967;
   assign select_3967 = equal_3961_s16_q ? 14'h0 : of_s16_q;
   logic [14:0] sum_4;
   assign sum_4 = {1'b0, select_3948} + {1'b0, select_3967};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [2:0] select_4009;
   assign select_4009 = so_s16_q ? (ends_cell_s16_q ? explained_2 : box_explained_columns_values_0_q) : box_explained_columns_values_0_q;
   logic [2:0] select_4011;
@@ -7269,7 +7263,7 @@ module horopter_agreement (
   assign select_4056 = ends_cell_s16_q ? box_nearer_columns_values_3_q : box_nearer_columns_values_4_q;
   logic [2:0] select_4058;
   assign select_4058 = equal_580_s16_q ? box_nearer_columns_values_4_q : (so_s16_q ? select_4056 : box_nearer_columns_values_4_q);
-  // hls/stages/agreement.hpp:1165
+  // hls/stages/agreement.hpp:1166
   logic and_4158;
   assign and_4158 = (proven_s16_q & (~cfg_same_table_i)) & (sum_4156_s16_q < counts_nearer_q);
 
@@ -8336,16 +8330,16 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:441
   logic next_row;
   assign next_row = select_2053_s17_q & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1321
+  // hls/stages/agreement.hpp:1322
   logic [6:0] select_2056;
   assign select_2056 = next_row ? cfg_width_i[10:4] : 7'h0;
-  // hls/stages/agreement.hpp:1332
+  // hls/stages/agreement.hpp:1333
   logic equal_2059;
   assign equal_2059 = seen_x_q == 4'hf;
-  // hls/stages/agreement.hpp:1109
+  // hls/stages/agreement.hpp:1110
   logic [2:0] select_2088;
   assign select_2088 = age_s17_q ? box_textured_columns_values_4_q : 3'h0;
-  // hls/stages/agreement.hpp:1116
+  // hls/stages/agreement.hpp:1117
   logic not_2104;
   assign not_2104 = ~region_row_s17_q[2];
   logic [2:0] select_2105;
@@ -8356,10 +8350,10 @@ module horopter_agreement (
   assign select_2107 = or_2103_s17_q ? {select_2106[5], 1'b0, select_2106[4], 1'b0, select_2106[3], 1'b0, select_2106[2], 1'b0, select_2106[1], 1'b0, select_2106[0], 1'b0} : {1'b0, select_2106[5], 1'b0, select_2106[4], 1'b0, select_2106[3], 1'b0, select_2106[2], 1'b0, select_2106[1], 1'b0, select_2106[0]};
   logic [23:0] select_2108;
   assign select_2108 = or_2100_s17_q ? {select_2107[11], 1'b0, select_2107[10], 1'b0, select_2107[9], 1'b0, select_2107[8], 1'b0, select_2107[7], 1'b0, select_2107[6], 1'b0, select_2107[5], 1'b0, select_2107[4], 1'b0, select_2107[3], 1'b0, select_2107[2], 1'b0, select_2107[1], 1'b0, select_2107[0], 1'b0} : {1'b0, select_2107[11], 1'b0, select_2107[10], 1'b0, select_2107[9], 1'b0, select_2107[8], 1'b0, select_2107[7], 1'b0, select_2107[6], 1'b0, select_2107[5], 1'b0, select_2107[4], 1'b0, select_2107[3], 1'b0, select_2107[2], 1'b0, select_2107[1], 1'b0, select_2107[0]};
-  // hls/stages/agreement.hpp:1111
+  // hls/stages/agreement.hpp:1112
   logic [4:0] around;
   assign around = {difference_2123_s17_q[3], difference_2123_s17_q} + (equal_575_s17_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1112
+  // hls/stages/agreement.hpp:1113
   logic [4:0] n;
   assign n = {difference_2139_s17_q[3], difference_2139_s17_q} + (equal_575_s17_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
   // hls/stages/census.hpp:221
@@ -8371,7 +8365,7 @@ module horopter_agreement (
   assign xor_2202 = {difference_2201_s17_q[8:0], sum_2200_s17_q} ^ {10{difference_2201_s17_q[9]}};
   logic [10:0] size_2;
   assign size_2 = {10'h0, difference_2201_s17_q[9]} + {1'b0, xor_2202};
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_2218;
   assign select_2218 = and_555_s17_q ? whole_2_s17_q : census_columns_values_0_cell_0_mask_q;
   logic select_2234;
@@ -8405,13 +8399,13 @@ module horopter_agreement (
   assign contrast = {8'h0, difference_2383_s17_q} + xor_2384_s17_q;
   logic [8:0] contrast_2;
   assign contrast_2 = {8'h0, difference_2395_s17_q} + xor_2396_s17_q;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_2630;
   assign select_2630 = and_2621_s17_q ? 14'h0 : (counts_supervised_q + {13'h0, and_2628_s17_q});
-  // hls/stages/agreement.hpp:1110
+  // hls/stages/agreement.hpp:1111
   logic [4:0] e;
   assign e = {difference_2659_s17_q[3], difference_2659_s17_q} + (equal_575_s17_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_2748;
   assign select_2748 = and_2621_s17_q ? 14'h0 : (counts_turned_left_q + {13'h0, and_2746_s17_q});
   logic [13:0] select_2756;
@@ -8419,7 +8413,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic [7:0] select_2806;
   assign select_2806 = equal_1711_s17_q ? (and_2789_s17_q ? residual_s17_q : 8'h0) : 8'h0;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2813;
   assign and_2813 = not_581_s17_q & (so_s17_q & (and_2789_s17_q & equal_1711_s17_q));
   // hls/stages/registration.hpp:134
@@ -8428,7 +8422,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic and_2817;
   assign and_2817 = and_2789_s17_q & ($signed(residual_s17_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [1:0] select_2827;
   assign select_2827 = so_s17_q ? (equal_1711_s17_q ? {and_2825_s17_q, and_2789_s17_q} : 2'h0) : 2'h0;
   logic [1:0] select_2828;
@@ -8442,7 +8436,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic and_2832;
   assign and_2832 = and_2789_s17_q & less_2831;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [1:0] select_2841;
   assign select_2841 = so_s17_q ? (equal_1711_s17_q ? {and_2839_s17_q, and_2789_s17_q} : 2'h0) : 2'h0;
   logic [1:0] select_2842;
@@ -8450,37 +8444,37 @@ module horopter_agreement (
   // hls/stages/registration.hpp:185
   logic [6:0] sum_2843;
   assign sum_2843 = registration_half_half_votes_up_q + {{5{select_2842[1]}}, select_2842};
-  // hls/stages/agreement.hpp:1146
+  // hls/stages/agreement.hpp:1147
   logic [11:0] select_2883;
   assign select_2883 = or_1653_s17_q ? 12'h0 : (equal_2881_s17_q ? registration_sums_rdata_s17_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [11:0] select_2885;
   assign select_2885 = equal_1618_s17_q ? 12'h0 : (less_1649_s17_q ? select_2883 : 12'h0);
   // hls/stages/registration.hpp:153
   logic and_2888;
   assign and_2888 = x_s17_q[1] & all_s17_q;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_2891;
   assign and_2891 = not_1999_s17_q & (less_1649_s17_q & ({and_2888, x_s17_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:1146
+  // hls/stages/agreement.hpp:1147
   logic [11:0] select_2898;
   assign select_2898 = or_1653_s17_q ? 12'h0 : (equal_2881_s17_q ? registration_sums_rdata_s17_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [11:0] select_2900;
   assign select_2900 = equal_1618_s17_q ? 12'h0 : (less_1649_s17_q ? select_2898 : 12'h0);
   // hls/stages/registration.hpp:150
   logic not_2906;
   assign not_2906 = ~all_s17_q;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_2909;
   assign and_2909 = not_1999_s17_q & (less_1649_s17_q & (x_s17_q[2:0] == {all_s17_q, not_2906, 1'b0}));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2915;
   assign and_2915 = equal_580_s17_q & (x_s17_q[6] & (not_1999_s17_q & (less_1649_s17_q & all_s17_q)));
   // hls/stages/registration.hpp:157
   logic equal_2942;
   assign equal_2942 = x_s17_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_2945;
   assign and_2945 = not_1999_s17_q & (less_1649_s17_q & (x_s17_q[5] ? x_s17_q[3] : equal_2942));
   logic and_2954;
@@ -8520,19 +8514,19 @@ module horopter_agreement (
   assign select_3644 = patches_second_s17_q ? patches_place_1_shift_q : patches_place_0_shift_q;
   logic [6:0] sum_3645;
   assign sum_3645 = {select_3644[5], select_3644} + {{4{sum_3643[3]}}, sum_3643[3:1]};
-  // hls/stages/agreement.hpp:1217
+  // hls/stages/agreement.hpp:1218
   logic or_3900;
   assign or_3900 = ({counts_textured_s17_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_s17_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1255
+  // hls/stages/agreement.hpp:1256
   logic too_little;
   assign too_little = less_3904_s17_q | (product_rest_q & equal_3905_s17_q);
-  // hls/stages/agreement.hpp:1256
+  // hls/stages/agreement.hpp:1257
   logic select_3908;
   assign select_3908 = and_3903_s17_q ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1151
+  // hls/stages/agreement.hpp:1152
   logic [10:0] sum_3911;
   assign sum_3911 = {1'b0, select_2678_s17_q} + {2'h0, select_2678_s17_q[9:1]};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_3972;
   assign select_3972 = equal_580_s17_q ? (equal_3687_s17_q ? sum_4_s17_q : (product_rest_q | sum_4_s17_q)) : product_rest_q;
   logic [2:0] select_3990;
@@ -8563,13 +8557,13 @@ module horopter_agreement (
   assign select_4042 = so_s17_q ? (ends_cell_s17_q ? around : box_shown_sum_sums_values_0_q) : box_shown_sum_sums_values_0_q;
   logic [4:0] select_4060;
   assign select_4060 = so_s17_q ? (ends_cell_s17_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:1331
+  // hls/stages/agreement.hpp:1332
   logic [3:0] select_4094;
   assign select_4094 = select_2053_s17_q ? (began_q ? (seen_y_q + 4'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:441
   logic [7:0] select_4100;
   assign select_4100 = marks_first_s17_q ? select_4098 : (seen_rows_left_q - {7'h0, was_next_row_q});
-  // hls/stages/agreement.hpp:1156
+  // hls/stages/agreement.hpp:1157
   logic [31:0] select_4181;
   assign select_4181 = equal_1640_s17_q ? {2'h0, counts_explained_s17_q, 2'h0, counts_textured_s17_q} : (equal_4179_s17_q ? registration_sums_rdata_s17_q : 32'h0);
   logic [31:0] select_4182;
@@ -9198,25 +9192,25 @@ module horopter_agreement (
   // hls/stages/patches.hpp:499
   logic [1:0] sum_1963;
   assign sum_1963 = patches_code_row_s18_q[3:2] + 2'h3;
-  // hls/stages/agreement.hpp:1339
+  // hls/stages/agreement.hpp:1340
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:1291
+  // hls/stages/agreement.hpp:1292
   logic [10:0] sum_2065;
   assign sum_2065 = {1'b0, {5{select_2064_s18_q}}, 1'b0, {2{select_2064_s18_q}}, 1'b0, select_2064_s18_q} + {1'b0, index[12:3]};
-  // hls/stages/agreement.hpp:1127
+  // hls/stages/agreement.hpp:1128
   logic [12:0] index_2;
   assign index_2 = {{3{sum_2076_s18_q[7]}}, sum_2076_s18_q, x_s18_q[1:0]} + map_row_q;
-  // hls/stages/agreement.hpp:1291
+  // hls/stages/agreement.hpp:1292
   logic [10:0] sum_2079;
   assign sum_2079 = {1'b0, {5{select_2078_s18_q}}, 1'b0, {2{select_2078_s18_q}}, 1'b0, select_2078_s18_q} + {1'b0, index_2[12:3]};
-  // hls/stages/agreement.hpp:1109
+  // hls/stages/agreement.hpp:1110
   logic [4:0] t;
   assign t = {difference_2089_s18_q[3], difference_2089_s18_q} + (equal_575_s18_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1116
+  // hls/stages/agreement.hpp:1117
   logic [47:0] select_2109;
   assign select_2109 = or_2097_s18_q ? {select_2108_s18_q[23], 1'b0, select_2108_s18_q[22], 1'b0, select_2108_s18_q[21], 1'b0, select_2108_s18_q[20], 1'b0, select_2108_s18_q[19], 1'b0, select_2108_s18_q[18], 1'b0, select_2108_s18_q[17], 1'b0, select_2108_s18_q[16], 1'b0, select_2108_s18_q[15], 1'b0, select_2108_s18_q[14], 1'b0, select_2108_s18_q[13], 1'b0, select_2108_s18_q[12], 1'b0, select_2108_s18_q[11], 1'b0, select_2108_s18_q[10], 1'b0, select_2108_s18_q[9], 1'b0, select_2108_s18_q[8], 1'b0, select_2108_s18_q[7], 1'b0, select_2108_s18_q[6], 1'b0, select_2108_s18_q[5], 1'b0, select_2108_s18_q[4], 1'b0, select_2108_s18_q[3], 1'b0, select_2108_s18_q[2], 1'b0, select_2108_s18_q[1], 1'b0, select_2108_s18_q[0], 1'b0} : {1'b0, select_2108_s18_q[23], 1'b0, select_2108_s18_q[22], 1'b0, select_2108_s18_q[21], 1'b0, select_2108_s18_q[20], 1'b0, select_2108_s18_q[19], 1'b0, select_2108_s18_q[18], 1'b0, select_2108_s18_q[17], 1'b0, select_2108_s18_q[16], 1'b0, select_2108_s18_q[15], 1'b0, select_2108_s18_q[14], 1'b0, select_2108_s18_q[13], 1'b0, select_2108_s18_q[12], 1'b0, select_2108_s18_q[11], 1'b0, select_2108_s18_q[10], 1'b0, select_2108_s18_q[9], 1'b0, select_2108_s18_q[8], 1'b0, select_2108_s18_q[7], 1'b0, select_2108_s18_q[6], 1'b0, select_2108_s18_q[5], 1'b0, select_2108_s18_q[4], 1'b0, select_2108_s18_q[3], 1'b0, select_2108_s18_q[2], 1'b0, select_2108_s18_q[1], 1'b0, select_2108_s18_q[0]};
-  // hls/stages/agreement.hpp:1118
+  // hls/stages/agreement.hpp:1119
   logic [5:0] sum_2126;
   assign sum_2126 = {1'b0, around_s18_q} + {2'h0, around_s18_q[4:1]};
   // hls/stages/census.hpp:222
@@ -9231,7 +9225,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:277
   logic [13:0] select_2207;
   assign select_2207 = sample_pair_whole_s18_q ? (and_553_s18_q ? detail_2 : averager_detail_1_q) : averager_detail_1_q;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_2240;
   assign select_2240 = and_555_s18_q ? census_columns_values_0_cell_2_mask_s18_q : census_columns_values_1_cell_2_mask_q;
   logic select_2256;
@@ -9254,7 +9248,7 @@ module horopter_agreement (
   // hls/stages/moments.hpp:153
   logic [14:0] sum_2322;
   assign sum_2322 = {1'b0, moments_most_before_q} + 15'h3;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_2379;
   assign select_2379 = and_555_s18_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:373
@@ -9278,28 +9272,28 @@ module horopter_agreement (
   assign select_2420 = slot_s18_q[2] ? {select_2419[2], 1'b0, select_2419[1], 1'b0, select_2419[0], 1'b0} : {1'b0, select_2419[2], 1'b0, select_2419[1], 1'b0, select_2419[0]};
   logic [11:0] select_2421;
   assign select_2421 = slot_s18_q[1] ? {select_2420[5], 1'b0, select_2420[4], 1'b0, select_2420[3], 1'b0, select_2420[2], 1'b0, select_2420[1], 1'b0, select_2420[0], 1'b0} : {1'b0, select_2420[5], 1'b0, select_2420[4], 1'b0, select_2420[3], 1'b0, select_2420[2], 1'b0, select_2420[1], 1'b0, select_2420[0]};
-  // hls/stages/agreement.hpp:1117
+  // hls/stages/agreement.hpp:1118
   logic [5:0] sum_2662;
   assign sum_2662 = {1'b0, e_s18_q} + {2'h0, e_s18_q[4:1]};
-  // hls/stages/agreement.hpp:1149
+  // hls/stages/agreement.hpp:1150
   logic [10:0] sum_2679;
   assign sum_2679 = {1'b0, select_2678_s18_q} + {3'h0, select_2678_s18_q[9:2]};
   // hls/stages/registration.hpp:133
   logic [13:0] sum_2809;
   assign sum_2809 = registration_half_across_q + {{6{select_2808_s18_q[7]}}, select_2808_s18_q};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [1:0] select_2820;
   assign select_2820 = equal_580_s18_q ? 2'h0 : (so_s18_q ? select_2818_s18_q : 2'h0);
   // hls/stages/registration.hpp:184
   logic [6:0] sum_2821;
   assign sum_2821 = registration_half_votes_down_q + {{5{select_2820[1]}}, select_2820};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [1:0] select_2835;
   assign select_2835 = equal_580_s18_q ? 2'h0 : (so_s18_q ? select_2833_s18_q : 2'h0);
   // hls/stages/registration.hpp:184
   logic [6:0] sum_2836;
   assign sum_2836 = registration_half_half_votes_down_q + {{5{select_2835[1]}}, select_2835};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2876;
   assign and_2876 = equal_580_s18_q & (x_s18_q[6] & (not_1999_s18_q & less_1649_s18_q));
   logic [11:0] select_2887;
@@ -9307,7 +9301,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:252
   logic [13:0] sum_2895;
   assign sum_2895 = {{2{select_2887[11]}}, select_2887} + (and_2893_s18_q ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [11:0] select_2902;
   assign select_2902 = equal_580_s18_q ? (x_s18_q[6] ? select_2900_s18_q : 12'h0) : 12'h0;
   // hls/stages/registration.hpp:253
@@ -9320,10 +9314,10 @@ module horopter_agreement (
   assign less_2917 = $signed({9'h1, {2{not_2916}}, and_2915_s18_q}) < $signed(registration_up_q[13:2]);
   logic select_2918;
   assign select_2918 = and_2911_s18_q ? less_2917 : registration_enough_q;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_2922;
   assign and_2922 = x_s18_q[6] & (not_1999_s18_q & (less_1649_s18_q & (x_s18_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2923;
   assign and_2923 = equal_580_s18_q & and_2922;
   // hls/stages/registration.hpp:242
@@ -9334,10 +9328,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:159
   logic equal_2928;
   assign equal_2928 = x_s18_q[2:0] == 3'h7;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2932;
   assign and_2932 = equal_580_s18_q & (x_s18_q[6] & (not_1999_s18_q & (less_1649_s18_q & equal_2928)));
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_2939;
   assign and_2939 = x_s18_q[6] & (not_1999_s18_q & (less_1649_s18_q & (x_s18_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:244
@@ -9448,19 +9442,19 @@ module horopter_agreement (
   // hls/stages/patches.hpp:617
   logic [11:0] sum_3806;
   assign sum_3806 = {sum_3645_s18_q[6], sum_3645_s18_q, sum_3643_s18_q, select_3581_s18_q} + 12'h1;
-  // hls/stages/agreement.hpp:1151
+  // hls/stages/agreement.hpp:1152
   logic select_3914;
   assign select_3914 = equal_3897_s18_q ? ((~or_3900_s18_q) & (~select_3908_s18_q)) : not_3913_s18_q;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [47:0] select_3916;
   assign select_3916 = x_s18_q[6] ? (equal_1618_s18_q ? good_q : {select_3914, good_q[47:1]}) : good_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [4:0] select_4006;
   assign select_4006 = so_s18_q ? (ends_cell_s18_q ? t : box_textured_sum_sums_values_0_q) : box_textured_sum_sums_values_0_q;
   // hls/stages/agreement.hpp:465
   logic [12:0] select_4080;
   assign select_4080 = equal_2486_s18_q ? (or_4077_s18_q ? (map_row_q + {6'h0, map_width_q}) : 13'h0) : map_row_q;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [6:0] select_4083;
   assign select_4083 = and_555_s18_q ? (equal_2486_s18_q ? cfg_width_i[10:4] : map_width_q) : map_width_q;
 
@@ -10091,19 +10085,19 @@ module horopter_agreement (
   assign and_1873 = select_1832_s19_q & (select_1826_s19_q[3] ^ select_1826_s19_q[4]);
   logic and_1878;
   assign and_1878 = sample_pair_whole_s19_q & (and_1873 & ((~select_1864[4]) | (~select_1868[4])));
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2113;
   assign and_2113 = good_known_q & not_2112_s19_q;
-  // hls/stages/agreement.hpp:1118
+  // hls/stages/agreement.hpp:1119
   logic is_seen;
   assign is_seen = equal_2092_s19_q ? and_2113 : not_2128_s19_q;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_2271;
   assign select_2271 = and_555_s19_q ? census_columns_values_2_cell_4_mask_s19_q : census_columns_values_3_cell_4_mask_q;
   // hls/stages/census.hpp:286
   logic [11:0] sum_2291;
   assign sum_2291 = sum_2287_s19_q + {2'h0, sum_2290_s19_q};
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [11:0] select_2293;
   assign select_2293 = and_555_s19_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_2294;
@@ -10118,7 +10112,7 @@ module horopter_agreement (
   // hls/stages/moments.hpp:107
   logic and_2369;
   assign and_2369 = cfg_same_table_i & (moments_left_begins_q & moments_right_begins_q);
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [13:0] select_2377;
   assign select_2377 = and_555_s19_q ? select_2376_s19_q[13:0] : sharpness_last_detail_0_q;
   logic [13:0] select_2378;
@@ -10143,19 +10137,19 @@ module horopter_agreement (
   assign and_2426 = less_2417 & (~((sharpness_sums_contrast_1_q & select_2422) == 24'h0));
   logic and_2436;
   assign and_2436 = less_2417 & (~((sharpness_sums_contrast_0_q & select_2422) == 24'h0));
-  // hls/stages/agreement.hpp:1122
+  // hls/stages/agreement.hpp:1123
   logic not_2666;
   assign not_2666 = ~(equal_2092_s19_q ? and_2113 : not_2664_s19_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2669;
   assign and_2669 = ends_cell_s19_q & (not_2649_s19_q & (centres_values_1_textured_s19_q & not_2666));
-  // hls/stages/agreement.hpp:1154
+  // hls/stages/agreement.hpp:1155
   logic [9:0] select_2682;
   assign select_2682 = ((~(select_2675_s19_q[9:4] == 6'h0)) & less_2680_s19_q) ? select_2675_s19_q : 10'h0;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [9:0] select_2685;
   assign select_2685 = equal_580_s19_q ? (x_s19_q[6] ? (equal_1618_s19_q ? 10'h0 : select_2682) : 10'h0) : 10'h0;
-  // hls/stages/agreement.hpp:1126
+  // hls/stages/agreement.hpp:1127
   logic and_2704;
   assign and_2704 = centres_values_1_textured_s19_q & (centres_values_1_of_skin_s19_q & not_2666);
   // hls/stages/patches.hpp:127
@@ -10196,14 +10190,14 @@ module horopter_agreement (
   // hls/stages/patches.hpp:610
   logic [14:0] difference_3647;
   assign difference_3647 = {{7{select_3641_s19_q[7]}}, select_3641_s19_q} - {product_3646_s19_q[13], product_3646_s19_q};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_3921;
   assign select_3921 = equal_580_s19_q ? ((x_s19_q[6] & good_known_q) | equal_3919_s19_q) : good_known_q;
-  // hls/stages/agreement.hpp:1339
+  // hls/stages/agreement.hpp:1340
   logic and_4106;
   assign and_4106 = and_2155_s19_q & ({sum_2079_s19_q, index_2_s19_q} == {sum_2065_s19_q, index_s19_q});
 
-  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1443; read in stage 19, written in stage 20: 19 < 20 < 19 + DISTANCE.
+  // Memory map, 16080 x 2, DISTANCE 16, hls/stages/agreement.hpp:1444; read in stage 19, written in stage 20: 19 < 20 < 19 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [1:0] map_mem [0:16079];
@@ -10674,7 +10668,7 @@ module horopter_agreement (
   assign sum_740 = {2'h0, census_changes_values_1_left_s20_q} + {1'b0, sum_739_s20_q};
   logic [13:0] sum_741;
   assign sum_741 = {2'h0, census_changes_values_2_left_q} + sum_740;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [11:0] select_2295;
   assign select_2295 = and_555_s20_q ? census_changes_values_1_left_s20_q : census_changes_values_2_left_q;
   logic [11:0] select_2296;
@@ -10718,15 +10712,15 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:217
   logic select_2482;
   assign select_2482 = equal_2415_s20_q ? select_2481 : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_2673;
   assign select_2673 = and_2621_s20_q ? 14'h0 : (counts_unproven_q + {13'h0, and_2671_s20_q});
   logic [13:0] select_2687;
   assign select_2687 = and_2621_s20_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_2685_s20_q});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2708;
   assign and_2708 = not_581_s20_q & and_2707_s20_q;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_2710;
   assign select_2710 = and_2621_s20_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_2708});
   logic [13:0] select_2730;
@@ -10805,13 +10799,13 @@ module horopter_agreement (
   // hls/stages/patches.hpp:615
   logic less_3653;
   assign less_3653 = $signed(difference_3647_s20_q) < $signed({9'h0, cfg_patch_limit_i});
-  // hls/stages/agreement.hpp:1146
+  // hls/stages/agreement.hpp:1147
   logic less_3688;
   assign less_3688 = x_s20_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3692;
   assign and_3692 = equal_580_s20_q & (x_s20_q[6] & (not_1999_s20_q & (equal_3687_s20_q & less_3688)));
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3697;
   assign and_3697 = x_s20_q[6] & (not_1999_s20_q & (less_3688 & (x_s20_q[2:0] == 3'h1)));
   logic and_3704;
@@ -10829,23 +10823,23 @@ module horopter_agreement (
   assign select_3762 = ($signed(difference_3647_s20_q[14:4]) < $signed(11'h7ff)) ? 6'h30 : difference_3647_s20_q[5:0];
   logic [5:0] select_3763;
   assign select_3763 = ($signed(15'h10) < $signed(difference_3647_s20_q)) ? 6'h10 : select_3762;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3770;
   assign and_3770 = equal_580_s20_q & (x_s20_q[6] & (not_1999_s20_q & (equal_2928_s20_q & less_3688)));
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3774;
   assign and_3774 = x_s20_q[6] & (not_1999_s20_q & (less_3688 & (x_s20_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic [13:0] select_3933;
   assign select_3933 = equal_3930_s20_q ? counts_skin_unproven_q : (equal_3931_s20_q ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] select_3935;
   assign select_3935 = equal_3929_s20_q ? counts_regions_bad_q : (equal_3926_s20_q ? counts_nearer_s20_q : select_3933);
   logic [13:0] before_v_4;
   assign before_v_4 = equal_3928_s20_q ? counts_on_skin_q : select_3935;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4173;
   assign and_4173 = equal_580_s20_q & (x_s20_q[6] & (not_1999_s20_q | (4'hc < x_s20_q[5:2])));
-  // hls/stages/agreement.hpp:1156
+  // hls/stages/agreement.hpp:1157
   logic [31:0] select_4183;
   assign select_4183 = equal_1636_s20_q ? {2'h0, counts_regions_bad_q, 2'h0, counts_unproven_q} : select_4182_s20_q;
   logic [31:0] select_4184;
@@ -11637,7 +11631,7 @@ module horopter_agreement (
   assign or_3700 = (and_3692_s21_q ? patches_quarters_0_places_q : 8'h0) | (and_3698_s21_q ? patches_quarters_1_places_q : 8'h0);
   logic [7:0] or_3714;
   assign or_3714 = (or_3700 | (and_3705_s21_q ? patches_quarters_2_places_q : 8'h0)) | (and_3712_s21_q ? patches_quarters_3_places_q : 8'h0);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3722;
   assign and_3722 = equal_580_s21_q & and_3721_s21_q;
   // hls/stages/patches.hpp:639
@@ -11658,7 +11652,7 @@ module horopter_agreement (
   assign select_3740 = and_3705_s21_q ? (and_3722 ? patches_quarters_2_up_q : patches_quarters_2_down_q) : 8'h0;
   logic [7:0] select_3743;
   assign select_3743 = and_3712_s21_q ? (and_3722 ? patches_quarters_3_up_q : patches_quarters_3_down_q) : 8'h0;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3750;
   assign and_3750 = equal_580_s21_q & (x_s21_q & and_3748_s21_q);
   // hls/stages/patches.hpp:633
@@ -11728,27 +11722,27 @@ module horopter_agreement (
   assign sum_3839 = patches_age_q + {9'h0, and_3838};
   logic [9:0] select_3842;
   assign select_3842 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_3839)) : sum_3839;
-  // hls/stages/agreement.hpp:1251
+  // hls/stages/agreement.hpp:1252
   logic [14:0] over;
   assign over = {1'b0, product_s21_q} - {1'b0, before_v_4_s21_q};
-  // hls/stages/agreement.hpp:1259
+  // hls/stages/agreement.hpp:1260
   logic select_3938;
   assign select_3938 = and_3927_s21_q ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1339
+  // hls/stages/agreement.hpp:1340
   logic [1:0] select_4107;
   assign select_4107 = and_4106_s21_q ? {and_2143_s21_q, is_seen_s21_q} : map_rdata_s21_q;
-  // hls/stages/agreement.hpp:1268
+  // hls/stages/agreement.hpp:1269
   logic or_4121;
   assign or_4121 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | not_4120_s21_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4136;
   assign and_4136 = equal_3919_s21_q & (cfg_prove_i & (registration_moved_s21_q | patches_moved_q));
   logic and_4169;
   assign and_4169 = equal_580_s21_q & (equal_3919_s21_q & (cfg_prove_i & moments_out_of_step_q));
-  // hls/stages/agreement.hpp:1156
+  // hls/stages/agreement.hpp:1157
   logic [31:0] select_4188;
   assign select_4188 = equal_1626_s21_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4187_s21_q;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [31:0] select_4190;
   assign select_4190 = equal_1618_s21_q ? select_4188 : {2'h0, select_4189_s21_q, select_2678_s21_q, select_2675_s21_q};
 
@@ -12063,7 +12057,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:325
   logic [19:0] sum_2305;
   assign sum_2305 = census_left_misses_q + {{17{and_2304}}, and_2303_s22_q, 1'b0, and_2303_s22_q};
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [19:0] select_2307;
   assign select_2307 = and_555_s22_q ? (equal_2298_s22_q ? 20'h0 : sum_2305) : census_left_misses_q;
   // hls/stages/agreement.hpp:217
@@ -12132,25 +12126,25 @@ module horopter_agreement (
   // hls/stages/patches.hpp:668
   logic [12:0] product_3814;
   assign product_3814 = {8'h0, patches_on_skin_limit_q} * {5'h0, patches_places_q};
-  // hls/stages/agreement.hpp:1164
+  // hls/stages/agreement.hpp:1165
   logic [8:0] select_3923;
   assign select_3923 = hidden_ends_q ? 9'h0 : (hidden_for_q + {{7{hidden_more_q[0]}}, hidden_more_q});
-  // hls/stages/agreement.hpp:1176
+  // hls/stages/agreement.hpp:1177
   logic [8:0] select_3924;
   assign select_3924 = equal_3919_s22_q ? select_3923 : hidden_for_q;
-  // hls/stages/agreement.hpp:1179
+  // hls/stages/agreement.hpp:1180
   logic or_3942;
   assign or_3942 = not_3939_s22_q | (~(hidden_for_q[8:1] == 8'hff));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_3947;
   assign select_3947 = equal_580_s22_q ? (not_3939_s22_q & (cfg_same_table_i | (hidden_for_q == 9'h0))) : hidden_ends_q;
-  // hls/stages/agreement.hpp:1257
+  // hls/stages/agreement.hpp:1258
   logic and_3977;
   assign and_3977 = too_much_q & not_3976_s22_q;
-  // hls/stages/agreement.hpp:1258
+  // hls/stages/agreement.hpp:1259
   logic select_3982;
   assign select_3982 = and_3974_s22_q ? (and_3977 | or_3980_s22_q) : and_3977;
-  // hls/stages/agreement.hpp:1260
+  // hls/stages/agreement.hpp:1261
   logic select_3988;
   assign select_3988 = and_3985_s22_q ? and_3987_s22_q : overlooks_q;
   // hls/stages/agreement.hpp:443
@@ -12158,7 +12152,7 @@ module horopter_agreement (
   assign select_4111 = and_2072_s22_q ? (less_2073_s22_q ? and_4109_s22_q : seen_q) : seen_q;
   logic select_4114;
   assign select_4114 = and_2072_s22_q ? (less_2073_s22_q ? and_4112_s22_q : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1169
   logic or_4139;
   assign or_4139 = select_2477_s22_q | ($signed(20'h0) < $signed(census_left_misses_q));
 
@@ -12497,21 +12491,21 @@ module horopter_agreement (
   // hls/stages/patches.hpp:649
   logic or_3825;
   assign or_3825 = cfg_alarm_before_i | (patches_spoiled_q & (~patches_round_ends_s23_q));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4127;
   assign and_4127 = equal_580_s23_q & (equal_3919_s23_q & (cfg_prove_i & or_3900_s23_q));
-  // hls/stages/agreement.hpp:1270
+  // hls/stages/agreement.hpp:1271
   logic not_4129;
   assign not_4129 = ~(or_3900_s23_q | not_2367);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4133;
   assign and_4133 = equal_580_s23_q & (equal_3919_s23_q & (not_4129 & or_4130_s23_q));
   logic and_4146;
   assign and_4146 = equal_3919_s23_q & (not_4129 & (select_2471 | select_2483_s23_q));
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1169
   logic and_4152;
   assign and_4152 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_3924_s23_q < cfg_hidden_frames_i));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4165;
   assign and_4165 = equal_3919_s23_q & (or_4163_s23_q ? cfg_prove_i : patches_overlooked_q);
 
@@ -12605,7 +12599,7 @@ module horopter_agreement (
   end
 
   // Stage 24 ----------------------------------------------------------------------------------------------------------
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4160;
   assign and_4160 = equal_3919_s24_q & (or_4153_s24_q ? cfg_prove_i : and_4158_s24_q);
 
@@ -12875,6 +12869,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_4156[0], over[13:0], sum_3850[6:0], product_3814[4:0], sum_3785[1:0], sum_3745[1:0], product_3646[4:0], sum_2778[0], difference_2716[1:0], detail_4[1:0], detail_3[1:0], sum_2301[4:0], sum_1774[1:0], sum_1773[1:0], sum_1769[0], sum_1720[0], sum_1716[0], sum_741[4:0], cfg_width_i[3:0]};
+  assign unused_bits = ^{sum_4156[0], over[13:0], product_3814[4:0], sum_3785[1:0], sum_3745[1:0], product_3646[4:0], sum_2778[0], difference_2716[1:0], detail_4[1:0], detail_3[1:0], sum_2301[4:0], sum_1774[1:0], sum_1773[1:0], sum_1769[0], sum_1720[0], sum_1716[0], sum_741[4:0], cfg_width_i[3:0]};
 
 endmodule

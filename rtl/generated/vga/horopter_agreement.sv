@@ -85,8 +85,8 @@ module horopter_agreement (
   assign difference_4059 = 7'h0 - {1'b0, cfg_patch_limit_i};
   logic not_4252;
   assign not_4252 = ~(cfg_on_skin_limit_i == 5'h1f);
-  logic [6:0] difference_4289;
-  assign difference_4289 = 7'h0 - {1'b0, cfg_height_i[8:3]};
+  logic [6:0] difference_4310;
+  assign difference_4310 = 7'h0 - {1'b0, cfg_height_i[8:3]};
   logic [5:0] sum_4538;
   assign sum_4538 = {2'h0, cfg_height_i[8:5]} + 6'h3f;
   logic [7:0] select_4539;
@@ -200,16 +200,16 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:197
   logic so;
   assign so = run_phase_q == 3'h6;
-  // hls/stages/agreement.hpp:633
+  // hls/stages/agreement.hpp:634
   logic equal_576;
   assign equal_576 = run_phase_q == 3'h5;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:605
   logic or_577;
   assign or_577 = so | equal_576;
-  // hls/stages/agreement.hpp:602
+  // hls/stages/agreement.hpp:603
   logic [7:0] sum_578;
   assign sum_578 = {{2{run_shift_q[5]}}, run_shift_q} + x_q;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:605
   logic [7:0] select_579;
   assign select_579 = run_shift_q[5] ? x_q : sum_578;
   logic less_580;
@@ -217,10 +217,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:227
   logic not_581;
   assign not_581 = ~less_580;
-  // hls/stages/agreement.hpp:624
+  // hls/stages/agreement.hpp:625
   logic equal_591;
   assign equal_591 = run_phase_q == 3'h3;
-  // hls/stages/agreement.hpp:625
+  // hls/stages/agreement.hpp:626
   logic equal_592;
   assign equal_592 = run_phase_q == 3'h2;
   // hls/stages/agreement.hpp:150
@@ -228,7 +228,7 @@ module horopter_agreement (
   assign and_593 = equal_592 & not_581;
   logic select_595;
   assign select_595 = or_577 ? not_581 : (equal_591 ? not_581 : and_593);
-  // hls/stages/agreement.hpp:808
+  // hls/stages/agreement.hpp:809
   logic [7:0] x;
   assign x = x_q + 8'hfd;
   // hls/stages/agreement.hpp:150
@@ -238,10 +238,10 @@ module horopter_agreement (
   assign and_613 = equal_591 & and_612;
   logic select_614;
   assign select_614 = or_577 ? not_581 : and_613;
-  // hls/stages/agreement.hpp:831
+  // hls/stages/agreement.hpp:832
   logic [6:0] right;
   assign right = sum_578[6:0] + 7'h7d;
-  // hls/stages/agreement.hpp:604
+  // hls/stages/agreement.hpp:605
   logic not_649;
   assign not_649 = ~or_577;
   // hls/stages/agreement.hpp:150
@@ -344,91 +344,91 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:469
   logic and_2948;
   assign and_2948 = and_547 & equal_2947;
-  // hls/stages/agreement.hpp:533
+  // hls/stages/agreement.hpp:534
   logic select_2951;
   assign select_2951 = (and_2948 | (~ends_cell_q)) ? and_2948 : ends_q;
-  // hls/stages/agreement.hpp:539
+  // hls/stages/agreement.hpp:540
   logic [2:0] now;
   assign now = select_2951 ? (and_2948 ? 3'h1 : following_phase_q) : run_phase_q;
-  // hls/stages/agreement.hpp:544
+  // hls/stages/agreement.hpp:545
   logic [5:0] select_2955;
   assign select_2955 = select_2951 ? (and_2948 ? 6'h0 : following_shift_q) : run_shift_q;
   logic select_2958;
   assign select_2958 = select_2951 ? (following_last_shift_q & (~and_2948)) : run_last_shift_q;
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:618
   logic and_2961;
   assign and_2961 = run_last_shift_q & equal_591;
-  // hls/stages/agreement.hpp:626
+  // hls/stages/agreement.hpp:627
   logic select_2963;
   assign select_2963 = equal_591 ? (~run_last_shift_q) : equal_592;
-  // hls/stages/agreement.hpp:630
+  // hls/stages/agreement.hpp:631
   logic equal_2964;
   assign equal_2964 = run_phase_q == 3'h1;
   logic not_2967;
   assign not_2967 = ~select_2963;
-  // hls/stages/agreement.hpp:633
+  // hls/stages/agreement.hpp:634
   logic equal_2969;
   assign equal_2969 = run_phase_q == 3'h4;
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:618
   logic and_2970;
   assign and_2970 = final_row_q & so;
-  // hls/stages/agreement.hpp:630
+  // hls/stages/agreement.hpp:631
   logic [1:0] select_2971;
   assign select_2971 = equal_2969 ? 2'h1 : {2{and_2970}};
   logic [2:0] select_2973;
   assign select_2973 = (and_2961 | (select_2963 | equal_2964)) ? (equal_2964 ? 3'h2 : {not_2967, {2{select_2963}}}) : (equal_576 ? 3'h6 : {select_2971[0], select_2971});
-  // hls/stages/agreement.hpp:617
+  // hls/stages/agreement.hpp:618
   logic and_2976;
   assign and_2976 = select_2963 & ({{2{plan_shift_q[5]}}, plan_shift_q} == {1'b0, least_q});
-  // hls/stages/agreement.hpp:640
+  // hls/stages/agreement.hpp:641
   logic [6:0] value;
   assign value = 7'h0 - {plan_shift_q[5], plan_shift_q};
   logic [6:0] select_2979;
   assign select_2979 = (plan_shift_q[5] & select_2963) ? value : 7'h0;
   logic [1:0] or_2980;
   assign or_2980 = {2{so}} | select_2979[5:4];
-  // hls/stages/agreement.hpp:643
+  // hls/stages/agreement.hpp:644
   logic [7:0] or_2984;
   assign or_2984 = (select_2963 ? plan_columns_q : 8'h0) | ((equal_2964 | equal_2969) ? whole_q : 8'h0);
   logic [1:0] or_2985;
   assign or_2985 = {2{and_2961}} | or_2984[3:2];
-  // hls/stages/agreement.hpp:644
+  // hls/stages/agreement.hpp:645
   logic [7:0] or_2987;
   assign or_2987 = {or_2984[7:4], or_2985, or_2984[1:0]} | (equal_576 ? drawn_q : 8'h0);
   logic [4:0] or_2988;
   assign or_2988 = {5{so}} | {or_2987[6], or_2987[3:0]};
-  // hls/stages/agreement.hpp:650
+  // hls/stages/agreement.hpp:651
   logic not_2992;
   assign not_2992 = ~run_shift_q[5];
   logic [7:0] select_2995;
   assign select_2995 = equal_591 ? ({{7{not_2992}}, 1'b1} + run_span_q) : ({1'b0, last_q} - {1'b0, least_q});
-  // hls/stages/agreement.hpp:533
+  // hls/stages/agreement.hpp:534
   logic [6:0] select_2999;
   assign select_2999 = and_2948 ? 7'h0 : following_lowest_q;
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:537
   logic [7:0] select_3001;
   assign select_3001 = select_2951 ? {select_2999[6], select_2999} : (x_q + {7'h0, ends_cell_q});
   logic [7:0] select_3004;
   assign select_3004 = select_2951 ? (and_2948 ? 8'hc : following_columns_q) : (columns_left_q - {7'h0, ends_cell_q});
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [6:0] select_3012;
   assign select_3012 = and_547 ? (equal_2947 ? ((6'he < last[6:1]) ? 7'h1d : last) : least_q) : least_q;
   // hls/stages/agreement.hpp:481
   logic [5:0] sum_3013;
   assign sum_3013 = {1'b0, last[6:2]} + 6'h3;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [7:0] select_3015;
   assign select_3015 = and_547 ? (equal_2947 ? {sum_3013, last[1:0]} : whole_q) : whole_q;
   // hls/stages/agreement.hpp:482
   logic [5:0] sum_3016;
   assign sum_3016 = {1'b0, last[6:2]} + 6'h1;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [7:0] select_3018;
   assign select_3018 = and_547 ? (equal_2947 ? {sum_3016, last[1:0]} : drawn_q) : drawn_q;
-  // hls/stages/agreement.hpp:541
+  // hls/stages/agreement.hpp:542
   logic select_3029;
   assign select_3029 = (ends_cell_q | select_2951) ? (~(now == 3'h6)) : (equal_591 | (slot_q == 3'h6));
-  // hls/stages/agreement.hpp:536
+  // hls/stages/agreement.hpp:537
   logic and_3033;
   assign and_3033 = (~select_2951) & (ends_cell_q ? (columns_left_q == 8'h1) : ends_q);
   // hls/stages/agreement.hpp:484
@@ -490,7 +490,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:465
   logic [4:0] select_3443;
   assign select_3443 = equal_2947 ? (select_3441 + {4'h0, equal_3436}) : patches_choosing_number_q;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_3448;
   assign select_3448 = and_547 ? (equal_2947 ? ((6'h4 < row) & equal_3436) : patches_chooses_q) : patches_chooses_q;
   logic [4:0] select_3450;
@@ -554,7 +554,7 @@ module horopter_agreement (
   logic [4:0] select_3547;
   assign select_3547 = or_3516 ? 5'h0 : (patches_code_row_q + {4'h0, patches_column_ends_q});
 
-  // Memory fresh, 80 x 33 and parity, DISTANCE 12, hls/stages/agreement.hpp:1404; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
+  // Memory fresh, 80 x 33 and parity, DISTANCE 12, hls/stages/agreement.hpp:1405; read in stage 0, written in stage 3: 0 < 3 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [33:0] fresh_mem [0:79];
@@ -575,7 +575,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) fresh_read_q <= rst_ni & fresh_re;
   assign fresh_error = fresh_read_q & ^fresh_word_q;
 
-  // Memory left, 80 x 85 and parity, DISTANCE 12, hls/stages/agreement.hpp:1405; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory left, 80 x 85 and parity, DISTANCE 12, hls/stages/agreement.hpp:1406; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [85:0] left_mem [0:79];
@@ -596,7 +596,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) left_read_q <= rst_ni & left_re;
   assign left_error = left_read_q & ^left_word_q;
 
-  // Memory right_codes, 80 x 99 and parity, DISTANCE 12, hls/stages/agreement.hpp:1406; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
+  // Memory right_codes, 80 x 99 and parity, DISTANCE 12, hls/stages/agreement.hpp:1407; read in stage 0, written in stage 1: 0 < 1 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [99:0] right_codes_mem [0:79];
@@ -617,7 +617,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) right_codes_read_q <= rst_ni & right_codes_re;
   assign right_codes_error = right_codes_read_q & ^right_codes_word_q;
 
-  // Memory best_left, 80 x 62 and parity, DISTANCE 12, hls/stages/agreement.hpp:1407; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
+  // Memory best_left, 80 x 62 and parity, DISTANCE 12, hls/stages/agreement.hpp:1408; read in stage 0, written in stage 2: 0 < 2 < 0 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [62:0] best_left_mem [0:79];
@@ -1073,10 +1073,10 @@ module horopter_agreement (
   // hls/stages/census.hpp:127
   logic and_521;
   assign and_521 = sample_pair_whole_s1_q & and_520_s1_q;
-  // hls/stages/agreement.hpp:678
+  // hls/stages/agreement.hpp:679
   logic equal_566;
   assign equal_566 = row_q == 6'h0;
-  // hls/stages/agreement.hpp:1107
+  // hls/stages/agreement.hpp:1108
   logic equal_567;
   assign equal_567 = x_s1_q == 8'h0;
   // hls/stages/agreement.hpp:260
@@ -1085,10 +1085,10 @@ module horopter_agreement (
   // hls/stages/moments.hpp:68
   logic [13:0] select_570;
   assign select_570 = moments_starts_q ? 14'h1 : (moments_place_q + {13'h0, moments_taken_q});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [12:0] select_571;
   assign select_571 = first ? 13'h0 : select_570[12:0];
-  // hls/stages/agreement.hpp:1022
+  // hls/stages/agreement.hpp:1023
   logic not_573;
   assign not_573 = ~equal_572_s1_q;
   // hls/stages/agreement.hpp:202
@@ -1103,31 +1103,31 @@ module horopter_agreement (
   // hls/stages/moments.hpp:131
   logic not_585;
   assign not_585 = ~(8'h4a < place);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_589;
   assign and_589 = not_573 & (not_575 & (equal_576_s1_q & (inside_v & not_585)));
-  // hls/stages/agreement.hpp:985
+  // hls/stages/agreement.hpp:986
   logic and_604;
   assign and_604 = (or_577_s1_q & (left_rdata_q[67] & not_581_s1_q)) & (late_q | (~(row_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:976
+  // hls/stages/agreement.hpp:977
   logic [5:0] shift;
   assign shift = slot_s1_q[2] ? best_left_rdata_q[5:0] : best_left_rdata_q[45:40];
-  // hls/stages/agreement.hpp:977
+  // hls/stages/agreement.hpp:978
   logic [7:0] found;
   assign found = x_s1_q + {{2{shift[5]}}, shift};
-  // hls/stages/agreement.hpp:978
+  // hls/stages/agreement.hpp:979
   logic [6:0] select_623;
   assign select_623 = ({1'b0, last_s1_q} < found) ? 7'h0 : found[6:0];
-  // hls/stages/agreement.hpp:1014
+  // hls/stages/agreement.hpp:1015
   logic less_636;
   assign less_636 = 6'h2 < row_q;
-  // hls/stages/agreement.hpp:1016
+  // hls/stages/agreement.hpp:1017
   logic and_646;
   assign and_646 = (or_577_s1_q & (right_codes_rdata_q[58] & not_581_s1_q)) & less_636;
-  // hls/stages/agreement.hpp:679
+  // hls/stages/agreement.hpp:680
   logic or_750;
   assign or_750 = late_q | (~equal_566);
-  // hls/stages/agreement.hpp:681
+  // hls/stages/agreement.hpp:682
   logic and_751;
   assign and_751 = left_rdata_q[12] & or_750;
   logic and_752;
@@ -1136,7 +1136,7 @@ module horopter_agreement (
   assign and_753 = left_rdata_q[48] & or_750;
   logic and_754;
   assign and_754 = left_rdata_q[66] & or_750;
-  // hls/stages/agreement.hpp:682
+  // hls/stages/agreement.hpp:683
   logic and_755;
   assign and_755 = right_codes_rdata_q[12] & or_750;
   logic and_756;
@@ -1158,7 +1158,7 @@ module horopter_agreement (
   assign select_767 = less_580_s1_q ? 12'h0 : left_rdata_q[47:36];
   logic [11:0] select_768;
   assign select_768 = less_580_s1_q ? 12'h0 : right_codes_rdata_q[41:30];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_772;
   assign select_772 = and_765 ? (and_766 ? (~(select_767 ^ select_768)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1177,7 +1177,7 @@ module horopter_agreement (
   assign select_790 = less_580_s1_q ? 12'h0 : left_rdata_q[65:54];
   logic [11:0] select_791;
   assign select_791 = less_580_s1_q ? 12'h0 : right_codes_rdata_q[56:45];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_795;
   assign select_795 = and_788 ? (and_789 ? (~(select_790 ^ select_791)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1194,7 +1194,7 @@ module horopter_agreement (
   assign select_807 = less_580_s1_q ? 12'h0 : left_rdata_q[83:72];
   logic [11:0] select_808;
   assign select_808 = less_580_s1_q ? 12'h0 : right_codes_rdata_q[71:60];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_812;
   assign select_812 = and_805 ? (and_806 ? (~(select_807 ^ select_808)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1336,14 +1336,14 @@ module horopter_agreement (
   assign select_1009 = equal_591_s1_q ? {and_1008, xor_1007, parity_1001, parity_980, xor_935, xor_840} : 6'h0;
   logic [5:0] column;
   assign column = or_577_s1_q ? 6'h0 : select_1009;
-  // hls/stages/agreement.hpp:788
+  // hls/stages/agreement.hpp:789
   logic [5:0] select_1011;
   assign select_1011 = age_s1_q[3] ? middle_sum_columns_values_6_q : 6'h0;
   logic [6:0] difference_1012;
   assign difference_1012 = {1'b0, column} - {1'b0, select_1011};
   logic [7:0] sum_1014;
   assign sum_1014 = {difference_1012[6], difference_1012} + (age_s1_q[0] ? middle_sum_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1018;
   assign select_1018 = and_765 ? (and_789 ? (~(select_767 ^ select_791)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1353,7 +1353,7 @@ module horopter_agreement (
   assign parity_1027 = ^select_1018[8:6];
   logic parity_1030;
   assign parity_1030 = ^select_1018[11:3];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1037;
   assign select_1037 = and_788 ? (and_806 ? (~(select_790 ^ select_808)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1366,7 +1366,7 @@ module horopter_agreement (
   assign and_1047 = right_codes_rdata_q[85] & not_581_s1_q;
   logic [11:0] select_1048;
   assign select_1048 = less_580_s1_q ? 12'h0 : right_codes_rdata_q[84:73];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1052;
   assign select_1052 = and_805 ? (and_1047 ? (~(select_807 ^ select_1048)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1508,7 +1508,7 @@ module horopter_agreement (
   assign select_1249 = equal_591_s1_q ? {and_1248, xor_1247, parity_1241, parity_1220, xor_1175, xor_1080} : 6'h0;
   logic [5:0] column_2;
   assign column_2 = or_577_s1_q ? 6'h0 : select_1249;
-  // hls/stages/agreement.hpp:788
+  // hls/stages/agreement.hpp:789
   logic [5:0] select_1251;
   assign select_1251 = age_s1_q[3] ? sums_0_columns_values_6_q : 6'h0;
   logic [6:0] difference_1252;
@@ -1520,7 +1520,7 @@ module horopter_agreement (
   assign and_1255 = right_codes_rdata_q[27] & not_581_s1_q;
   logic [11:0] select_1256;
   assign select_1256 = less_580_s1_q ? 12'h0 : right_codes_rdata_q[26:15];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1260;
   assign select_1260 = and_765 ? (and_1255 ? (~(select_767 ^ select_1256)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1530,7 +1530,7 @@ module horopter_agreement (
   assign parity_1269 = ^select_1260[8:6];
   logic parity_1272;
   assign parity_1272 = ^select_1260[11:3];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1279;
   assign select_1279 = and_788 ? (and_766 ? (~(select_790 ^ select_768)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1538,7 +1538,7 @@ module horopter_agreement (
   assign parity_1282 = ^select_1279[8:6];
   logic parity_1285;
   assign parity_1285 = ^select_1279[11:9];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1292;
   assign select_1292 = and_805 ? (and_789 ? (~(select_807 ^ select_791)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1680,14 +1680,14 @@ module horopter_agreement (
   assign select_1489 = equal_591_s1_q ? {and_1488, xor_1487, parity_1481, parity_1460, xor_1415, xor_1320} : 6'h0;
   logic [5:0] column_3;
   assign column_3 = or_577_s1_q ? 6'h0 : select_1489;
-  // hls/stages/agreement.hpp:788
+  // hls/stages/agreement.hpp:789
   logic [5:0] select_1491;
   assign select_1491 = age_s1_q[3] ? sums_1_columns_values_6_q : 6'h0;
   logic [6:0] difference_1492;
   assign difference_1492 = {1'b0, column_3} - {1'b0, select_1491};
   logic [7:0] sum_1494;
   assign sum_1494 = {difference_1492[6], difference_1492} + (age_s1_q[0] ? sums_1_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1502;
   assign select_1502 = and_765 ? (and_806 ? (~(select_767 ^ select_808)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1697,7 +1697,7 @@ module horopter_agreement (
   assign parity_1511 = ^select_1502[8:6];
   logic parity_1514;
   assign parity_1514 = ^select_1502[11:3];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1521;
   assign select_1521 = and_788 ? (and_1047 ? (~(select_790 ^ select_1048)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1705,7 +1705,7 @@ module horopter_agreement (
   assign parity_1524 = ^select_1521[8:6];
   logic parity_1527;
   assign parity_1527 = ^select_1521[11:9];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] xor_1533;
   assign xor_1533 = select_807 ^ (less_580_s1_q ? 12'h0 : right_codes_rdata_q[97:86]);
   logic [11:0] select_1536;
@@ -1849,14 +1849,14 @@ module horopter_agreement (
   assign select_1733 = equal_591_s1_q ? {and_1732, xor_1731, parity_1725, parity_1704, xor_1659, xor_1564} : 6'h0;
   logic [5:0] column_4;
   assign column_4 = or_577_s1_q ? 6'h0 : select_1733;
-  // hls/stages/agreement.hpp:788
+  // hls/stages/agreement.hpp:789
   logic [5:0] select_1735;
   assign select_1735 = age_s1_q[3] ? sums_2_columns_values_6_q : 6'h0;
   logic [6:0] difference_1736;
   assign difference_1736 = {1'b0, column_4} - {1'b0, select_1735};
   logic [7:0] sum_1738;
   assign sum_1738 = {difference_1736[6], difference_1736} + (age_s1_q[0] ? sums_2_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] not_1742;
   assign not_1742 = ~(select_767 ^ (less_580_s1_q ? 12'h0 : right_codes_rdata_q[11:0]));
   logic [11:0] select_1744;
@@ -1868,7 +1868,7 @@ module horopter_agreement (
   assign parity_1753 = ^select_1744[8:6];
   logic parity_1756;
   assign parity_1756 = ^select_1744[11:3];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1763;
   assign select_1763 = and_788 ? (and_1255 ? (~(select_790 ^ select_1256)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -1876,7 +1876,7 @@ module horopter_agreement (
   assign parity_1766 = ^select_1763[8:6];
   logic parity_1769;
   assign parity_1769 = ^select_1763[11:9];
-  // hls/stages/agreement.hpp:694
+  // hls/stages/agreement.hpp:695
   logic [11:0] select_1776;
   assign select_1776 = and_805 ? (and_766 ? (~(select_807 ^ select_768)) : 12'h0) : 12'h0;
   // hls/stages/count_bits.hpp:24
@@ -2018,14 +2018,14 @@ module horopter_agreement (
   assign select_1973 = equal_591_s1_q ? {and_1972, xor_1971, parity_1965, parity_1944, xor_1899, xor_1804} : 6'h0;
   logic [5:0] column_5;
   assign column_5 = or_577_s1_q ? 6'h0 : select_1973;
-  // hls/stages/agreement.hpp:788
+  // hls/stages/agreement.hpp:789
   logic [5:0] select_1975;
   assign select_1975 = age_s1_q[3] ? sums_3_columns_values_6_q : 6'h0;
   logic [6:0] difference_1976;
   assign difference_1976 = {1'b0, column_5} - {1'b0, select_1975};
   logic [7:0] sum_1978;
   assign sum_1978 = {difference_1976[6], difference_1976} + (age_s1_q[0] ? sums_3_sum_sums_values_0_q : 8'h0);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2049;
   assign and_2049 = ends_cell_s1_q & inside_v;
   logic and_2051;
@@ -2043,7 +2043,7 @@ module horopter_agreement (
   assign select_2181 = ($signed(registration_slope_change_q[27:18]) < $signed(10'h3ff)) ? 17'h1ff80 : registration_slope_change_q[27:11];
   logic [7:0] change;
   assign change = ($signed(10'h0) < $signed(select_2181[16:7])) ? 8'h7f : select_2181[7:0];
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic equal_2266;
   assign equal_2266 = x_s1_q[6:0] == 7'h70;
   // hls/stages/moments.hpp:153
@@ -2160,30 +2160,30 @@ module horopter_agreement (
   // hls/stages/division.hpp:34
   logic [5:0] sum_2461;
   assign sum_2461 = region_across_rest_q[8:3] + 6'h1;
-  // hls/stages/agreement.hpp:1305
+  // hls/stages/agreement.hpp:1306
   logic or_2507;
   assign or_2507 = sample_pair_first_q | line_ended_q;
-  // hls/stages/agreement.hpp:1307
+  // hls/stages/agreement.hpp:1308
   logic [16:0] select_2509;
   assign select_2509 = sample_pair_first_q ? 17'h1 : (or_2507 ? {rows_passed_q[15:0], 1'b1} : rows_passed_q);
-  // hls/stages/agreement.hpp:1306
+  // hls/stages/agreement.hpp:1307
   logic [8:0] select_2511;
   assign select_2511 = or_2507 ? 9'h0 : columns_passed_q;
-  // hls/stages/agreement.hpp:1314
+  // hls/stages/agreement.hpp:1315
   logic select_2513;
   assign select_2513 = cfg_compete_i ? (or_2507 & select_2509[16]) : (select_2511[8] & select_2509[9]);
   // hls/stages/agreement.hpp:441
   logic next_row;
   assign next_row = select_2513 & (began_q & at_cell_end_q);
-  // hls/stages/agreement.hpp:1321
+  // hls/stages/agreement.hpp:1322
   logic [6:0] select_2516;
   assign select_2516 = next_row ? cfg_width_i[9:3] : 7'h0;
   logic [12:0] select_2518;
   assign select_2518 = sample_pair_first_q ? 13'h0 : (seen_base_q + {6'h0, select_2516});
-  // hls/stages/agreement.hpp:1332
+  // hls/stages/agreement.hpp:1333
   logic equal_2519;
   assign equal_2519 = seen_x_q == 3'h7;
-  // hls/stages/agreement.hpp:1304
+  // hls/stages/agreement.hpp:1305
   logic not_2526;
   assign not_2526 = ~sample_pair_first_q;
   // hls/stages/agreement.hpp:461
@@ -2195,7 +2195,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:472
   logic and_3044;
   assign and_3044 = proven_q & less_3043;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_3048;
   assign select_3048 = and_547_s1_q ? (equal_2947_s1_q ? (and_3044 & (row_s1_q[5:1] == 5'h0)) : late_q) : late_q;
   // hls/stages/agreement.hpp:473
@@ -2204,7 +2204,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:474
   logic and_3050;
   assign and_3050 = and_3044 & equal_3049;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic and_3301;
   assign and_3301 = and_547_s1_q & (equal_2947_s1_q & equal_3049);
   // hls/stages/registration.hpp:128
@@ -2274,23 +2274,23 @@ module horopter_agreement (
   logic select_3997;
   assign select_3997 = equal_2249_s1_q ? (less_2434 & (equal_2436 & or_2437)) : patches_read_searches_q;
   // hls/stages/agreement.hpp:206
-  logic [8:0] select_4302;
-  assign select_4302 = so_s1_q ? (and_3311 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
+  logic [8:0] select_4300;
+  assign select_4300 = so_s1_q ? (and_3311 ? region_across_next_q : region_across_rest_q) : columns_begin_rest_q;
   // hls/stages/division.hpp:35
-  logic [8:0] sum_4304;
-  assign sum_4304 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
+  logic [8:0] sum_4302;
+  assign sum_4302 = region_across_rest_q + {region_across_back_q[7], region_across_back_q};
   // hls/stages/division.hpp:36
-  logic [8:0] select_4305;
-  assign select_4305 = sum_2461[5] ? {1'b1, sum_2461[4:0], region_across_rest_q[2:0]} : sum_4304;
+  logic [8:0] select_4303;
+  assign select_4303 = sum_2461[5] ? {1'b1, sum_2461[4:0], region_across_rest_q[2:0]} : sum_4302;
   // hls/stages/agreement.hpp:465
-  logic [8:0] select_4307;
-  assign select_4307 = equal_2947_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
-  logic [7:0] select_4310;
-  assign select_4310 = equal_2947_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
-  // hls/stages/agreement.hpp:1164
+  logic [8:0] select_4305;
+  assign select_4305 = equal_2947_s1_q ? (9'h1f0 - {2'h0, cfg_width_i[9:3]}) : columns_begin_rest_q;
+  logic [7:0] select_4308;
+  assign select_4308 = equal_2947_s1_q ? (8'h8 - {1'b0, cfg_width_i[9:3]}) : columns_begin_back_q;
+  // hls/stages/agreement.hpp:1165
   logic equal_4360;
   assign equal_4360 = x_s1_q[6:0] == 7'h7f;
-  // hls/stages/agreement.hpp:1331
+  // hls/stages/agreement.hpp:1332
   logic [2:0] select_4535;
   assign select_4535 = select_2513 ? (began_q ? (seen_y_q + 3'h1) : seen_y_q) : seen_y_q;
   // hls/stages/agreement.hpp:441
@@ -2360,7 +2360,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) moments_memory_read_q <= rst_ni & moments_memory_re;
   assign moments_memory_error = moments_memory_read_q & ^moments_memory_word_q;
 
-  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1408; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory best_right, 80 x 29 and parity, DISTANCE 12, hls/stages/agreement.hpp:1409; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [29:0] best_right_mem [0:79];
@@ -2381,7 +2381,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) best_right_read_q <= rst_ni & best_right_re;
   assign best_right_error = best_right_read_q & ^best_right_word_q;
 
-  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1409; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory shown_right, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1410; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2403,7 +2403,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) shown_right_read_q <= rst_ni & shown_right_re;
   assign shown_right_error = shown_right_read_q & ^shown_right_word_q;
 
-  // Memory left_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1410; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory left_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1411; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2425,7 +2425,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) left_turns_read_q <= rst_ni & left_turns_re;
   assign left_turns_error = left_turns_read_q & ^left_turns_word_q;
 
-  // Memory right_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1410; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory right_turns, 80 x 2 and parity, DISTANCE 12, hls/stages/agreement.hpp:1411; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -2512,7 +2512,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_rows_read_q <= rst_ni & patches_rows_re;
   assign patches_rows_error = patches_rows_read_q & ^patches_rows_word_q;
 
-  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1439; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
+  // Memory seen_columns, 80 x 18 and parity, DISTANCE 12, hls/stages/agreement.hpp:1440; read in stage 1, written in stage 2: 1 < 2 < 1 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [18:0] seen_columns_mem [0:79];
@@ -2674,11 +2674,11 @@ module horopter_agreement (
       patches_step_q <= or_3516_s1_q ? 7'h0 : (patches_step_q + 7'h1);
       patches_read_searches_q <= select_3997;
       patches_bands_chosen_q <= equal_572_s1_q ? select_2267 : patches_bands_chosen_q;
-      region_across_rest_q <= select_4302;
+      region_across_rest_q <= select_4300;
       region_across_back_q <= so_s1_q ? region_across_back_q : columns_begin_back_q;
-      region_across_next_q <= select_4305;
-      columns_begin_rest_q <= and_547_s1_q ? select_4307 : columns_begin_rest_q;
-      columns_begin_back_q <= and_547_s1_q ? select_4310 : columns_begin_back_q;
+      region_across_next_q <= select_4303;
+      columns_begin_rest_q <= and_547_s1_q ? select_4305 : columns_begin_rest_q;
+      columns_begin_back_q <= and_547_s1_q ? select_4308 : columns_begin_back_q;
       done_q <= not_2526 & ((~drew_q) & (done_q | said_q));
       proven_q <= sample_pair_first_q ? done_q : proven_q;
       drew_q <= so_s1_q;
@@ -3223,16 +3223,16 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:277
   logic and_565;
   assign and_565 = sample_pair_whole_s2_q & select_564;
-  // hls/stages/agreement.hpp:988
+  // hls/stages/agreement.hpp:989
   logic select_618;
   assign select_618 = slot_s2_q[2] ? (8'hb6 < best_left_rdata_s2_q[16:9]) : (6'h2a < best_left_rdata_s2_q[39:34]);
-  // hls/stages/agreement.hpp:989
+  // hls/stages/agreement.hpp:990
   logic [6:0] chosen;
   assign chosen = slot_s2_q[2] ? best_right_rdata_q[14:8] : best_right_rdata_q[28:22];
-  // hls/stages/agreement.hpp:1002
+  // hls/stages/agreement.hpp:1003
   logic [8:0] difference_628;
   assign difference_628 = {2'h0, chosen} - {1'b0, x_s2_q};
-  // hls/stages/agreement.hpp:1003
+  // hls/stages/agreement.hpp:1004
   logic [9:0] sum_629;
   assign sum_629 = {difference_628[8], difference_628} + 10'h1;
   // hls/stages/agreement.hpp:248
@@ -3405,13 +3405,13 @@ module horopter_agreement (
   // hls/stages/moments.hpp:33
   logic [6:0] sum_745;
   assign sum_745 = {half_grey_levels_2[9], half_grey_levels_2[9:4]} + 7'h7f;
-  // hls/stages/agreement.hpp:817
+  // hls/stages/agreement.hpp:818
   logic or_762;
   assign or_762 = shift_first_s2_q | (~shift_not_right_q);
-  // hls/stages/agreement.hpp:818
+  // hls/stages/agreement.hpp:819
   logic select_764;
   assign select_764 = or_762 ? shift_first_s2_q : (~age_s2_q[0]);
-  // hls/stages/agreement.hpp:761
+  // hls/stages/agreement.hpp:762
   logic less_1495;
   assign less_1495 = sums_0_sum_sums_values_0_q < sums_1_sum_sums_values_0_q;
   logic [7:0] select_1496;
@@ -3426,26 +3426,26 @@ module horopter_agreement (
   assign select_1980 = less_1979 ? sums_3_sum_sums_values_0_q : sums_2_sum_sums_values_0_q;
   logic less_1981;
   assign less_1981 = select_1498 < select_1980;
-  // hls/stages/agreement.hpp:811
+  // hls/stages/agreement.hpp:812
   logic [7:0] of_best;
   assign of_best = shift_allowed_q ? (less_1981 ? select_1980 : select_1498) : 8'h0;
-  // hls/stages/agreement.hpp:818
+  // hls/stages/agreement.hpp:819
   logic or_1985;
   assign or_1985 = select_764 | (best_left_rdata_s2_q[16:9] < of_best);
-  // hls/stages/agreement.hpp:823
+  // hls/stages/agreement.hpp:824
   logic [5:0] select_1986;
   assign select_1986 = or_1985 ? run_shift_s2_q : best_left_rdata_s2_q[5:0];
-  // hls/stages/agreement.hpp:762
+  // hls/stages/agreement.hpp:763
   logic or_1988;
   assign or_1988 = less_1495 | (~less_1497);
   logic [2:0] select_1989;
   assign select_1989 = less_1981 ? {less_1979, 2'h0} : {1'b0, or_1988, less_1497};
-  // hls/stages/agreement.hpp:823
+  // hls/stages/agreement.hpp:824
   logic [2:0] select_1990;
   assign select_1990 = or_1985 ? select_1989 : best_left_rdata_s2_q[8:6];
   logic [7:0] select_1991;
   assign select_1991 = or_1985 ? of_best : best_left_rdata_s2_q[16:9];
-  // hls/stages/agreement.hpp:820
+  // hls/stages/agreement.hpp:821
   logic equal_1992;
   assign equal_1992 = select_1989 == 3'h1;
   logic or_1995;
@@ -3454,93 +3454,93 @@ module horopter_agreement (
   assign select_1997 = or_1995 ? middle_sum_sum_sums_values_0_q : sums_0_sum_sums_values_0_q;
   logic [7:0] select_1998;
   assign select_1998 = equal_1992 ? (or_1995 ? sums_2_sum_sums_values_0_q : {7'h0, shift_not_right_q}) : select_1997;
-  // hls/stages/agreement.hpp:823
+  // hls/stages/agreement.hpp:824
   logic [7:0] select_1999;
   assign select_1999 = or_1985 ? select_1998 : best_left_rdata_s2_q[24:17];
-  // hls/stages/agreement.hpp:821
+  // hls/stages/agreement.hpp:822
   logic [7:0] select_2000;
   assign select_2000 = or_1995 ? sums_3_sum_sums_values_0_q : sums_1_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:823
+  // hls/stages/agreement.hpp:824
   logic [7:0] select_2002;
   assign select_2002 = or_1985 ? (equal_1992 ? select_1997 : select_2000) : best_left_rdata_s2_q[32:25];
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:790
   logic [5:0] before_v;
   assign before_v = age_s2_q[0] ? middle_sum_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:790
+  // hls/stages/agreement.hpp:791
   logic [6:0] sum_2004;
   assign sum_2004 = {1'b0, middle_sum_columns_values_2_q} + {1'b0, middle_sum_columns_values_3_q};
   logic [6:0] sum_2005;
   assign sum_2005 = {1'b0, before_v} + sum_2004;
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:790
   logic [5:0] before_v_2;
   assign before_v_2 = age_s2_q[0] ? sums_0_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:790
+  // hls/stages/agreement.hpp:791
   logic [6:0] sum_2007;
   assign sum_2007 = {1'b0, sums_0_columns_values_2_q} + {1'b0, sums_0_columns_values_3_q};
   logic [6:0] sum_2008;
   assign sum_2008 = {1'b0, before_v_2} + sum_2007;
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:790
   logic [5:0] before_v_3;
   assign before_v_3 = age_s2_q[0] ? sums_1_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:790
+  // hls/stages/agreement.hpp:791
   logic [6:0] sum_2010;
   assign sum_2010 = {1'b0, sums_1_columns_values_2_q} + {1'b0, sums_1_columns_values_3_q};
   logic [6:0] sum_2011;
   assign sum_2011 = {1'b0, before_v_3} + sum_2010;
-  // hls/stages/agreement.hpp:761
+  // hls/stages/agreement.hpp:762
   logic [6:0] select_2013;
   assign select_2013 = (sum_2008 < sum_2011) ? sum_2011 : sum_2008;
   logic [6:0] select_2015;
   assign select_2015 = (sum_2005 < select_2013) ? select_2013 : sum_2005;
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:790
   logic [5:0] before_v_4;
   assign before_v_4 = age_s2_q[0] ? sums_2_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:790
+  // hls/stages/agreement.hpp:791
   logic [6:0] sum_2017;
   assign sum_2017 = {1'b0, sums_2_columns_values_2_q} + {1'b0, sums_2_columns_values_3_q};
   logic [6:0] sum_2018;
   assign sum_2018 = {1'b0, before_v_4} + sum_2017;
-  // hls/stages/agreement.hpp:789
+  // hls/stages/agreement.hpp:790
   logic [5:0] before_v_5;
   assign before_v_5 = age_s2_q[0] ? sums_3_columns_values_4_q : 6'h0;
-  // hls/stages/agreement.hpp:790
+  // hls/stages/agreement.hpp:791
   logic [6:0] sum_2020;
   assign sum_2020 = {1'b0, sums_3_columns_values_2_q} + {1'b0, sums_3_columns_values_3_q};
   logic [6:0] sum_2021;
   assign sum_2021 = {1'b0, before_v_5} + sum_2020;
-  // hls/stages/agreement.hpp:761
+  // hls/stages/agreement.hpp:762
   logic [6:0] select_2023;
   assign select_2023 = (sum_2018 < sum_2021) ? sum_2021 : sum_2018;
-  // hls/stages/agreement.hpp:812
+  // hls/stages/agreement.hpp:813
   logic [6:0] of_near;
   assign of_near = shift_allowed_q ? ((select_2015 < select_2023) ? select_2023 : select_2015) : 7'h0;
-  // hls/stages/agreement.hpp:823
+  // hls/stages/agreement.hpp:824
   logic less_2027;
   assign less_2027 = best_left_rdata_s2_q[39:33] < of_near;
-  // hls/stages/agreement.hpp:827
+  // hls/stages/agreement.hpp:828
   logic [6:0] select_2029;
   assign select_2029 = select_764 ? of_near : (less_2027 ? of_near : best_left_rdata_s2_q[39:33]);
   logic [5:0] select_2031;
   assign select_2031 = select_764 ? run_shift_s2_q : (less_2027 ? run_shift_s2_q : best_left_rdata_s2_q[45:40]);
   logic [7:0] select_2034;
   assign select_2034 = (run_shift_s2_q == 6'h3f) ? of_best : (select_764 ? 8'h0 : best_left_rdata_s2_q[53:46]);
-  // hls/stages/agreement.hpp:828
+  // hls/stages/agreement.hpp:829
   logic [7:0] select_2037;
   assign select_2037 = (run_shift_s2_q == 6'h1) ? of_best : (select_764 ? 8'h0 : best_left_rdata_s2_q[61:54]);
-  // hls/stages/agreement.hpp:833
+  // hls/stages/agreement.hpp:834
   logic select_2040;
   assign select_2040 = or_762 ? shift_first_s2_q : equal_2039_s2_q;
-  // hls/stages/agreement.hpp:834
+  // hls/stages/agreement.hpp:835
   logic or_2042;
   assign or_2042 = select_2040 | (best_right_rdata_q[7:0] < of_best);
-  // hls/stages/agreement.hpp:838
+  // hls/stages/agreement.hpp:839
   logic [7:0] select_2043;
   assign select_2043 = or_2042 ? of_best : best_right_rdata_q[7:0];
   logic [6:0] select_2044;
   assign select_2044 = or_2042 ? x_s2_2_q : best_right_rdata_q[14:8];
   logic or_2046;
   assign or_2046 = select_2040 | (best_right_rdata_q[21:15] < of_near);
-  // hls/stages/agreement.hpp:842
+  // hls/stages/agreement.hpp:843
   logic [6:0] select_2047;
   assign select_2047 = or_2046 ? of_near : best_right_rdata_q[21:15];
   logic [6:0] select_2048;
@@ -3548,7 +3548,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:150
   logic and_2062;
   assign and_2062 = or_577_s2_q & (not_581_s2_q & (and_631 & or_2059_s2_q));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2063;
   assign and_2063 = not_575_s2_q & and_2062;
   logic and_2066;
@@ -3556,7 +3556,7 @@ module horopter_agreement (
   // hls/stages/moments.hpp:85
   logic and_2070;
   assign and_2070 = moments_has_before_q & moments_memory_rdata_q[0];
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1016
   logic and_2071;
   assign and_2071 = not_585_s2_q & and_2070;
   logic and_2074;
@@ -3564,30 +3564,30 @@ module horopter_agreement (
   // hls/stages/moments.hpp:85
   logic and_2079;
   assign and_2079 = moments_has_before_q & moments_memory_rdata_q[2];
-  // hls/stages/agreement.hpp:1015
+  // hls/stages/agreement.hpp:1016
   logic and_2080;
   assign and_2080 = not_585_s2_q & and_2079;
   logic and_2083;
   assign and_2083 = not_585_s2_q & (and_2079 & (moments_memory_rdata_q[3] ^ and_648_s2_q));
-  // hls/stages/agreement.hpp:1144
+  // hls/stages/agreement.hpp:1145
   logic equal_2084;
   assign equal_2084 = x_s2_q[6:4] == 3'h7;
-  // hls/stages/agreement.hpp:1207
+  // hls/stages/agreement.hpp:1208
   logic [1:0] quarter;
   assign quarter = x_s2_q[1:0] + 2'h1;
   // hls/stages/registration.hpp:147
   logic all;
   assign all = x_s2_q[5:3] == 3'h4;
-  // hls/stages/agreement.hpp:1145
+  // hls/stages/agreement.hpp:1146
   logic [1:0] select_2087;
   assign select_2087 = x_s2_q[4] ? {x_s2_q[3], x_s2_q[0]} : {x_s2_q[0], x_s2_q[3]};
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [3:0] select_2089;
   assign select_2089 = equal_2084 ? {2'h0, quarter} : (all ? {1'b0, x_s2_q[2:0]} : {x_s2_q[2:1], select_2087});
   // hls/stages/registration.hpp:107
   logic [1:0] sum_2090;
   assign sum_2090 = slot_s2_q[1:0] + 2'h3;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [3:0] select_2091;
   assign select_2091 = equal_572_s2_q ? select_2089 : {sum_2090, lower_half_s2_q, registration_of_right_q};
   // hls/stages/patches.hpp:217
@@ -3607,12 +3607,12 @@ module horopter_agreement (
   assign equal_2104 = x_s2_q[5:0] == 6'h35;
   logic equal_2106;
   assign equal_2106 = x_s2_q[5:0] == 6'h34;
-  // hls/stages/agreement.hpp:1207
+  // hls/stages/agreement.hpp:1208
   logic and_2110;
   assign and_2110 = (~equal_2100) & ((~equal_2102) & ((~equal_2104) & (~equal_2106)));
   logic and_2114;
   assign and_2114 = (~equal_2092) & ((~equal_2094) & ((~equal_2096) & ((~equal_2098) & and_2110)));
-  // hls/stages/agreement.hpp:1145
+  // hls/stages/agreement.hpp:1146
   logic less_2115;
   assign less_2115 = x_s2_q[5:0] < 6'h29;
   // hls/stages/registration.hpp:148
@@ -3621,7 +3621,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:160
   logic or_2119;
   assign or_2119 = (kind == 2'h3) | (x_s2_q[5:3] == 3'h5);
-  // hls/stages/agreement.hpp:1022
+  // hls/stages/agreement.hpp:1023
   logic [5:0] sum_2124;
   assign sum_2124 = {1'b0, last_s2_q[6:2]} + 6'h1;
   // hls/stages/agreement.hpp:263
@@ -3635,7 +3635,7 @@ module horopter_agreement (
   assign sum_2130 = {2'h0, slot_s2_q} + 5'h1f;
   logic and_2132;
   assign and_2132 = half_ends & ({{3{sum_2130[4]}}, sum_2130} < 8'h3);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2133;
   assign and_2133 = drew_q & and_2132;
   logic select_2134;
@@ -3658,13 +3658,13 @@ module horopter_agreement (
   assign select_2166 = row_starts_s2_q ? select_2163 : patches_fetch_q;
   logic equal_2167;
   assign equal_2167 = select_2166 == 2'h0;
-  // hls/stages/agreement.hpp:1031
+  // hls/stages/agreement.hpp:1032
   logic [6:0] sum_2171;
   assign sum_2171 = x_s2_q[7:1] + 7'h7f;
   // hls/stages/patches.hpp:103
   logic right_3;
   assign right_3 = {2'h0, last_s2_q[6:1]} < {sum_2171, x_s2_q[0]};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2175;
   assign and_2175 = not_573_s2_q & (drew_q & (ends_cell_s2_q & right_3));
   // hls/stages/registration.hpp:83
@@ -3724,10 +3724,10 @@ module horopter_agreement (
   // hls/stages/patches.hpp:106
   logic [9:0] sum_2213;
   assign sum_2213 = {sum_2211[9], sum_2211[9:1]} + 10'h1;
-  // hls/stages/agreement.hpp:1031
+  // hls/stages/agreement.hpp:1032
   logic and_2216;
   assign and_2216 = ($signed(9'h0) < $signed(sum_2211[9:1])) & (~($signed({4'h0, last_s2_q}) < $signed({sum_2213, sum_2211[0]})));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2219;
   assign and_2219 = ends_cell_s2_q & (and_2200 & ((~(and_2204 | or_2208)) & and_2216));
   logic and_2221;
@@ -3738,7 +3738,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:351
   logic select_2224;
   assign select_2224 = and_2223 ? and_2221 : patches_choice_valid_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [7:0] select_2227;
   assign select_2227 = equal_572_s2_q ? 8'h0 : (drew_q ? (ends_cell_s2_q ? {sum_2171, x_s2_q[0]} : 8'h0) : 8'h0);
   logic [5:0] select_2231;
@@ -3752,13 +3752,13 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic [7:0] slope;
   assign slope = equal_2177 ? registration_slope_here_q : (($signed(6'h0) < $signed(sum_2233[12:7])) ? 8'h7f : select_2236);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [7:0] select_2241;
   assign select_2241 = equal_572_s2_q ? 8'h0 : (drew_q ? (ends_cell_s2_q ? slope : 8'h0) : 8'h0);
   // hls/stages/patches.hpp:113
   logic equal_2243;
   assign equal_2243 = {sum_2171[6], last_s2_q[6:1], x_s2_q[0]} == {1'b0, sum_2171[5:0], last_s2_q[0]};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2247;
   assign and_2247 = not_573_s2_q & (drew_q & (ends_cell_s2_q & (and_2204 | equal_2243)));
   // hls/stages/patches.hpp:351
@@ -3782,28 +3782,28 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:206
   logic [7:0] select_2448;
   assign select_2448 = drew_q ? region_columns_q : 8'h1;
-  // hls/stages/agreement.hpp:1065
+  // hls/stages/agreement.hpp:1066
   logic or_2451;
   assign or_2451 = select_2448[7] | (~({select_2448[5], select_2448[3], select_2448[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1064
+  // hls/stages/agreement.hpp:1065
   logic or_2454;
   assign or_2454 = select_2448[7] | (~({select_2448[6], select_2448[3:2]} == 3'h0));
-  // hls/stages/agreement.hpp:1063
+  // hls/stages/agreement.hpp:1064
   logic or_2457;
   assign or_2457 = select_2448[7] | (~(select_2448[6:4] == 3'h0));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [5:0] select_2458;
   assign select_2458 = equal_572_s2_q ? x_s2_q[5:0] : {region_row_q, or_2457, or_2454, or_2451};
-  // hls/stages/agreement.hpp:1144
+  // hls/stages/agreement.hpp:1145
   logic not_2459;
   assign not_2459 = ~equal_2084;
-  // hls/stages/agreement.hpp:1071
+  // hls/stages/agreement.hpp:1072
   logic equal_2463;
   assign equal_2463 = x_s2_q == {1'b0, last_s2_q};
-  // hls/stages/agreement.hpp:1073
+  // hls/stages/agreement.hpp:1074
   logic or_2464;
   assign or_2464 = (~sum_2461_s2_q) | equal_2463;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2467;
   assign and_2467 = drew_q & (ends_cell_s2_q & (inside_v_s2_q & or_2464));
   // hls/stages/agreement.hpp:150
@@ -3818,43 +3818,43 @@ module horopter_agreement (
   assign and_2499 = inside_v_s2_q & and_2488;
   logic explained;
   assign explained = inside_v_s2_q & and_633;
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1028
   logic select_2501;
   assign select_2501 = slot_s2_q[2] ? shown_shown_q : and_633;
   // hls/stages/agreement.hpp:263
   logic shown;
   assign shown = inside_v_s2_q & (shown_right_rdata_q[0] | select_2501);
-  // hls/stages/agreement.hpp:1027
+  // hls/stages/agreement.hpp:1028
   logic select_2504;
   assign select_2504 = slot_s2_q[2] ? shown_nearer_q : and_2062;
   // hls/stages/agreement.hpp:263
   logic near;
   assign near = inside_v_s2_q & (select_2501 ? select_2504 : shown_right_rdata_q[1]);
-  // hls/stages/agreement.hpp:1339
+  // hls/stages/agreement.hpp:1340
   logic [12:0] index;
   assign index = seen_base_q + {5'h0, seen_column_q};
-  // hls/stages/agreement.hpp:1305
+  // hls/stages/agreement.hpp:1306
   logic select_2524;
   assign select_2524 = marks_first_s2_q ? (done_s2_q ? write_half_q : read_half_q) : read_half_q;
-  // hls/stages/agreement.hpp:1291
+  // hls/stages/agreement.hpp:1292
   logic [7:0] sum_2525;
   assign sum_2525 = {1'b0, select_2524, 2'h0, select_2524, 1'b0, {2{select_2524}}} + {1'b0, index[12:6]};
-  // hls/stages/agreement.hpp:1338
+  // hls/stages/agreement.hpp:1339
   logic and_2532;
   assign and_2532 = began_q & (seen_x_q == 3'h0);
   logic less_2533;
   assign less_2533 = seen_column_q < {1'b0, cfg_width_i[9:3]};
-  // hls/stages/agreement.hpp:1127
+  // hls/stages/agreement.hpp:1128
   logic [7:0] sum_2536;
   assign sum_2536 = {2'h0, x_s2_q[7:2]} + 8'hff;
   logic [12:0] index_2;
   assign index_2 = {{3{sum_2536[7]}}, sum_2536, x_s2_q[1:0]} + map_row_q;
   logic select_2539;
   assign select_2539 = draws_late_q ? (draws_late_q & read_half_q) : write_half_q;
-  // hls/stages/agreement.hpp:1291
+  // hls/stages/agreement.hpp:1292
   logic [7:0] sum_2540;
   assign sum_2540 = {1'b0, select_2539, 2'h0, select_2539, 1'b0, {2{select_2539}}} + {1'b0, index_2[12:6]};
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2541;
   assign and_2541 = seen_columns_rdata_q[14] & inside_v_s2_q;
   logic and_2542;
@@ -3863,18 +3863,18 @@ module horopter_agreement (
   assign and_2543 = seen_columns_rdata_q[5] & inside_v_s2_q;
   logic and_2544;
   assign and_2544 = seen_columns_rdata_q[0] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1102
+  // hls/stages/agreement.hpp:1103
   logic [1:0] sum_2546;
   assign sum_2546 = {1'b0, and_2543} + ({1'b0, textured} + {1'b0, and_2544});
   logic [2:0] textured_2;
   assign textured_2 = {2'h0, and_2541} + ({2'h0, and_2542} + {1'b0, sum_2546});
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic [7:0] select_2555;
   assign select_2555 = inside_v_s2_q ? (sum_2461_s2_q ? select_2448 : {select_2448[6:0], 1'b0}) : select_2448;
-  // hls/stages/agreement.hpp:1065
+  // hls/stages/agreement.hpp:1066
   logic or_2558;
   assign or_2558 = select_2555[7] | (~({select_2555[5], select_2555[3], select_2555[1]} == 3'h0));
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2575;
   assign and_2575 = seen_columns_rdata_q[16] & inside_v_s2_q;
   logic and_2576;
@@ -3883,12 +3883,12 @@ module horopter_agreement (
   assign and_2577 = seen_columns_rdata_q[8] & inside_v_s2_q;
   logic and_2578;
   assign and_2578 = seen_columns_rdata_q[3] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1104
+  // hls/stages/agreement.hpp:1105
   logic [1:0] sum_2580;
   assign sum_2580 = {1'b0, and_2577} + ({1'b0, shown} + {1'b0, and_2578});
   logic [2:0] shown_2;
   assign shown_2 = {2'h0, and_2575} + ({2'h0, and_2576} + {1'b0, sum_2580});
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2591;
   assign and_2591 = seen_columns_rdata_q[17] & inside_v_s2_q;
   logic and_2592;
@@ -3897,18 +3897,18 @@ module horopter_agreement (
   assign and_2593 = seen_columns_rdata_q[9] & inside_v_s2_q;
   logic and_2594;
   assign and_2594 = seen_columns_rdata_q[4] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1105
+  // hls/stages/agreement.hpp:1106
   logic [1:0] sum_2596;
   assign sum_2596 = {1'b0, and_2593} + ({1'b0, near} + {1'b0, and_2594});
   logic [2:0] near_2;
   assign near_2 = {2'h0, and_2591} + ({2'h0, and_2592} + {1'b0, sum_2596});
-  // hls/stages/agreement.hpp:1126
+  // hls/stages/agreement.hpp:1127
   logic not_2607;
   assign not_2607 = ~(x_s2_q[7:2] == 6'h0);
-  // hls/stages/agreement.hpp:1127
+  // hls/stages/agreement.hpp:1128
   logic not_2609;
   assign not_2609 = ~({sum_2124, last_s2_q[1:0]} < x_s2_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2613;
   assign select_2613 = less_2605_s2_q ? (not_2607 & not_2609) : ((draws_late_q & not_2607) & not_2609);
   logic and_2616;
@@ -3924,7 +3924,7 @@ module horopter_agreement (
   assign select_2674 = sample_pair_whole_s2_q ? (and_545_s2_q ? select_560 : averager_mask_q) : averager_mask_q;
   logic select_2676;
   assign select_2676 = sample_pair_whole_s2_q ? (and_545_s2_q ? select_564 : averager_of_skin_q) : averager_of_skin_q;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [8:0] select_2677;
   assign select_2677 = and_547_s2_q ? select_553 : census_columns_values_0_cell_0_left_q;
   logic [8:0] select_2678;
@@ -4076,7 +4076,7 @@ module horopter_agreement (
   assign select_2774 = equal_2266_s2_q ? sum_2771 : moments_before_0_q;
   logic [13:0] select_2776;
   assign select_2776 = equal_2266_s2_q ? sum_2773 : moments_before_1_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2779;
   assign select_2779 = equal_572_s2_q ? (moments_has_before_q | equal_2266_s2_q) : moments_has_before_q;
   logic [13:0] select_2782;
@@ -4084,13 +4084,13 @@ module horopter_agreement (
   // hls/stages/moments.hpp:153
   logic [14:0] sum_2783;
   assign sum_2783 = {1'b0, moments_most_before_q} + 15'h3;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2786;
   assign select_2786 = equal_572_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2783)) : moments_left_begins_q;
   // hls/stages/moments.hpp:153
   logic [14:0] sum_2787;
   assign sum_2787 = {1'b0, sum_2773} + 15'h3;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2790;
   assign select_2790 = equal_572_s2_q ? (~({3'h0, counts_turned_left_q[13:2]} < sum_2787)) : moments_left_alone_q;
   logic select_2793;
@@ -4100,7 +4100,7 @@ module horopter_agreement (
   // hls/stages/moments.hpp:153
   logic [14:0] sum_2797;
   assign sum_2797 = {1'b0, sum_2771} + 15'h3;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_2800;
   assign select_2800 = equal_572_s2_q ? (~({3'h0, counts_turned_right_q[13:2]} < sum_2797)) : moments_right_alone_q;
   logic select_2803;
@@ -4108,7 +4108,7 @@ module horopter_agreement (
   // hls/stages/moments.hpp:55
   logic out_of_step;
   assign out_of_step = moments_begins_alone_q | (moments_out_of_step_q & (~moments_ends_q));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_2814;
   assign and_2814 = not_573_s2_q & (not_575_s2_q & (equal_576_s2_q & (inside_v_s2_q & and_2074)));
   logic and_2818;
@@ -4133,21 +4133,21 @@ module horopter_agreement (
   assign difference_2856 = {1'b0, select_557} - {1'b0, sharpness_last_mean_1_q};
   logic [8:0] contrast_2;
   assign contrast_2 = {8'h0, difference_2856[9]} + (difference_2856[8:0] ^ {9{difference_2856[9]}});
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_3052;
   assign select_3052 = and_547_s2_q ? (equal_2947_s2_q ? and_3050_s2_q : draws_late_q) : draws_late_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic not_3054;
   assign not_3054 = ~($signed(run_shift_s2_q) < $signed($unsigned(cfg_shift_lowest_i)));
   logic less_3055;
   assign less_3055 = $signed($unsigned(cfg_shift_highest_i)) < $signed(run_shift_s2_q);
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic and_3062;
   assign and_3062 = and_547_s2_q & (equal_681_s2_q & equal_2947_s2_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3067;
   assign and_3067 = ends_cell_s2_q & (inside_v_s2_q & (and_3064_s2_q & not_2472_s2_q));
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_3091;
   assign and_3091 = seen_columns_rdata_q[15] & inside_v_s2_q;
   logic and_3092;
@@ -4156,21 +4156,21 @@ module horopter_agreement (
   assign and_3093 = seen_columns_rdata_q[7] & inside_v_s2_q;
   logic and_3094;
   assign and_3094 = seen_columns_rdata_q[2] & inside_v_s2_q;
-  // hls/stages/agreement.hpp:1103
+  // hls/stages/agreement.hpp:1104
   logic [1:0] sum_3096;
   assign sum_3096 = {1'b0, and_3093} + ({1'b0, explained} + {1'b0, and_3094});
   logic [2:0] explained_2;
   assign explained_2 = {2'h0, and_3091} + ({2'h0, and_3092} + {1'b0, sum_3096});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3132;
   assign and_3132 = ends_cell_s2_q & (inside_v_s2_q & (not_2472_s2_q & (and_3064_s2_q & and_2488)));
-  // hls/stages/agreement.hpp:996
+  // hls/stages/agreement.hpp:997
   logic [8:0] rise;
   assign rise = {1'b0, best_left_rdata_s2_q[61:54]} - {1'b0, best_left_rdata_s2_q[53:46]};
-  // hls/stages/agreement.hpp:997
+  // hls/stages/agreement.hpp:998
   logic [7:0] lower;
   assign lower = rise[8] ? best_left_rdata_s2_q[61:54] : best_left_rdata_s2_q[53:46];
-  // hls/stages/agreement.hpp:998
+  // hls/stages/agreement.hpp:999
   logic [7:0] difference_3157;
   assign difference_3157 = best_left_rdata_s2_q[16:9] - lower;
   logic less_3160;
@@ -4178,7 +4178,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:248
   logic and_3163;
   assign and_3163 = not_581_s2_q & (((and_2486_s2_q & and_631) & equal_3153_s2_q) & (~less_3160));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3167;
   assign and_3167 = ends_cell_s2_q & (inside_v_s2_q & ((or_577_s2_q & and_3163) & not_2472_s2_q));
   // hls/stages/agreement.hpp:150
@@ -4196,10 +4196,10 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:150
   logic [1:0] select_3179;
   assign select_3179 = or_577_s2_q ? select_3178 : 2'h0;
-  // hls/stages/agreement.hpp:1041
+  // hls/stages/agreement.hpp:1042
   logic and_3181;
   assign and_3181 = and_633 & (select_3176[0] & select_3179[0]);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3185;
   assign and_3185 = ends_cell_s2_q & (inside_v_s2_q & (not_2472_s2_q & (select_3176[1] & and_3181)));
   logic and_3187;
@@ -4253,7 +4253,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:258
   logic [4:0] select_3221;
   assign select_3221 = drew_q ? {registration_displacement_fraction_q[3:0], registration_displacement_over_q[9]} : registration_displacement_fraction_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [7:0] select_3223;
   assign select_3223 = equal_572_s2_q ? registration_slope_here_q : (drew_q ? slope : registration_slope_here_q);
   logic [10:0] select_3225;
@@ -4291,7 +4291,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:205
   logic less_3279;
   assign less_3279 = $signed(difference_3264) < $signed({7'h0, cfg_moved_half_limit_i});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_3287;
   assign select_3287 = drew_q ? (equal_3226 ? right_2 : registration_of_right_q) : registration_of_right_q;
   logic select_3290;
@@ -4299,13 +4299,13 @@ module horopter_agreement (
   // hls/stages/registration.hpp:269
   logic [3:0] select_3295;
   assign select_3295 = (sum_2090 == 2'h2) ? (registration_fresh_q & (~select_2137)) : registration_fresh_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [3:0] select_3297;
   assign select_3297 = drew_q ? (and_2132 ? select_3295 : registration_fresh_q) : registration_fresh_q;
   // hls/stages/registration.hpp:242
   logic [3:0] select_3299;
   assign select_3299 = and_3062 ? 4'hf : (equal_572_s2_q ? registration_fresh_q : select_3297);
-  // hls/stages/agreement.hpp:1145
+  // hls/stages/agreement.hpp:1146
   logic [1:0] quarter_2;
   assign quarter_2 = all ? x_s2_q[1:0] : select_2087;
   // hls/stages/registration.hpp:258
@@ -4333,7 +4333,7 @@ module horopter_agreement (
   assign select_3460 = right_3 ? last_s2_q[6:1] : 6'h0;
   logic [6:0] from;
   assign from = {1'b0, further} + {1'b0, select_3460};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3465;
   assign and_3465 = drew_q & (ends_cell_s2_q & (~({sum_2171, x_s2_q[0]} < {1'b0, from})));
   // hls/stages/patches.hpp:157
@@ -4672,57 +4672,51 @@ module horopter_agreement (
   assign select_4031 = equal_2249_s2_q ? (patches_read_first_q ? patches_read_far_q : select_4029) : patches_peak_far_q;
   logic [9:0] select_4034;
   assign select_4034 = equal_2249_s2_q ? (equal_4032_s2_q ? sum_3615 : patches_peak_size_q) : patches_peak_size_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_4285;
   assign select_4285 = equal_572_s2_q ? shown_shown_q : (drew_q ? select_2501 : shown_shown_q);
   logic select_4287;
   assign select_4287 = equal_572_s2_q ? shown_nearer_q : (drew_q ? select_2504 : shown_nearer_q);
-  // hls/stages/agreement.hpp:499
-  logic [8:0] select_4290;
-  assign select_4290 = equal_681_s2_q ? {{2{difference_4289[6]}}, difference_4289} : region_down_rest_q;
-  // hls/stages/division.hpp:18
-  logic [7:0] sum_4291;
-  assign sum_4291 = select_4290[8:1] + 8'h3;
+  // hls/stages/division.hpp:34
+  logic [7:0] sum_4289;
+  assign sum_4289 = region_down_rest_q[8:1] + 8'h3;
   // hls/stages/agreement.hpp:465
+  logic [2:0] select_4292;
+  assign select_4292 = less_4288_s2_q ? (sum_4289[7] ? region_row_q : next_region_row_q) : (and_3050_s2_q ? region_row_q : 3'h0);
+  // hls/stages/agreement.hpp:531
   logic [2:0] select_4294;
-  assign select_4294 = less_4288_s2_q ? (sum_4291[7] ? region_row_q : next_region_row_q) : (and_3050_s2_q ? region_row_q : 3'h0);
-  // hls/stages/agreement.hpp:530
-  logic [2:0] select_4296;
-  assign select_4296 = and_547_s2_q ? (equal_2947_s2_q ? select_4294 : region_row_q) : region_row_q;
-  // hls/stages/agreement.hpp:798
-  logic [7:0] select_4300;
-  assign select_4300 = equal_572_s2_q ? select_2448 : (drew_q ? (ends_cell_s2_q ? select_2555 : select_2448) : 8'h1);
+  assign select_4294 = and_547_s2_q ? (equal_2947_s2_q ? select_4292 : region_row_q) : region_row_q;
+  // hls/stages/agreement.hpp:799
+  logic [7:0] select_4298;
+  assign select_4298 = equal_572_s2_q ? select_2448 : (drew_q ? (ends_cell_s2_q ? select_2555 : select_2448) : 8'h1);
   // hls/stages/agreement.hpp:465
+  logic [8:0] select_4311;
+  assign select_4311 = equal_681_s2_q ? {{2{difference_4310[6]}}, difference_4310} : region_down_rest_q;
   logic [8:0] select_4313;
-  assign select_4313 = equal_2947_s2_q ? (less_4288_s2_q ? region_down_next_q : select_4290) : region_down_rest_q;
-  // hls/stages/agreement.hpp:499
+  assign select_4313 = equal_2947_s2_q ? (less_4288_s2_q ? region_down_next_q : select_4311) : region_down_rest_q;
   logic [6:0] select_4316;
   assign select_4316 = equal_681_s2_q ? (7'h6 - {1'b0, cfg_height_i[8:3]}) : region_down_back_q;
-  // hls/stages/agreement.hpp:530
   logic [6:0] select_4318;
-  assign select_4318 = and_547_s2_q ? (equal_2947_s2_q ? select_4316 : region_down_back_q) : region_down_back_q;
-  // hls/stages/division.hpp:34
-  logic [7:0] sum_4319;
-  assign sum_4319 = region_down_rest_q[8:1] + 8'h3;
+  assign select_4318 = equal_2947_s2_q ? (less_4288_s2_q ? region_down_back_q : select_4316) : region_down_back_q;
   // hls/stages/division.hpp:35
   logic [8:0] sum_4320;
   assign sum_4320 = region_down_rest_q + {{2{region_down_back_q[6]}}, region_down_back_q};
   // hls/stages/division.hpp:36
   logic [8:0] select_4321;
-  assign select_4321 = sum_4319[7] ? {1'b1, sum_4319[6:0], region_down_rest_q[0]} : sum_4320;
+  assign select_4321 = sum_4289[7] ? {1'b1, sum_4289[6:0], region_down_rest_q[0]} : sum_4320;
   // hls/stages/division.hpp:18
   logic next;
-  assign next = ~sum_4291[7];
+  assign next = ~sum_4289[7];
   // hls/stages/agreement.hpp:465
   logic select_4325;
   assign select_4325 = equal_2947_s2_q ? (less_4288_s2_q ? next : (region_fresh_q | equal_681_s2_q)) : region_fresh_q;
   // hls/stages/agreement.hpp:206
   logic or_4330;
   assign or_4330 = segment_starts_q | not_575_s2_q;
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic select_4333;
   assign select_4333 = inside_v_s2_q ? (sum_2461_s2_q ? (equal_2463 & or_2464) : or_2464) : or_4330;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_4336;
   assign select_4336 = equal_572_s2_q ? or_4330 : (drew_q ? (ends_cell_s2_q ? select_4333 : or_4330) : or_4330);
   logic select_4504;
@@ -4742,7 +4736,7 @@ module horopter_agreement (
   // hls/stages/agreement.hpp:465
   logic [12:0] select_4521;
   assign select_4521 = equal_2947_s2_q ? (or_4518_s2_q ? (map_row_q + {6'h0, map_width_q}) : 13'h0) : map_row_q;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [6:0] select_4524;
   assign select_4524 = and_547_s2_q ? (equal_2947_s2_q ? cfg_width_i[9:3] : map_width_q) : map_width_q;
   // hls/stages/registration.hpp:258
@@ -4795,7 +4789,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) patches_choices_read_q <= rst_ni & patches_choices_re;
   assign patches_choices_error = patches_choices_read_q & ^patches_choices_word_q;
 
-  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1430; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory regions, 64 x 30 and parity, DISTANCE 12, hls/stages/agreement.hpp:1431; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   (* ram_style = "distributed" *)
@@ -4817,7 +4811,7 @@ module horopter_agreement (
   always_ff @(posedge clk_i) regions_read_q <= rst_ni & regions_re;
   assign regions_error = regions_read_q & ^regions_word_q;
 
-  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1443; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
+  // Memory map, 9600 x 2 and parity, DISTANCE 16, hls/stages/agreement.hpp:1444; read in stage 2, written in stage 3: 2 < 3 < 2 + DISTANCE.
   // So no address is read and written in one clock, and synthesis needs no bypass.
   (* no_rw_check *)
   logic [2:0] map_mem [0:9599];
@@ -5254,11 +5248,11 @@ module horopter_agreement (
       patches_frame_ended_q <= equal_572_s2_q & equal_2266_s2_q;
       shown_shown_q <= select_4285;
       shown_nearer_q <= select_4287;
-      region_row_q <= select_4296;
+      region_row_q <= select_4294;
       next_region_row_q <= region_row_q + 3'h1;
-      region_columns_q <= select_4300;
+      region_columns_q <= select_4298;
       region_down_rest_q <= and_547_s2_q ? select_4313 : region_down_rest_q;
-      region_down_back_q <= select_4318;
+      region_down_back_q <= and_547_s2_q ? select_4318 : region_down_back_q;
       region_down_next_q <= select_4321;
       region_fresh_q <= and_547_s2_q ? select_4325 : region_fresh_q;
       segment_starts_q <= select_4336;
@@ -6044,44 +6038,44 @@ module horopter_agreement (
   assign select_2446 = select_2443[0] ? {patches_best_column_q, patches_best_differing_q} : {7'h0, left_pixel_q};
   logic [14:0] select_2447;
   assign select_2447 = (select_2443 == 2'h2) ? {select_2445[12:8], patches_sums_values_0_q[9:8], select_2445[7:0]} : select_2446;
-  // hls/stages/agreement.hpp:910
+  // hls/stages/agreement.hpp:911
   logic [6:0] select_2475;
   assign select_2475 = segment_started_q ? segment_textured_q : 7'h0;
-  // hls/stages/agreement.hpp:911
+  // hls/stages/agreement.hpp:912
   logic [6:0] sum_2476;
   assign sum_2476 = {6'h0, and_2474_s3_q} + select_2475;
-  // hls/stages/agreement.hpp:1076
+  // hls/stages/agreement.hpp:1077
   logic [9:0] sum_2478;
   assign sum_2478 = {3'h0, sum_2476} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[9:0]);
-  // hls/stages/agreement.hpp:910
+  // hls/stages/agreement.hpp:911
   logic [6:0] select_2481;
   assign select_2481 = segment_started_q ? segment_explained_q : 7'h0;
-  // hls/stages/agreement.hpp:911
+  // hls/stages/agreement.hpp:912
   logic [6:0] sum_2482;
   assign sum_2482 = {6'h0, and_2480_s3_q} + select_2481;
-  // hls/stages/agreement.hpp:1077
+  // hls/stages/agreement.hpp:1078
   logic [9:0] sum_2484;
   assign sum_2484 = {3'h0, sum_2482} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[19:10]);
-  // hls/stages/agreement.hpp:910
+  // hls/stages/agreement.hpp:911
   logic [6:0] select_2492;
   assign select_2492 = segment_started_q ? segment_nearer_q : 7'h0;
-  // hls/stages/agreement.hpp:912
+  // hls/stages/agreement.hpp:913
   logic [6:0] sum_2493;
   assign sum_2493 = {6'h0, and_2491_s3_q} + select_2492;
-  // hls/stages/agreement.hpp:1078
+  // hls/stages/agreement.hpp:1079
   logic [9:0] sum_2495;
   assign sum_2495 = {3'h0, sum_2493} + (region_fresh_s3_q ? 10'h0 : regions_rdata_q[29:20]);
-  // hls/stages/agreement.hpp:1109
+  // hls/stages/agreement.hpp:1110
   logic [2:0] select_2549;
   assign select_2549 = age_s3_q ? box_textured_columns_values_4_q : 3'h0;
   logic [3:0] difference_2550;
   assign difference_2550 = {1'b0, textured_2_s3_q} - {1'b0, select_2549};
   logic [4:0] t;
   assign t = {difference_2550[3], difference_2550} + (equal_567_s3_q ? 5'h0 : box_textured_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1115
+  // hls/stages/agreement.hpp:1116
   logic equal_2553;
   assign equal_2553 = t[4:1] == 4'h0;
-  // hls/stages/agreement.hpp:1116
+  // hls/stages/agreement.hpp:1117
   logic not_2565;
   assign not_2565 = ~region_row_s3_q[2];
   logic [2:0] select_2566;
@@ -6094,29 +6088,29 @@ module horopter_agreement (
   assign select_2569 = or_2561_s3_q ? {select_2568[11], 1'b0, select_2568[10], 1'b0, select_2568[9], 1'b0, select_2568[8], 1'b0, select_2568[7], 1'b0, select_2568[6], 1'b0, select_2568[5], 1'b0, select_2568[4], 1'b0, select_2568[3], 1'b0, select_2568[2], 1'b0, select_2568[1], 1'b0, select_2568[0], 1'b0} : {1'b0, select_2568[11], 1'b0, select_2568[10], 1'b0, select_2568[9], 1'b0, select_2568[8], 1'b0, select_2568[7], 1'b0, select_2568[6], 1'b0, select_2568[5], 1'b0, select_2568[4], 1'b0, select_2568[3], 1'b0, select_2568[2], 1'b0, select_2568[1], 1'b0, select_2568[0]};
   logic [47:0] select_2570;
   assign select_2570 = or_2558_s3_q ? {select_2569[23], 1'b0, select_2569[22], 1'b0, select_2569[21], 1'b0, select_2569[20], 1'b0, select_2569[19], 1'b0, select_2569[18], 1'b0, select_2569[17], 1'b0, select_2569[16], 1'b0, select_2569[15], 1'b0, select_2569[14], 1'b0, select_2569[13], 1'b0, select_2569[12], 1'b0, select_2569[11], 1'b0, select_2569[10], 1'b0, select_2569[9], 1'b0, select_2569[8], 1'b0, select_2569[7], 1'b0, select_2569[6], 1'b0, select_2569[5], 1'b0, select_2569[4], 1'b0, select_2569[3], 1'b0, select_2569[2], 1'b0, select_2569[1], 1'b0, select_2569[0], 1'b0} : {1'b0, select_2569[23], 1'b0, select_2569[22], 1'b0, select_2569[21], 1'b0, select_2569[20], 1'b0, select_2569[19], 1'b0, select_2569[18], 1'b0, select_2569[17], 1'b0, select_2569[16], 1'b0, select_2569[15], 1'b0, select_2569[14], 1'b0, select_2569[13], 1'b0, select_2569[12], 1'b0, select_2569[11], 1'b0, select_2569[10], 1'b0, select_2569[9], 1'b0, select_2569[8], 1'b0, select_2569[7], 1'b0, select_2569[6], 1'b0, select_2569[5], 1'b0, select_2569[4], 1'b0, select_2569[3], 1'b0, select_2569[2], 1'b0, select_2569[1], 1'b0, select_2569[0]};
-  // hls/stages/agreement.hpp:1044
+  // hls/stages/agreement.hpp:1045
   logic and_2574;
   assign and_2574 = good_known_q & (~((good_q & select_2570) == 48'h0));
-  // hls/stages/agreement.hpp:1111
+  // hls/stages/agreement.hpp:1112
   logic [2:0] select_2583;
   assign select_2583 = age_s3_q ? box_shown_columns_values_4_q : 3'h0;
   logic [3:0] difference_2584;
   assign difference_2584 = {1'b0, shown_2_s3_q} - {1'b0, select_2583};
   logic [4:0] around;
   assign around = {difference_2584[3], difference_2584} + (equal_567_s3_q ? 5'h0 : box_shown_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1118
+  // hls/stages/agreement.hpp:1119
   logic [5:0] sum_2587;
   assign sum_2587 = {1'b0, around} + {2'h0, around[4:1]};
   logic is_seen;
   assign is_seen = equal_2553 ? and_2574 : (~({sum_2587, around[0]} < {2'h0, t}));
-  // hls/stages/agreement.hpp:1112
+  // hls/stages/agreement.hpp:1113
   logic [2:0] select_2599;
   assign select_2599 = age_s3_q ? box_nearer_columns_values_4_q : 3'h0;
   logic [3:0] difference_2600;
   assign difference_2600 = {1'b0, near_2_s3_q} - {1'b0, select_2599};
   logic [4:0] n;
   assign n = {difference_2600[3], difference_2600} + (equal_567_s3_q ? 5'h0 : box_nearer_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1128
+  // hls/stages/agreement.hpp:1129
   logic and_2604;
   assign and_2604 = is_seen & ({1'b0, around[4:1]} < n);
   // hls/stages/agreement.hpp:277
@@ -6163,7 +6157,7 @@ module horopter_agreement (
   // hls/stages/census.hpp:286
   logic [11:0] sum_2752;
   assign sum_2752 = sum_2748_s3_q + {2'h0, sum_2751_s3_q};
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [11:0] select_2754;
   assign select_2754 = and_547_s3_q ? census_changes_values_0_left_q : census_changes_values_1_left_q;
   logic [11:0] select_2755;
@@ -6186,13 +6180,13 @@ module horopter_agreement (
   // hls/stages/census.hpp:325
   logic [19:0] sum_2766;
   assign sum_2766 = census_left_misses_q + {{17{and_2765}}, and_2764, 1'b0, and_2764};
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic [19:0] select_2768;
   assign select_2768 = and_547_s3_q ? (equal_2759_s3_q ? 20'h0 : sum_2766) : census_left_misses_q;
   // hls/stages/agreement.hpp:277
   logic [27:0] select_2837;
   assign select_2837 = sample_pair_whole_s3_q ? {detail_2, detail} : 28'h0;
-  // hls/stages/agreement.hpp:530
+  // hls/stages/agreement.hpp:531
   logic select_2840;
   assign select_2840 = and_547_s3_q ? sharpness_last_mask_q : sharpness_before_last_mask_q;
   // hls/stages/census.hpp:373
@@ -6335,78 +6329,78 @@ module horopter_agreement (
   assign select_2943 = equal_2876_s3_q ? select_2942 : sharpness_comparing_less_contrast_1_q;
   logic select_2944;
   assign select_2944 = so_s3_q ? select_2943 : sharpness_comparing_less_contrast_1_q;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_3071;
   assign select_3071 = and_3062_s3_q ? 14'h0 : (counts_supervised_q + {13'h0, and_3069_s3_q});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3074;
   assign and_3074 = not_573_s3_q & (so_s3_q & (ends_cell_s3_q & and_2474_s3_q));
   logic and_3079;
   assign and_3079 = not_573_s3_q & (so_s3_q & (ends_cell_s3_q & and_2480_s3_q));
   logic and_3084;
   assign and_3084 = not_573_s3_q & (so_s3_q & (ends_cell_s3_q & and_2491_s3_q));
-  // hls/stages/agreement.hpp:1110
+  // hls/stages/agreement.hpp:1111
   logic [2:0] select_3099;
   assign select_3099 = age_s3_q ? box_explained_columns_values_4_q : 3'h0;
   logic [3:0] difference_3100;
   assign difference_3100 = {1'b0, explained_2_s3_q} - {1'b0, select_3099};
   logic [4:0] e;
   assign e = {difference_3100[3], difference_3100} + (equal_567_s3_q ? 5'h0 : box_explained_sum_sums_values_0_q);
-  // hls/stages/agreement.hpp:1117
+  // hls/stages/agreement.hpp:1118
   logic [5:0] sum_3103;
   assign sum_3103 = {1'b0, e} + {2'h0, e[4:1]};
-  // hls/stages/agreement.hpp:1122
+  // hls/stages/agreement.hpp:1123
   logic not_3107;
   assign not_3107 = ~(equal_2553 ? and_2574 : (~({sum_3103, e[0]} < {2'h0, t})));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3110;
   assign and_3110 = ends_cell_s3_q & (not_3090_s3_q & (centres_values_1_textured_s3_q & not_3107));
   logic and_3112;
   assign and_3112 = not_573_s3_q & (so_s3_q & and_3110);
-  // hls/stages/agreement.hpp:1148
+  // hls/stages/agreement.hpp:1149
   logic less_3115;
   assign less_3115 = region_row_s3_q < x_s3_q[5:3];
   logic [9:0] select_3116;
   assign select_3116 = less_3115 ? 10'h0 : regions_rdata_q[9:0];
   logic [9:0] select_3119;
   assign select_3119 = less_3115 ? 10'h0 : regions_rdata_q[19:10];
-  // hls/stages/agreement.hpp:1149
+  // hls/stages/agreement.hpp:1150
   logic [10:0] sum_3120;
   assign sum_3120 = {1'b0, select_3119} + {3'h0, select_3119[9:2]};
   logic and_3122;
   assign and_3122 = (~(select_3116[9:4] == 6'h0)) & ({sum_3120, select_3119[1:0]} < {3'h0, select_3116});
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [9:0] select_3125;
   assign select_3125 = x_s3_q[6] ? (equal_2084_s3_q ? 10'h0 : (and_3122 ? select_3116 : 10'h0)) : 10'h0;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [9:0] select_3126;
   assign select_3126 = equal_572_s3_q ? select_3125 : 10'h0;
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_3128;
   assign select_3128 = and_3062_s3_q ? 14'h0 : (counts_regions_bad_q + {4'h0, select_3126});
   logic [13:0] select_3136;
   assign select_3136 = and_3062_s3_q ? 14'h0 : (counts_skin_supervised_q + {13'h0, and_3134_s3_q});
-  // hls/stages/agreement.hpp:1126
+  // hls/stages/agreement.hpp:1127
   logic and_3138;
   assign and_3138 = not_3090_s3_q & (centres_values_1_textured_s3_q & centres_values_1_of_skin_s3_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3141;
   assign and_3141 = not_573_s3_q & (so_s3_q & (ends_cell_s3_q & and_3138));
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_3143;
   assign select_3143 = and_3062_s3_q ? 14'h0 : (counts_skin_textured_q + {13'h0, and_3141});
-  // hls/stages/agreement.hpp:1126
+  // hls/stages/agreement.hpp:1127
   logic and_3145;
   assign and_3145 = centres_values_1_textured_s3_q & (centres_values_1_of_skin_s3_q & not_3107);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3149;
   assign and_3149 = not_573_s3_q & (so_s3_q & (ends_cell_s3_q & (not_3090_s3_q & and_3145)));
-  // hls/stages/agreement.hpp:936
+  // hls/stages/agreement.hpp:937
   logic [13:0] select_3151;
   assign select_3151 = and_3062_s3_q ? 14'h0 : (counts_skin_unproven_q + {13'h0, and_3149});
   logic [13:0] select_3171;
   assign select_3171 = and_3062_s3_q ? 14'h0 : (counts_on_skin_q + {13'h0, and_3169_s3_q});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [7:0] select_3248;
   assign select_3248 = so_s3_q ? (equal_2177_s3_q ? (and_3230_s3_q ? residual_s3_q : 8'h0) : 8'h0) : 8'h0;
   logic [7:0] select_3249;
@@ -6414,7 +6408,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:134
   logic [13:0] select_3251;
   assign select_3251 = and_3229_s3_q ? 14'h0 : (registration_half_across_q + {{6{select_3249[7]}}, select_3249});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3254;
   assign and_3254 = not_573_s3_q & (so_s3_q & (and_3230_s3_q & equal_2177_s3_q));
   // hls/stages/registration.hpp:134
@@ -6423,7 +6417,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic and_3258;
   assign and_3258 = and_3230_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_limit_i}));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [1:0] select_3260;
   assign select_3260 = so_s3_q ? (equal_2177_s3_q ? {and_3258, and_3230_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_3261;
@@ -6431,7 +6425,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:184
   logic [6:0] sum_3262;
   assign sum_3262 = registration_half_votes_down_q + {{5{select_3261[1]}}, select_3261};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [1:0] select_3268;
   assign select_3268 = so_s3_q ? (equal_2177_s3_q ? {and_3266_s3_q, and_3230_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_3269;
@@ -6442,7 +6436,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:107
   logic and_3273;
   assign and_3273 = and_3230_s3_q & ($signed(residual_s3_q) < $signed({2'h0, cfg_moved_half_limit_i}));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [1:0] select_3275;
   assign select_3275 = so_s3_q ? (equal_2177_s3_q ? {and_3273, and_3230_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_3276;
@@ -6450,7 +6444,7 @@ module horopter_agreement (
   // hls/stages/registration.hpp:184
   logic [6:0] sum_3277;
   assign sum_3277 = registration_half_half_votes_down_q + {{5{select_3276[1]}}, select_3276};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [1:0] select_3282;
   assign select_3282 = so_s3_q ? (equal_2177_s3_q ? {and_3280_s3_q, and_3230_s3_q} : 2'h0) : 2'h0;
   logic [1:0] select_3283;
@@ -6458,37 +6452,37 @@ module horopter_agreement (
   // hls/stages/registration.hpp:185
   logic [6:0] sum_3284;
   assign sum_3284 = registration_half_half_votes_up_q + {{5{select_3283[1]}}, select_3283};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3317;
   assign and_3317 = equal_572_s3_q & (x_s3_q[6] & (not_2459_s3_q & less_2115_s3_q));
-  // hls/stages/agreement.hpp:1146
+  // hls/stages/agreement.hpp:1147
   logic [11:0] select_3324;
   assign select_3324 = or_2119_s3_q ? 12'h0 : (equal_3322_s3_q ? registration_sums_rdata_q[11:0] : 12'h0);
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [11:0] select_3327;
   assign select_3327 = x_s3_q[6] ? (equal_2084_s3_q ? 12'h0 : (less_2115_s3_q ? select_3324 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [11:0] select_3328;
   assign select_3328 = equal_572_s3_q ? select_3327 : 12'h0;
   // hls/stages/registration.hpp:153
   logic and_3329;
   assign and_3329 = x_s3_q[1] & all_s3_q;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3332;
   assign and_3332 = not_2459_s3_q & (less_2115_s3_q & ({and_3329, x_s3_q[0]} == 2'h0));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3334;
   assign and_3334 = equal_572_s3_q & (x_s3_q[6] & and_3332);
   // hls/stages/registration.hpp:252
   logic [13:0] sum_3336;
   assign sum_3336 = {{2{select_3328[11]}}, select_3328} + (and_3334 ? 14'h0 : registration_down_q);
-  // hls/stages/agreement.hpp:1146
+  // hls/stages/agreement.hpp:1147
   logic [11:0] select_3339;
   assign select_3339 = or_2119_s3_q ? 12'h0 : (equal_3322_s3_q ? registration_sums_rdata_q[31:20] : 12'h0);
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [11:0] select_3342;
   assign select_3342 = x_s3_q[6] ? (equal_2084_s3_q ? 12'h0 : (less_2115_s3_q ? select_3339 : 12'h0)) : 12'h0;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [11:0] select_3343;
   assign select_3343 = equal_572_s3_q ? select_3342 : 12'h0;
   // hls/stages/registration.hpp:253
@@ -6497,10 +6491,10 @@ module horopter_agreement (
   // hls/stages/registration.hpp:150
   logic not_3347;
   assign not_3347 = ~all_s3_q;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3350;
   assign and_3350 = not_2459_s3_q & (less_2115_s3_q & (x_s3_q[2:0] == {all_s3_q, not_3347, 1'b0}));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3356;
   assign and_3356 = equal_572_s3_q & (x_s3_q[6] & (not_2459_s3_q & (less_2115_s3_q & all_s3_q)));
   // hls/stages/registration.hpp:246
@@ -6510,10 +6504,10 @@ module horopter_agreement (
   assign less_3358 = $signed({9'h1, {2{not_3357}}, and_3356}) < $signed(registration_up_q[13:2]);
   logic select_3359;
   assign select_3359 = (equal_572_s3_q & (x_s3_q[6] & and_3350)) ? less_3358 : registration_enough_q;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3363;
   assign and_3363 = x_s3_q[6] & (not_2459_s3_q & (less_2115_s3_q & (x_s3_q[2:0] == 3'h4)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3364;
   assign and_3364 = equal_572_s3_q & and_3363;
   // hls/stages/registration.hpp:242
@@ -6524,22 +6518,22 @@ module horopter_agreement (
   // hls/stages/registration.hpp:159
   logic equal_3369;
   assign equal_3369 = x_s3_q[2:0] == 3'h7;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_3373;
   assign and_3373 = equal_572_s3_q & (x_s3_q[6] & (not_2459_s3_q & (less_2115_s3_q & equal_3369)));
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3380;
   assign and_3380 = x_s3_q[6] & (not_2459_s3_q & (less_2115_s3_q & (x_s3_q[5:0] == 6'h0)));
   // hls/stages/registration.hpp:157
   logic equal_3383;
   assign equal_3383 = x_s3_q[2:0] == 3'h6;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3386;
   assign and_3386 = not_2459_s3_q & (less_2115_s3_q & (x_s3_q[5] ? x_s3_q[3] : equal_3383));
   // hls/stages/registration.hpp:244
   logic and_3390;
   assign and_3390 = (equal_572_s3_q & (x_s3_q[6] & and_3386)) & (less_3367 | less_3365);
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_3395;
   assign and_3395 = not_2459_s3_q & (less_2115_s3_q & ((~x_s3_q[5]) & (x_s3_q[3] & equal_3383)));
   // hls/stages/registration.hpp:244
@@ -6759,34 +6753,34 @@ module horopter_agreement (
   assign and_4126 = not_4095 & and_4119;
   logic [7:0] sum_4127;
   assign sum_4127 = (patches_round_ends_q ? 8'h0 : patches_quarters_3_down_q) + {7'h0, and_4126};
-  // hls/stages/agreement.hpp:1252
+  // hls/stages/agreement.hpp:1253
   logic equal_4128;
   assign equal_4128 = x_s3_q[2:0] == 3'h0;
-  // hls/stages/agreement.hpp:1146
+  // hls/stages/agreement.hpp:1147
   logic less_4129;
   assign less_4129 = x_s3_q[5:3] < 3'h3;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4133;
   assign and_4133 = equal_572_s3_q & (x_s3_q[6] & (not_2459_s3_q & (equal_4128 & less_4129)));
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_4138;
   assign and_4138 = x_s3_q[6] & (not_2459_s3_q & (less_4129 & (x_s3_q[2:0] == 3'h1)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4139;
   assign and_4139 = equal_572_s3_q & and_4138;
   // hls/stages/patches.hpp:638
   logic [7:0] or_4141;
   assign or_4141 = (and_4133 ? patches_quarters_0_places_q : 8'h0) | (and_4139 ? patches_quarters_1_places_q : 8'h0);
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_4145;
   assign and_4145 = x_s3_q[6] & (not_2459_s3_q & (less_4129 & (x_s3_q[2:0] == 3'h2)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4146;
   assign and_4146 = equal_572_s3_q & and_4145;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_4152;
   assign and_4152 = x_s3_q[6] & (not_2459_s3_q & (less_4129 & (x_s3_q[2:0] == 3'h3)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4153;
   assign and_4153 = equal_572_s3_q & and_4152;
   // hls/stages/patches.hpp:638
@@ -6795,7 +6789,7 @@ module horopter_agreement (
   // hls/stages/patches.hpp:203
   logic select_4159;
   assign select_4159 = (x_s3_q[5:3] == 3'h2) ? x_s3_q[1] : (x_s3_q[0] & (x_s3_q[5:3] == 3'h1));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4163;
   assign and_4163 = equal_572_s3_q & (x_s3_q[6] & (not_2459_s3_q & (less_4129 & select_4159)));
   // hls/stages/patches.hpp:639
@@ -6819,10 +6813,10 @@ module horopter_agreement (
   // hls/stages/patches.hpp:206
   logic [4:0] sum_4186;
   assign sum_4186 = {2'h0, x_s3_q[2:0]} + 5'h1f;
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_4190;
   assign and_4190 = x_s3_q[6] & (not_2459_s3_q & (less_4129 & (sum_4186[4:2] == 3'h0)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4191;
   assign and_4191 = equal_572_s3_q & and_4190;
   // hls/stages/patches.hpp:635
@@ -6843,13 +6837,13 @@ module horopter_agreement (
   // hls/stages/patches.hpp:679
   logic [11:0] select_4207;
   assign select_4207 = patches_round_ends_q ? {{6{select_4205[5]}}, select_4205} : (patches_across_q + {{6{select_4205[5]}}, select_4205});
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4211;
   assign and_4211 = equal_572_s3_q & (x_s3_q[6] & (not_2459_s3_q & (equal_3369 & less_4129)));
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic and_4215;
   assign and_4215 = x_s3_q[6] & (not_2459_s3_q & (less_4129 & (x_s3_q[5:3] == 3'h0)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4216;
   assign and_4216 = equal_572_s3_q & and_4215;
   // hls/stages/patches.hpp:662
@@ -6917,36 +6911,36 @@ module horopter_agreement (
   assign sum_4280 = patches_age_q + {9'h0, and_4279};
   logic [9:0] select_4283;
   assign select_4283 = patches_round_ends_q ? (patches_twice_q ? 10'h0 : (patches_clear_q ? 10'h0 : sum_4280)) : sum_4280;
-  // hls/stages/agreement.hpp:1217
+  // hls/stages/agreement.hpp:1218
   logic or_4341;
   assign or_4341 = ({counts_textured_q, 4'h0} < {4'h0, counts_supervised_q}) | (counts_textured_q[13:3] < 11'h5);
-  // hls/stages/agreement.hpp:1246
+  // hls/stages/agreement.hpp:1247
   logic equal_4343;
   assign equal_4343 = x_s3_q[6:3] == 4'h7;
-  // hls/stages/agreement.hpp:1255
+  // hls/stages/agreement.hpp:1256
   logic too_little;
   assign too_little = (counts_explained_q < product_q) | (product_rest_q & (counts_explained_q == product_q));
-  // hls/stages/agreement.hpp:1256
+  // hls/stages/agreement.hpp:1257
   logic select_4349;
   assign select_4349 = (equal_4343 & equal_4128) ? too_little : disagree_q;
-  // hls/stages/agreement.hpp:1151
+  // hls/stages/agreement.hpp:1152
   logic [10:0] sum_4352;
   assign sum_4352 = {1'b0, select_3119} + {2'h0, select_3119[9:1]};
   logic select_4355;
   assign select_4355 = (select_3116[9:3] == 7'h0) ? ((~or_4341) & (~select_4349)) : (~({sum_4352, select_3119[0]} < {2'h0, select_3116}));
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [47:0] select_4357;
   assign select_4357 = x_s3_q[6] ? (equal_2084_s3_q ? good_q : {select_4355, good_q[47:1]}) : good_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_4362;
   assign select_4362 = equal_572_s3_q ? ((x_s3_q[6] & good_known_q) | equal_4360_s3_q) : good_known_q;
-  // hls/stages/agreement.hpp:1164
+  // hls/stages/agreement.hpp:1165
   logic [8:0] select_4364;
   assign select_4364 = hidden_ends_q ? 9'h0 : (hidden_for_q + {{7{hidden_more_q[0]}}, hidden_more_q});
-  // hls/stages/agreement.hpp:1176
+  // hls/stages/agreement.hpp:1177
   logic [8:0] select_4365;
   assign select_4365 = equal_4360_s3_q ? select_4364 : hidden_for_q;
-  // hls/stages/agreement.hpp:1246
+  // hls/stages/agreement.hpp:1247
   logic equal_4367;
   assign equal_4367 = x_s3_q[6:3] == 4'ha;
   logic equal_4369;
@@ -6957,32 +6951,32 @@ module horopter_agreement (
   assign equal_4371 = x_s3_q[6:3] == 4'h9;
   logic equal_4372;
   assign equal_4372 = x_s3_q[6:3] == 4'h8;
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic [13:0] select_4374;
   assign select_4374 = equal_4371 ? counts_skin_unproven_q : (equal_4372 ? counts_unproven_q : counts_regions_bad_q);
   logic [13:0] select_4376;
   assign select_4376 = equal_4370 ? counts_regions_bad_q : (equal_4367 ? counts_nearer_q : select_4374);
   logic [13:0] before_v_6;
   assign before_v_6 = equal_4369 ? counts_on_skin_q : select_4376;
-  // hls/stages/agreement.hpp:1251
+  // hls/stages/agreement.hpp:1252
   logic [14:0] over;
   assign over = {1'b0, product_q} - {1'b0, before_v_6};
-  // hls/stages/agreement.hpp:1259
+  // hls/stages/agreement.hpp:1260
   logic select_4379;
   assign select_4379 = (equal_4367 & equal_4128) ? over[14] : hides_q;
-  // hls/stages/agreement.hpp:1178
+  // hls/stages/agreement.hpp:1179
   logic not_4380;
   assign not_4380 = ~select_4379;
-  // hls/stages/agreement.hpp:1179
+  // hls/stages/agreement.hpp:1180
   logic or_4383;
   assign or_4383 = not_4380 | (~(hidden_for_q[8:1] == 8'hff));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_4388;
   assign select_4388 = equal_572_s3_q ? (not_4380 & (cfg_same_table_i | (hidden_for_q == 9'h0))) : hidden_ends_q;
-  // hls/stages/agreement.hpp:1260
+  // hls/stages/agreement.hpp:1261
   logic [13:0] select_4389;
   assign select_4389 = equal_4128 ? 14'h0 : product_q;
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic [7:0] select_4391;
   assign select_4391 = (x_s3_q[6:3] == 4'h6) ? cfg_explained_limit_i : cfg_regions_limit_i;
   logic [7:0] select_4393;
@@ -6991,41 +6985,41 @@ module horopter_agreement (
   assign select_4395 = equal_4367 ? cfg_regions_limit_i : (equal_4371 ? cfg_hidden_limit_i : select_4393);
   logic [7:0] limit;
   assign limit = equal_4369 ? cfg_regions_limit_i : (equal_4370 ? {cfg_on_skin_limit_i, 3'h0} : select_4395);
-  // hls/stages/agreement.hpp:1260
+  // hls/stages/agreement.hpp:1261
   logic not_4398;
   assign not_4398 = ~x_s3_q[2];
   logic [3:0] select_4399;
   assign select_4399 = x_s3_q[1] ? {x_s3_q[2], 1'b0, not_4398, 1'b0} : {1'b0, x_s3_q[2], 1'b0, not_4398};
   logic [7:0] select_4400;
   assign select_4400 = x_s3_q[0] ? {select_4399[3], 1'b0, select_4399[2], 1'b0, select_4399[1], 1'b0, select_4399[0], 1'b0} : {1'b0, select_4399[3], 1'b0, select_4399[2], 1'b0, select_4399[1], 1'b0, select_4399[0]};
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic [13:0] select_4404;
   assign select_4404 = equal_4371 ? counts_skin_supervised_q : (equal_4372 ? counts_skin_textured_q : counts_textured_q);
   logic [13:0] select_4406;
   assign select_4406 = equal_4370 ? counts_skin_textured_q : (equal_4367 ? counts_textured_q : select_4404);
   logic [13:0] of;
   assign of = equal_4369 ? counts_textured_q : select_4406;
-  // hls/stages/agreement.hpp:1260
+  // hls/stages/agreement.hpp:1261
   logic [13:0] select_4408;
   assign select_4408 = ((limit & select_4400) == 8'h0) ? 14'h0 : of;
   logic [14:0] sum_4;
   assign sum_4 = {1'b0, select_4389} + {1'b0, select_4408};
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic select_4413;
   assign select_4413 = equal_572_s3_q ? (equal_4128 ? sum_4[0] : (product_rest_q | sum_4[0])) : product_rest_q;
-  // hls/stages/agreement.hpp:1257
+  // hls/stages/agreement.hpp:1258
   logic and_4418;
   assign and_4418 = too_much_q & (~(equal_4372 & equal_4128));
-  // hls/stages/agreement.hpp:1258
+  // hls/stages/agreement.hpp:1259
   logic select_4423;
   assign select_4423 = (over[14] & equal_4128) ? (and_4418 | ((equal_4372 | equal_4371) | (x_s3_q[6:3] == 4'hf))) : and_4418;
-  // hls/stages/agreement.hpp:1141
+  // hls/stages/agreement.hpp:1142
   logic and_4428;
   assign and_4428 = over[14] & ({4'h0, cfg_on_skin_cells_i, 2'h0} < counts_on_skin_q);
-  // hls/stages/agreement.hpp:1260
+  // hls/stages/agreement.hpp:1261
   logic select_4429;
   assign select_4429 = (equal_4369 & equal_4128) ? and_4428 : overlooks_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic [2:0] select_4431;
   assign select_4431 = ends_cell_s3_q ? textured_2_s3_q : box_textured_columns_values_0_q;
   logic [2:0] select_4433;
@@ -7110,7 +7104,7 @@ module horopter_agreement (
   assign select_4499 = equal_572_s3_q ? box_nearer_columns_values_4_q : (so_s3_q ? select_4497 : box_nearer_columns_values_4_q);
   logic [4:0] select_4501;
   assign select_4501 = so_s3_q ? (ends_cell_s3_q ? n : box_nearer_sum_sums_values_0_q) : box_nearer_sum_sums_values_0_q;
-  // hls/stages/agreement.hpp:1339
+  // hls/stages/agreement.hpp:1340
   logic [1:0] select_4548;
   assign select_4548 = and_4547_s3_q ? {and_2604, is_seen} : map_rdata_q;
   // hls/stages/agreement.hpp:443
@@ -7118,44 +7112,44 @@ module horopter_agreement (
   assign select_4552 = and_2532_s3_q ? (less_2533_s3_q ? (select_4548[0] & and_4549_s3_q) : seen_q) : seen_q;
   logic select_4555;
   assign select_4555 = and_2532_s3_q ? (less_2533_s3_q ? (select_4548[1] & and_4549_s3_q) : nearer_q) : nearer_q;
-  // hls/stages/agreement.hpp:1268
+  // hls/stages/agreement.hpp:1269
   logic or_4562;
   assign or_4562 = (patches_age_q[9] & (~(cfg_patch_limit_i == 6'h3f))) | (~proven_s3_q);
-  // hls/stages/agreement.hpp:1270
+  // hls/stages/agreement.hpp:1271
   logic not_4570;
   assign not_4570 = ~(or_4341 | not_2828);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4574;
   assign and_4574 = equal_572_s3_q & (equal_4360_s3_q & (not_4570 & (select_4349 | select_4423)));
   logic and_4577;
   assign and_4577 = equal_4360_s3_q & (cfg_prove_i & (registration_moved_q | patches_moved_q));
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1169
   logic or_4581;
   assign or_4581 = select_2926 | (select_2938 | ($signed(20'h0) < $signed(census_left_misses_q)));
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4588;
   assign and_4588 = equal_572_s3_q & (equal_4360_s3_q & (not_4570 & (select_2932 | select_2944)));
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1169
   logic and_4593;
   assign and_4593 = (~(cfg_hidden_frames_i == 8'h0)) & (~(select_4365[8:1] < cfg_hidden_frames_i));
-  // hls/stages/agreement.hpp:1180
+  // hls/stages/agreement.hpp:1181
   logic [14:0] sum_4597;
   assign sum_4597 = {1'b0, counts_skin_textured_q} + {2'h0, counts_skin_textured_q[13:1]};
-  // hls/stages/agreement.hpp:1165
+  // hls/stages/agreement.hpp:1166
   logic and_4599;
   assign and_4599 = (proven_s3_q & (~cfg_same_table_i)) & (sum_4597[14:1] < counts_nearer_q);
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4601;
   assign and_4601 = equal_4360_s3_q & ((not_2828 | and_4593) ? cfg_prove_i : and_4599);
-  // hls/stages/agreement.hpp:1168
+  // hls/stages/agreement.hpp:1169
   logic select_4605;
   assign select_4605 = (not_2828 | (select_4429 & not_4252)) ? cfg_prove_i : patches_overlooked_q;
-  // hls/stages/agreement.hpp:798
+  // hls/stages/agreement.hpp:799
   logic and_4610;
   assign and_4610 = equal_572_s3_q & (equal_4360_s3_q & (cfg_prove_i & moments_out_of_step_q));
   logic and_4614;
   assign and_4614 = equal_572_s3_q & (x_s3_q[6] & (not_2459_s3_q | (4'hc < x_s3_q[5:2])));
-  // hls/stages/agreement.hpp:1156
+  // hls/stages/agreement.hpp:1157
   logic [31:0] select_4622;
   assign select_4622 = equal_2106_s3_q ? {2'h0, counts_explained_q, 2'h0, counts_textured_q} : (equal_4620_s3_q ? registration_sums_rdata_q : 32'h0);
   logic [31:0] select_4623;
@@ -7172,10 +7166,10 @@ module horopter_agreement (
   assign select_4628 = equal_2094_s3_q ? {8'h0, sharpness_sums_contrast_1_q} : select_4627;
   logic [31:0] select_4629;
   assign select_4629 = equal_2092_s3_q ? {1'b0, patches_round_on_skin_q, patches_round_moved_q, patches_round_across_q, patches_round_places_q} : select_4628;
-  // hls/stages/agreement.hpp:1154
+  // hls/stages/agreement.hpp:1155
   logic [9:0] select_4630;
   assign select_4630 = less_3115 ? 10'h0 : regions_rdata_q[29:20];
-  // hls/stages/agreement.hpp:1158
+  // hls/stages/agreement.hpp:1159
   logic [31:0] select_4631;
   assign select_4631 = equal_2084_s3_q ? select_4629 : {2'h0, select_4630, select_3119, select_3116};
 
@@ -7922,6 +7916,6 @@ module horopter_agreement (
 
   // Nothing depends on these bits.
   logic unused_bits;
-  assign unused_bits = ^{sum_4597[0], over[13:0], sum_4291[6:0], product_4255[4:0], sum_4226[1:0], sum_4186[1:0], product_4087[4:0], sum_3219[0], difference_3157[1:0], detail_4[1:0], detail_3[1:0], sum_2762[4:0], sum_2191[0], sum_2187[0], sum_733[4:0], cfg_width_i[2:0]};
+  assign unused_bits = ^{sum_4597[0], over[13:0], product_4255[4:0], sum_4226[1:0], sum_4186[1:0], product_4087[4:0], sum_3219[0], difference_3157[1:0], detail_4[1:0], detail_3[1:0], sum_2762[4:0], sum_2191[0], sum_2187[0], sum_733[4:0], cfg_width_i[2:0]};
 
 endmodule
