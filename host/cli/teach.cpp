@@ -19,6 +19,7 @@
 #include "horopter/machine/engines.hpp"
 #include "horopter/machine/faults.hpp"
 #include "horopter/machine/machine_build.hpp"
+#include "horopter/machine/monitor.hpp"
 #include "horopter/machine/registers.hpp"
 #include "inputs.hpp"
 #include "progress.hpp"
@@ -78,11 +79,12 @@ bool shows_alarm(Device& device) {
 /// A frame with a fault or an alarm makes the machine forget: so many in a row. Where something comes in between, whoever it
 /// was may stay, and would be learned with the frames after it. What ends early leaves the machine teaching.
 void learn(Device& device, const BlindSettings& blind, std::uint32_t frames) {
-  // A teaching that was under way, or done before, is no part of this one: TAUGHT keeps its number until a frame begins that
-  // teaches after one that did not.
-  write_blocks(device, blind, false);
-  wait_for_frames(device, "nothing is taught anew", [](std::uint32_t passed) { return passed >= kHeard; });
+  // What was taught before is no part of it. A teaching that is done is forgotten when another one begins; one that is under
+  // way, by a fault: a frame in between that does not teach would be judged by it, and could be safe.
+  const bool under_way = reg::blocks::kTeach.get(device.read(reg::blocks::kAddress)) != 0;
   write_blocks(device, blind, true);
+  if (under_way) take_safe_away(device);
+  wait_for_frames(device, kTeaching, [](std::uint32_t passed) { return passed >= kHeard; });
   Progress progress("teaching, frame");
   device.write(reg::faults_cameras::kAddress, 0xFFFFFFFFU);
   device.write(reg::faults_machine::kAddress, 0xFFFFFFFFU);
@@ -94,7 +96,6 @@ void learn(Device& device, const BlindSettings& blind, std::uint32_t frames) {
   };
   std::uint32_t taught_before = 0;
   wait_for_frames(device, kTeaching, [&](std::uint32_t passed) {
-    if (passed < kHeard) return false;
     const bool alarm = shows_alarm(device);
     const std::uint32_t taught = taught_frames(device);
     progress.show(taught, frames);

@@ -228,12 +228,14 @@ void Monitor::break_off_teaching() {
   breaks_off_ = true;
 }
 
-void Monitor::trip() {
-  const auto slot = reg::map_status::kActiveSlot.get(device_->read(reg::map_status::kAddress));
+void Monitor::trip() { take_safe_away(*device_); }
+
+void take_safe_away(Device& device) {
+  const auto slot = reg::map_status::kActiveSlot.get(device.read(reg::map_status::kAddress));
   if (slot == reg::kNoSlot) return;
-  device_->write(reg::map_slot::kAddress, slot);
-  device_->write(reg::map_control::kAddress, reg::map_control::kStart.put(1));
-  for (int poll = 0; says_safe(device_->read(reg::status::kAddress)); ++poll) {
+  device.write(reg::map_slot::kAddress, slot);
+  device.write(reg::map_control::kAddress, reg::map_control::kStart.put(1));
+  for (int poll = 0; says_safe(device.read(reg::status::kAddress)); ++poll) {
     if (poll == kTripPolls) throw DeviceError("the machine stays safe although it was told not to be");
   }
 }

@@ -164,6 +164,11 @@ double object_area_limit_mm2(const Settings& settings);
 double smallest_object_px(const MachineProfile& profile);
 double smallest_object_px();  ///< the least of all profiles
 
+/// Takes safe away as a fault does, for who knows more than the machine: by an upload into the table in use, which it
+/// refuses. The next frame has the fault `map_busy`, and what is being taught is forgotten. Nothing before the first frame,
+/// when it is not safe. Throws DeviceError where it is safe all the same.
+void take_safe_away(Device& device);
+
 class Monitor {
  public:
   /// Checks that the device is a Horopter of this profile and version; its build may have one of the profile's two
@@ -192,9 +197,7 @@ class Monitor {
   /// No more of it, and nothing counts as taught: the next frame still teaches, with the fault of trip(), and so the machine
   /// forgets all. Where it knows nothing it ends at once.
   void break_off_teaching();
-  /// Takes safe away as a fault does, for who knows more than the machine: by an upload into the table in use, which it
-  /// refuses. The next frame has the fault `map_busy`. Nothing before the first frame, when it is not safe. Throws
-  /// DeviceError where it is safe all the same.
+  /// take_safe_away() of the device.
   void trip();
   /// What was taught since start().
   const BlindWatch& blind_watch() const { return *blind_watch_; }
