@@ -121,6 +121,22 @@ class Surroundings final : public Endpoint {
   bool held_ = false, starting_ = false;
 };
 
+/// A framer behind its reset.
+struct Bench {
+  Bench(bool live, std::uint32_t timeout) {
+    model.live_i = live;
+    model.width_i = kWidth;
+    model.height_i = kHeight;
+    model.timeout_i = timeout;
+    simulation.attach(around);
+    simulation.reset();
+  }
+  Rng rng{"framer"};
+  Simulation<Vtb_framer> simulation{rng.next(), 10'000};
+  Vtb_framer& model = simulation.model();
+  Surroundings around{model};
+};
+
 /// A frame of all its rows, none bad, and no fault but perhaps a missing start.
 void check_whole(const Frame& frame, const Image& image, unsigned missing_starts) {
   CHECK_FALSE(frame.empty);
@@ -144,16 +160,8 @@ TEST_CASE("framer: a start of frame around the clock in which a frame is granted
   const int after = GENERATE(range(-6, 7));  // clocks from the grant to the arrival of the start
   CAPTURE(live, junk, after);
 
-  Rng rng{"framer"};
-  Simulation<Vtb_framer> simulation{rng.next(), 10'000};
-  Vtb_framer& model = simulation.model();
-  model.live_i = live;
-  model.width_i = kWidth;
-  model.height_i = kHeight;
-  model.timeout_i = 1'000;
-  Surroundings around{model};
-  simulation.attach(around);
-  simulation.reset();
+  Bench bench{live, 1'000};
+  auto& [rng, simulation, model, around] = bench;
 
   // A good frame, then lines of which nobody knows the frame, until the framer asks for the lost one.
   const Image before = noise_image(kWidth, kHeight, rng), image = noise_image(kWidth, kHeight, rng);
@@ -207,16 +215,8 @@ TEST_CASE("framer: a pause that ends a frame is a fault of that frame, whenever 
   const auto pause = limit + static_cast<unsigned>(GENERATE(range(0, 12))) - 6;
   CAPTURE(live, sent_before, pause);
 
-  Rng rng{"framer"};
-  Simulation<Vtb_framer> simulation{rng.next(), 10'000};
-  Vtb_framer& model = simulation.model();
-  model.live_i = live;
-  model.width_i = kWidth;
-  model.height_i = kHeight;
-  model.timeout_i = kTimeout;
-  Surroundings around{model};
-  simulation.attach(around);
-  simulation.reset();
+  Bench bench{live, kTimeout};
+  auto& [rng, simulation, model, around] = bench;
 
   const Image image = noise_image(kWidth, kHeight, rng);
   around.send(image, true);

@@ -674,6 +674,25 @@ TEST_CASE("a teaching is refused where it stopped since somebody looked, or a fa
   }
 }
 
+namespace {
+/// Of a teaching that was broken off; taught anew it counts from the beginning.
+void check_nothing_is_taught(Bench& bench) {
+  Status status;
+  for (int i = 0; i < 20; ++i) {
+    status = bench.judge();
+    CHECK_FALSE(status.teaching);
+  }
+  CHECK_FALSE(status.taught);
+  CHECK(status.causes.empty());
+  CHECK_FALSE(bench.has_noted("taught by"));
+  std::string why;
+  REQUIRE(bench.teach(3, why));
+  for (int i = 0; i < 3; ++i) CHECK(bench.judge().teaching);
+  CHECK(bench.judge().taught);
+  CHECK(bench.has_noted("taught by 3 frames"));
+}
+}  // namespace
+
 TEST_CASE("a teaching is broken off by a fault of the monitor's own: nothing counts as taught") {
   Bench bench(120s, false, true);
   std::string why;
@@ -691,19 +710,7 @@ TEST_CASE("a teaching is broken off by a fault of the monitor's own: nothing cou
     CHECK_FALSE(bench.judge().teaching);
     CHECK(bench.has_noted("teaching was broken off: left_gap"));
   }
-  Status status;
-  for (int i = 0; i < 20; ++i) {
-    status = bench.judge();
-    CHECK_FALSE(status.teaching);
-  }
-  CHECK_FALSE(status.taught);
-  CHECK(status.causes.empty());
-  CHECK_FALSE(bench.has_noted("taught by"));
-  // Taught anew it counts from the beginning.
-  REQUIRE(bench.teach(3, why));
-  for (int i = 0; i < 3; ++i) CHECK(bench.judge().teaching);
-  CHECK(bench.judge().taught);
-  CHECK(bench.has_noted("taught by 3 frames"));
+  check_nothing_is_taught(bench);
 }
 
 TEST_CASE("a teaching is broken off by an alarm or a fault of the machine: nothing counts as taught") {
@@ -728,16 +735,7 @@ TEST_CASE("a teaching is broken off by an alarm or a fault of the machine: nothi
   CHECK(std::ranges::any_of(events, [&](const Event& event) {
     return event.what.starts_with("teaching was broken off: ") && event.what.find(cause) != std::string::npos;
   }));
-  for (int i = 0; i < 10; ++i) {
-    status = bench.judge();
-    CHECK_FALSE(status.teaching);
-  }
-  CHECK_FALSE(status.taught);
-  CHECK_FALSE(bench.has_noted("taught by"));
-  REQUIRE(bench.teach(3, why));
-  for (int i = 0; i < 3; ++i) CHECK(bench.judge().teaching);
-  CHECK(bench.judge().taught);
-  CHECK(bench.has_noted("taught by 3 frames"));
+  check_nothing_is_taught(bench);
 }
 
 TEST_CASE("by itself only where the cell says so; then a restart by hand is refused") {
