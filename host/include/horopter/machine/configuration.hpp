@@ -26,7 +26,8 @@ struct FrameGeometry {
 };
 
 /// The registers that geometry and settings decide, and those that no setting does, but for IRQ_ENABLE, which is a driver's,
-/// and those of the tables; some are locked while the machine runs. Of AGREEMENT_LIMITS, which is read, only a part is decided. Throws UsageError where a setting has no such value.
+/// and those of the tables; some are locked while the machine runs. Of AGREEMENT_LIMITS, which is read, only a part is
+/// decided. Throws UsageError where a setting has no such value.
 std::vector<RegisterWord> configuration(Device& device, const MachineProfile& profile, const Settings& settings,
                                         FrameGeometry geometry);
 

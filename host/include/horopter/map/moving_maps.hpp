@@ -33,8 +33,8 @@ struct MovingMaps {
 
 /// Times of the skins of consecutive frames. An object that is outside of the skin at one frame must not be inside of
 /// it at the next without having been in it. So, at every supervised pixel (of a lattice of at most 8 px), the way of
-/// the skin from one frame to the next and that of an object, its speed times limits.longest_s(), are together at most the thickness
-/// across the skin, the smaller of both. The way of the skin is along its normal between both where the line of sight
+/// the skin from one frame to the next and that of an object, its speed times limits.longest_s(), are together at most the
+/// thickness across the skin, the smaller of both. The way of the skin is along its normal between both where the line of sight
 /// meets both; never more than the way of its matter. Where a step is too long, intermediate skins are inserted: the
 /// skin then comes later than the motion says. A robot that does not wait for it touches its own skin: an alarm, not
 /// a gap. Throws std::runtime_error where even a skin at rest is too thin for the object, saying where.
